@@ -17,11 +17,8 @@ struct CoupledDamping {
     std::vector<double> damping_ratios; ///< those nearest to the matrix, mode by mode
 };
 
-/// @brief Whether the damping matrix of a scene couples the modes, and how much. Double tells; the reference where it fails.
-/// @eq{18}
-/// @param source  the scene
-/// @return        none where damping was given by ratios, or by a matrix that does not couple the modes
-/// @throws        as `modal_basis`
+/// @brief Whether the damping matrix of a scene couples the modes, and how much. Double tells; the reference where it fails. None
+/// where damping was given by ratios, or by a matrix that does not couple the modes. @eq{18}
 [[nodiscard]] std::optional<CoupledDamping> coupled_damping(const SceneSource& source);
 
 } // namespace denhartog

@@ -16,29 +16,21 @@ struct ModesInDouble {
     std::string rounded_because{};                            ///< why double has none, where the reference found it; else empty
 };
 
-/// @brief Whether a damping matrix certainly couples two modes. @param basis modes with their `D` @return true if so
+/// @brief Whether a damping matrix, given as `D` of the modes, certainly couples two of them.
 [[nodiscard]] bool certainly_couples(const ModalBasis<Bounded<double>>& basis);
 
-/// @brief Takes modes that a damping matrix does not couple, or hardly, to move by themselves.
-/// @param basis  modes with their `D`, which is taken from them; gets bounds of what is left out
+/// @brief Takes modes that a damping matrix does not couple, or hardly, to move by themselves. Their `D` is taken from them, and
+/// they get bounds of what is left out.
 void leave_out_coupling(ModalBasis<Bounded<double>>& basis);
 
-/// @brief Finds the modes. @param source the system @return the modes @throws as `modal_basis`
+/// @brief Finds the modes of a system.
 [[nodiscard]] ModesInDouble modes_in_double(const SceneSource& source);
 
-/// @brief Prepares a system for the exact solver in double.
-/// @param source  the system
-/// @param modes   its modes
-/// @return        the system, sliding and stuck
-/// @throws        as `contact_system`
+/// @brief Prepares a system for the exact solver in double, sliding and stuck.
 [[nodiscard]] std::shared_ptr<const ContactSystem<double>> moving_in_double(const SceneSource& source,
                                                                             const ModesInDouble& modes);
 
-/// @brief The same with the modes of the reference.
-/// @param source   the system
-/// @param because  why double has none, or not their digits
-/// @return         the system, sliding and stuck
-/// @throws         as `contact_system`
+/// @brief The same with the modes of the reference; `because` says why double has none, or not their digits.
 [[nodiscard]] ContactSystem<double> moving_by_reference(const SceneSource& source, const std::string& because);
 
 } // namespace denhartog

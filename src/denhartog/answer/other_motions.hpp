@@ -13,16 +13,12 @@
 
 namespace denhartog {
 
-/// @brief Distinct steady motions, the one from rest first.
+/// @brief Distinct steady motions, the one from rest first; none where no start leads to one.
 ///
 /// Starts: rest; the sliding motion of the closed form, and larger and smaller ones; the contact displaced to either side; random
-/// states in the size of the motion without friction; the orbits of neighbouring r and beta, from both sides. Unstable orbits
-/// are those that Newton's method finds from the same starts. Where the motion is known to be unique the start from rest alone
-/// is followed.
-/// @param scene   the scene, with r and beta
-/// @param system  the system of the scene, as the exact solver needs it
-/// @param basis   its modal basis with bounds of its errors
-/// @return        the motions; none where no start leads to one
+/// states in the size of the motion without friction; the orbits of neighbouring r and beta, from both sides. Unstable orbits are
+/// those that Newton's method finds from the same starts. Where the motion is known to be unique the start from rest alone is
+/// followed.
 [[nodiscard]] std::vector<OtherMotion> other_motions(const Scene<double>& scene, const ContactSystem<double>& system,
                                                      const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis);
 

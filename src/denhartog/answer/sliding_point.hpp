@@ -36,13 +36,9 @@ struct PointWish {
 ///
 /// The instants of the maxima are searched for on values alone, and the formulas are then evaluated there with bounds. Errors
 /// count relative to amplitudes and friction ratios, absolute for phases. A mass that does not move, and a contact that the load
-/// does not reach, have none.
+/// does not reach, have none. Without beta the boundary alone is computed. At a pole of a mode without damping it throws
+/// DomainError, and where a maximum is not settled PrecisionError.
 /// @eq{38,39,44,45,47,52,53,69}
-/// @param scene  the scene, with r; without beta the boundary alone is computed
-/// @param basis  its modes
-/// @param wish   what is asked
-/// @return       the point
-/// @throws       DomainError at a pole of a mode without damping; PrecisionError where a maximum is not settled
 [[nodiscard]] SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Bounded<double>>& basis,
                                          const PointWish& wish);
 

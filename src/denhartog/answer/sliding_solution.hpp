@@ -22,12 +22,9 @@ struct SlidingQuestion {
 /// @brief Boundary, regime and sliding motion at the point of a scene, in double.
 ///
 /// Digits are relative to the amplitude of the mass for displacements, to the value for friction ratios, absolute for phases; a
-/// mass that does not move has none.
+/// mass that does not move has none. Without beta there is the boundary alone, and outside the sliding regime there are no
+/// masses. A bad scene and bad digits are an InputError, a pole of a mode without damping is a DomainError.
 /// @eq{38,39,44,45,47,52,53,69}
-/// @param source    the scene, with r; without beta the boundary alone
-/// @param question  what is asked
-/// @return          the answer; no masses outside the sliding regime; `digits_reached` where its digits are there
-/// @throws          InputError for a bad scene or bad digits; DomainError at a pole of a mode without damping
 [[nodiscard]] Solution sliding_solution(const SceneSource& source, const SlidingQuestion& question);
 
 } // namespace denhartog

@@ -22,13 +22,12 @@ struct MapSystem {
     const std::vector<Mass>& rows;   ///< the same in the order of the displacements, see `displacement_of`
     std::optional<long> effort{};    ///< operations allowed a point
 
-    /// @brief The system as the exact solver needs it. @return modes, sliding and stuck
+    /// @brief The system as the exact solver needs it, sliding and stuck.
     [[nodiscard]] const ContactSystem<double>& system() const { return *prepared.moving; }
 };
 
-/// @brief Whether the contact alone is asked for, and no point but one of stick-slip needs a motion to be followed.
-/// @param map  what the columns share
-/// @return     true where the closed form and the rest answer many points of a column together
+/// @brief Whether the contact alone is asked for, and no point but one of stick-slip needs a motion to be followed. The closed
+/// form and rest then answer many points of a column together.
 [[nodiscard]] bool answers_together(const MapSystem& map);
 
 /// @brief What a column has of its frequency ratio, with bounds where it was evaluated; what the arrays tell has none.
@@ -39,13 +38,9 @@ struct ContactColumn {
     RegimeBoundary<Bounded<double>> boundary; ///< where the regimes part
 };
 
-/// @brief Computes a column.
-/// @param map         what the columns share
-/// @param r           frequency ratio
-/// @param arrays      what the arrays tell of it, if its limits part the friction ratios for certain; else it is evaluated here
-/// @param stop        leaves the rest of the column undone once it is set
-/// @param points      where the points go
-/// @param amplitudes  where the amplitudes go, filled with NaN before
+/// @brief Computes a column. `arrays` is what the arrays tell of its frequency ratio, if its limits part the friction ratios for
+/// certain; else it is evaluated here. Once `stop` is set, the rest of the column is left undone. Amplitudes were filled with NaN
+/// before.
 void compute_column(const MapSystem& map, double r, const std::optional<ContactColumn>& arrays, const std::atomic<bool>& stop,
                     std::span<MapPoint> points, std::span<double> amplitudes);
 

@@ -15,8 +15,7 @@ struct OrbitAt {
     double beta;         ///< the friction ratio
 };
 
-/// @brief The state on the line through two orbits. @param a an orbit @param b another one @param beta friction ratio
-/// @return the state; none far from both, or where one is missing
+/// @brief The state on the line through two orbits at a friction ratio; none far from both, or where one is missing.
 [[nodiscard]] inline std::optional<State<double>> on_line_through(const std::optional<OrbitAt>& a,
                                                                   const std::optional<OrbitAt>& b, double beta) {
     if (!a || !b) return std::nullopt;

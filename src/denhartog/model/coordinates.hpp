@@ -13,17 +13,15 @@
 
 namespace denhartog {
 
-/// @brief The mass matrix of a system. @param s the system @return M in units of m_1, N x N
+/// @brief The mass matrix of a system in units of m_1.
 template <class T>
 [[nodiscard]] Matrix<T> mass_matrix(const System<T>& s);
 
-/// @brief The stiffness matrix of a system. @param s the system @return K in units of k_1, N x N
-/// @eq{73}
+/// @brief The stiffness matrix of a system in units of k_1. @eq{73}
 template <class T>
 [[nodiscard]] Matrix<T> stiffness_matrix(const System<T>& s);
 
-/// @brief Whether a system is of the paper's form. @param s the system @return true where one mass is in contact with the wall, and
-/// one is loaded
+/// @brief Whether a system is of the paper's form: one mass is in contact with the wall, and one is loaded.
 template <class T>
 [[nodiscard]] bool is_of_papers_form(const System<T>& s) {
     return !s.contact_with && s.load_vector.empty();
@@ -31,17 +29,14 @@ template <class T>
 
 /// @brief A scene in coordinates of its own, where its contact is between two masses or its load acts on several.
 ///
-/// The matrices are taken there in more digits and rounded once: every entry is off by no more than a unit in its last place.
+/// The matrices are taken there in more digits and rounded once: every entry is off by no more than a unit in its last place. A
+/// scene of the paper stays as it is.
 /// @eq{6}
-/// @param scene  the scene
-/// @return       a scene of the paper's form, `coordinates` filled; a scene of the paper as it is
-/// @throws       InputError where `check` throws
 template <class T>
 [[nodiscard]] Scene<T> in_own_coordinates(const Scene<T>& scene);
 
-/// @brief Displacements that are no coordinates, in terms of these: the mass that the contact replaces, then that of the load.
-/// @param c  the coordinates of a system
-/// @return   a row each, N columns; none for a scene of the paper
+/// @brief Displacements that are no coordinates, in terms of these, a row for each: the mass that the contact replaces, then that
+/// of the load. There are none for a scene of the paper.
 template <class T>
 [[nodiscard]] Matrix<T> further_displacements(const Coordinates<T>& c) {
     if (c.load.empty()) return c.displacements;
@@ -52,11 +47,7 @@ template <class T>
     return rows;
 }
 
-/// @brief The force on each coordinate.
-/// @param c     the coordinates of a system
-/// @param load  the loaded mass, where the load is on one
-/// @param N     number of masses
-/// @return      p, N values in units of P
+/// @brief The force p on each of the N coordinates, in units of P; `load` is the loaded mass, where the load is on one.
 template <class T>
 [[nodiscard]] std::vector<T> load_on_coordinates(const Coordinates<T>& c, Mass load, std::size_t N) {
     if (!c.load.empty()) return c.load;
@@ -65,14 +56,13 @@ template <class T>
     return p;
 }
 
-/// @brief The force on each coordinate. @param s a system in its own coordinates @return p, N values in units of P
+/// @brief The same of a system in its own coordinates.
 template <class T>
 [[nodiscard]] std::vector<T> load_on_coordinates(const System<T>& s) {
     return load_on_coordinates(s.coordinates, s.load, number_of_masses(s));
 }
 
-/// @brief The place of a mass among displacements. @param s a system @param k a mass
-/// @return k itself where it is a coordinate, else its place behind them
+/// @brief The place of a mass among displacements: its own where it is a coordinate, else behind them.
 template <class T>
 [[nodiscard]] Mass displacement_of(const System<T>& s, Mass k) {
     for (std::size_t n = 0; n < s.coordinates.replaced.size(); ++n)
@@ -80,9 +70,7 @@ template <class T>
     return k;
 }
 
-/// @brief Puts displacements in the order of the masses.
-/// @param c              the coordinates of a system
-/// @param displacements  one of each displacement; what stood for a coordinate that is no mass comes last
+/// @brief Puts displacements in the order of the masses; what stood for a coordinate that is no mass comes last.
 template <class T, class Value>
 void put_in_order_of_masses(const Coordinates<T>& c, std::vector<Value>& displacements) {
     const std::size_t N = displacements.size() - c.replaced.size();
@@ -90,8 +78,6 @@ void put_in_order_of_masses(const Coordinates<T>& c, std::vector<Value>& displac
 }
 
 /// @brief Adds the masses that are no coordinates to numbers of the coordinates.
-/// @param c  the coordinates of a system
-/// @param x  one number a coordinate; gets one more for each mass that is none
 template <class T>
 void add_displacements(const Coordinates<T>& c, std::vector<T>& x) {
     const std::size_t N = x.size();
@@ -104,8 +90,6 @@ void add_displacements(const Coordinates<T>& c, std::vector<T>& x) {
 }
 
 /// @brief Numbers of the masses taken to the coordinates.
-/// @param c  the coordinates of a system
-/// @param x  one number a mass; gets one a coordinate
 template <class T>
 void take_to_coordinates(const Coordinates<T>& c, std::vector<T>& x) {
     const std::vector<T> of_masses = x;
@@ -117,8 +101,7 @@ void take_to_coordinates(const Coordinates<T>& c, std::vector<T>& x) {
     }
 }
 
-/// @brief Numbers of the coordinates taken to the masses. @param c the coordinates of a system
-/// @param x  one number a coordinate; gets one a mass
+/// @brief Numbers of the coordinates taken to the masses.
 template <class T>
 void take_to_masses(const Coordinates<T>& c, std::vector<T>& x) {
     const std::size_t N = x.size();

@@ -16,19 +16,12 @@ namespace denhartog {
 /// @brief Ratio of the largest mass to the least from which the modes are found so.
 inline constexpr double least_contrast_of_masses = 1024;
 
-/// @brief By how much the springs multiply relative errors of their entries on the way to those of squared natural frequencies: the
-/// trace of the inverse of K, its rows and columns scaled to a diagonal of ones.
-/// @param L  factor of the mass matrix
-/// @param K  stiffness matrix
-/// @return   the factor; none where the modes are not found so: L is not diagonal, the masses are not very different, or differ by less
-///           than the factor
+/// @brief By how much the springs multiply relative errors of their entries on the way to those of squared natural frequencies:
+/// the trace of the inverse of K, its rows and columns scaled to a diagonal of ones. None where the modes are not found so: L is
+/// not diagonal, the masses are not very different, or differ by less than the factor.
 [[nodiscard]] std::optional<double> condition_of_graded(const Matrix<double>& L, const Matrix<double>& K);
 
-/// @brief The modes.
-/// @eq{14,15}
-/// @param L  factor of the mass matrix
-/// @param K  stiffness matrix
-/// @return   the modes; none where there is no factor above
+/// @brief The modes; none where there is no factor above. @eq{14,15}
 [[nodiscard]] std::optional<NaturalModes<double>> graded_modes(const Matrix<double>& L, const Matrix<double>& K);
 
 } // namespace denhartog

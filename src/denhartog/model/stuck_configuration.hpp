@@ -46,10 +46,7 @@ struct RoundedModes {
     Matrix<T> damping;  ///< phi^T C phi of these; zero where it does not couple two modes
 };
 
-/// @brief What a load brings to each stuck mode.
-/// @param stuck  the stuck configuration
-/// @param load   the loaded mass, l; none of them where the load acts on several
-/// @return       phi^T p, N - 1 values
+/// @brief What a load brings to each stuck mode, phi^T p; `load` is none of the masses where it acts on several.
 template <class T>
 [[nodiscard]] std::vector<T> load_on_stuck_modes(const StuckConfiguration<T>& stuck, Mass load) {
     std::vector<T> of_modes(stuck.masses.size(), T(0));
@@ -63,22 +60,15 @@ template <class T>
     return of_modes;
 }
 
-/// @brief The part of a load that acts on the contact itself.
-/// @param stuck    the stuck configuration
-/// @param contact  the mass in contact
-/// @param load     the loaded mass, l; none of them where the load acts on several
-/// @return         delta_lj, or p_j
+/// @brief The part of a load that acts on the contact itself, delta_lj or p_j; `load` is as above.
 template <class T>
 [[nodiscard]] T direct_load(const StuckConfiguration<T>& stuck, Mass contact, Mass load) {
     return stuck.load.empty() ? T(load == contact ? 1 : 0) : stuck.load[contact.index];
 }
 
-/// @brief The stuck configuration of a system; one more eigenproblem (15), none where N is 1 or 2.
-/// @param s      the system
-/// @param basis  its modal basis
-/// @param held   what more digits have found, which spares the eigenproblem; else null
-/// @return       the stuck configuration; no masses where N = 1
-/// @throws       InputError where `check` throws; PrecisionError where the eigenproblem is not solved
+/// @brief The stuck configuration of a system; one more eigenproblem (15), none where N is 1 or 2. `held` is what more digits
+/// have found, and spares the eigenproblem; it may be null. There are no masses where N = 1. InputError where `check` throws;
+/// PrecisionError where the eigenproblem is not solved.
 template <class T>
 [[nodiscard]] StuckConfiguration<T> stuck_configuration(const System<T>& s, const ModalBasis<T>& basis,
                                                         const RoundedModes<T>* held = nullptr);

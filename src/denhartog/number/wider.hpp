@@ -7,8 +7,6 @@
 namespace denhartog {
 
 /// @brief The next wider number type, for a difference whose terms may not be rounded first; the type itself where none is wider.
-///
-/// @tparam T  the number type
 template <class T>
 struct WiderOf {
     using type = T; ///< the wider type

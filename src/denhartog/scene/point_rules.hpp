@@ -10,33 +10,33 @@
 
 namespace denhartog {
 
-/// @brief Checks a frequency ratio. @param r frequency ratio, Eq. (10) @throws InputError where it is not positive and finite
+/// @brief Checks that a frequency ratio, Eq. (10), is positive and finite, else InputError.
 template <class T>
 void check_frequency_ratio(const T& r) {
     if (!(r > 0) || !boost::math::isfinite(r)) throw InputError("r", "must be positive and finite", number_to_text(r));
 }
 
-/// @brief Checks a friction ratio. @param beta friction ratio, Eq. (11) @throws InputError where it is negative or not finite
+/// @brief Checks that a friction ratio, Eq. (11), is zero or positive, and finite, else InputError.
 template <class T>
 void check_friction_ratio(const T& beta) {
     if (!(beta >= 0) || !boost::math::isfinite(beta))
         throw InputError("beta", "must be zero or positive, and finite", number_to_text(beta));
 }
 
-/// @brief Checks static over kinetic friction. @param mu the ratio, Eq. (3) @throws InputError where it is below 1 or not finite
+/// @brief Checks that static over kinetic friction, Eq. (3), is at least 1, and finite, else InputError.
 template <class T>
 void check_static_friction(const T& mu) {
     if (!(mu >= 1) || !boost::math::isfinite(mu)) throw InputError("mu", "must be at least 1, and finite", number_to_text(mu));
 }
 
-/// @brief The frequency ratio of a scene. @param scene the scene @return r @throws InputError where it is missing
+/// @brief The frequency ratio of a scene; InputError where it is missing.
 template <class T>
 [[nodiscard]] const T& frequency_ratio_of(const Scene<T>& scene) {
     if (!scene.r) throw InputError(scene.units ? "frequency" : "r", "must be given", "nothing");
     return *scene.r;
 }
 
-/// @brief The friction ratio of a scene. @param scene the scene @return beta @throws InputError where it is missing
+/// @brief The friction ratio of a scene; InputError where it is missing.
 template <class T>
 [[nodiscard]] const T& friction_ratio_of(const Scene<T>& scene) {
     if (scene.beta) return *scene.beta;

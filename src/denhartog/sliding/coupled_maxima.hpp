@@ -8,21 +8,13 @@
 
 namespace denhartog {
 
-/// @brief Where (57)'s expression summed over the contact is largest, guaranteed by `global_maximum`.
-/// @eq{56,57}
-/// @param s  sums of a system whose damping couples the modes
-/// @return   non-dimensional time in [0, pi]; 0 stands for the limit
-/// @throws   PrecisionError where the maximum is not settled
+/// @brief Where in [0, pi] (57)'s expression summed over the contact is largest, guaranteed by `global_maximum`; 0 stands for the
+/// limit. PrecisionError where the maximum is not settled. @eq{56,57}
 template <class T>
 [[nodiscard]] T instant_of_largest_demand_where_coupled(const ModeSums<T>& s);
 
-/// @brief Where a displacement is largest, and how far the phase of another such instant may be from that of this one.
-/// @eq{46}
-/// @param s      sums of a system whose damping couples the modes
-/// @param beta   friction ratio, Eq. (11), in the sliding regime
-/// @param k      the displacement
-/// @param error  bound of the error that the sums make of it
-/// @return       instant in [0, pi], and radians
+/// @brief Where in [0, pi] a displacement of the sliding regime is largest, and by how many radians the phase of another such
+/// instant may differ; `error` bounds the error that the sums make of the displacement. @eq{46}
 template <class T>
 [[nodiscard]] std::pair<T, T> instant_and_spread_where_coupled(const ModeSums<T>& s, const T& beta, std::size_t k,
                                                                const T& error);

@@ -10,19 +10,17 @@
 
 namespace denhartog {
 
-/// @brief What a proof of a periodic motion starts from.
-/// @param solver    system, frequency and friction of the motion
-/// @param orbit     the motion, with status `periodic`
-/// @param shortest  stops and slips that are shorter, in tau, are left out; zero leaves out those of no length only
-/// @return          the guess, in the masses of the scene; without directions where the motion has no phases that repeat
+/// @brief What a proof of a motion that double found periodic starts from, in the masses of the scene. Stops and slips shorter
+/// than `shortest`, in tau, are left out; zero leaves out those of no length only. There are no directions where the motion has
+/// no phases that repeat.
 [[nodiscard]] OrbitGuess guess_of(ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit, double shortest = 0);
 
-/// @brief Motions that differ from a guess by one stop of nearly no length, which rounding may have invented or hidden.
+/// @brief Motions that differ from a guess by one stop of nearly no length, which rounding may have invented or hidden; the
+/// likeliest first.
 ///
 /// Where double precision sees the contact turn without a stop, or slide on at nearly no speed, a stop may hide; the shortest
-/// stop or slip that it sees may be none. A motion that mirrors itself keeps doing so: the stretch of a guess holds one of each pair.
-/// @param guess  a guess
-/// @return       the others, the likeliest first
+/// stop or slip that it sees may be none. A motion that mirrors itself keeps doing so: the stretch of a guess holds one of each
+/// pair.
 [[nodiscard]] std::vector<OrbitGuess> with_other_stops(const OrbitGuess& guess);
 
 } // namespace denhartog

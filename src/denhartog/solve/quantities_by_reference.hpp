@@ -9,14 +9,9 @@
 
 namespace denhartog {
 
-/// @brief The numbers of a point, masses in their order. Bits are doubled until they are accepted.
-/// @eq{33,34,35,38,39,41,52,64,69}
-/// @param source  the scene, with r and, where the motion is asked for, beta
-/// @param tau     instants of the motion, any; zero at a maximum of x_j
-/// @param accept  says whether the numbers have their digits, and may put zeros for some
-/// @return        the numbers, and how they were computed
-/// @throws        PrecisionError where something cannot be proved, the budget of work is spent, or the library was built without
-///                the reference
+/// @brief The numbers of a point, masses in their order. Bits are doubled until they are accepted. `accept` says whether the
+/// numbers have their digits, and may put zeros for some. PrecisionError where something cannot be proved, the budget of work is
+/// spent, or the library was built without the reference. @eq{33,34,35,38,39,41,52,64,69}
 [[nodiscard]] QuantitiesAnswer quantities_by_reference(const SceneSource& source, std::span<const double> tau,
                                                        const std::function<bool(Quantities<Bounded<double>>&)>& accept);
 
