@@ -1,6 +1,6 @@
 /// @file
-/// @brief Whether an answer in double has its digits: numbers carry a bound of their error, `Bounded<double>`. No error is measured
-/// by computing twice. Where the bounds do not leave the digits asked for, the reference answers.
+/// @brief Whether an answer in double has its digits: numbers carry a bound of their error, `Bounded<double>`. No error is
+/// measured by computing twice. Where the bounds do not leave the digits asked for, the reference answers.
 #pragma once
 
 #include <cmath>
@@ -81,7 +81,7 @@ void count_precision_step();
 /// @brief A number that is exact.
 [[nodiscard]] inline Certified exactly(double x) { return certified(Bounded<double>(x)); }
 
-/// @brief By how much an error may turn the phase of a motion: the arc sine of its share in the amplitude. In radians; the
+/// @brief By how much an error may turn the phase of a motion: the arc sine of its share in the amplitude, in radians. The
 /// amplitude is larger than the error, and may have any size.
 template <class T>
 [[nodiscard]] T largest_turn(T error, T amplitude) {

@@ -1,9 +1,12 @@
 /// @file
-/// @brief The modes of a system in double; where double has none, those of the reference, rounded.
+/// @brief The modes of a system in double; where double has none, those of the reference, rounded. What an answer says of a
+/// damping matrix that couples them.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
@@ -32,5 +35,17 @@ void leave_out_coupling(ModalBasis<Bounded<double>>& basis);
 
 /// @brief The same with the modes of the reference; `because` says why double has none, or not their digits.
 [[nodiscard]] ContactSystem<double> moving_by_reference(const SceneSource& source, const std::string& because);
+
+/// @brief A damping matrix that couples the modes.
+struct CoupledDamping {
+    bool taken_in;                      ///< whether the coupling counts, or is left out as `damping_tolerance` allows
+    double distance_from_classical;     ///< as that measures it
+    double largest_coupling;            ///< of an entry between two modes, over the geometric mean of theirs
+    std::vector<double> damping_ratios; ///< those nearest to the matrix, mode by mode
+};
+
+/// @brief Whether the damping matrix of a scene couples the modes, and how much. Double tells; the reference where it fails. None
+/// where damping was given by ratios, or by a matrix that does not couple the modes. @eq{18}
+[[nodiscard]] std::optional<CoupledDamping> coupled_damping(const SceneSource& source);
 
 } // namespace denhartog

@@ -1,12 +1,15 @@
 /// @file
-/// @brief The answer that a periodic orbit gives: amplitudes and phases of all masses with their errors.
+/// @brief The answer that a periodic orbit gives: amplitudes and phases of all masses with their errors; and the motions
+/// that other starts lead to.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "denhartog/answer/solution.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
+#include "denhartog/sums/bounded_modes.hpp"
 
 namespace denhartog {
 
@@ -54,5 +57,15 @@ struct OrbitSolution {
 
 /// @brief Sizes of the multipliers of an orbit whose stability was computed, and the verdict.
 [[nodiscard]] Stability stability_of(const PeriodicOrbit<double>& orbit);
+
+/// @brief Distinct steady motions, the one from rest first; none where no start leads to one.
+///
+/// Starts: rest; the sliding motion of the closed form, and larger and smaller ones; the contact displaced to either side; random
+/// states in the size of the motion without friction; the orbits of neighbouring r and beta, from both sides. Unstable orbits are
+/// those that Newton's method finds from the same starts. Where the motion is known to be unique the start from rest alone is
+/// followed. With mu > 1 the motion depends on the start: what is listed was found, and what was not found may still exist. The
+/// starts are the same in every run.
+[[nodiscard]] std::vector<OtherMotion> other_motions(const Scene<double>& scene, const ContactSystem<double>& system,
+                                                     const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis);
 
 } // namespace denhartog

@@ -2,6 +2,7 @@
 /// @brief Natural frequency ratios and mode shapes of the undamped system, (13)-(17), of a chain and of any other system.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "denhartog/scene/scene.hpp"
@@ -36,6 +37,23 @@ template <class T>
 /// lowest from zero, or the iteration does not converge. @eq{14,15}
 template <class T>
 [[nodiscard]] NaturalModes<T> general_modes(const Matrix<T>& L, const Matrix<T>& K);
+
+/// @brief Ratio of the largest mass to the least from which modes are graded, see `graded_modes`.
+inline constexpr double least_contrast_of_masses = 1024;
+
+/// @brief By how much the springs multiply relative errors of their entries on the way to those of squared natural frequencies:
+/// the trace of the inverse of K, its rows and columns scaled to a diagonal of ones. None where modes are not graded: L is not
+/// diagonal, the masses are not very different, or differ by less than the factor.
+[[nodiscard]] std::optional<double> condition_of_graded(const Matrix<double>& L, const Matrix<double>& K);
+
+/// @brief Modes of masses of very different size, to the digits that the springs leave; none where there is no factor above.
+///
+/// With \f$ \mathbf K = \mathbf G\mathbf G^T \f$ and lumped masses, the natural frequency ratios are the singular values of
+/// \f$ \mathbf G^T\mathbf M^{-1/2} \f$, whose columns are as small as the masses are large. One-sided Jacobi rotations keep the
+/// digits of each column: the error of every natural frequency is a fraction of itself, however light a mass is; see J. Demmel
+/// and K. Veselić, SIAM Journal on Matrix Analysis and Applications 13 (1992), 1204.
+/// @eq{14,15}
+[[nodiscard]] std::optional<NaturalModes<double>> graded_modes(const Matrix<double>& L, const Matrix<double>& K);
 
 /// @brief Fixes the signs of mode shapes: positive is the first component that has more than three eighths of the size of the
 /// largest.

@@ -2,7 +2,7 @@
 /// @brief A number of twice the digits of a double, as the sum of two: some 30 digits of sums, products, quotients and roots,
 /// 17 of elementary functions.
 ///
-/// It is the type of differences whose terms may not be rounded to a double first (`wider.hpp`). It has the range of a double,
+/// It is the type of differences whose terms may not be rounded to a double first (`WiderOf`). It has the range of a double,
 /// and the same digits on every machine, which `long double` has not.
 #pragma once
 
@@ -102,6 +102,24 @@ struct PiOf<DoubleDouble> {
     /// @brief pi.
     static DoubleDouble value() { return {elementary::pi_high, elementary::pi_low}; }
 };
+
+/// @brief The next wider number type, for a difference whose terms may not be rounded first; the type itself where none is wider.
+template <class T>
+struct WiderOf {
+    using type = T; ///< the wider type
+};
+/// @brief Of `float`.
+template <>
+struct WiderOf<float> {
+    using type = double; ///< the wider type
+};
+/// @brief Of `double`.
+template <>
+struct WiderOf<double> {
+    using type = DoubleDouble; ///< the wider type
+};
+template <>
+struct WiderOf<long double>; // who uses it defines it
 
 } // namespace denhartog
 

@@ -73,8 +73,8 @@ template <class T>
 template <class T>
 [[nodiscard]] std::vector<Place<T>> joined(std::vector<Place<T>> places);
 
-/// @brief Where besides the instant of its largest value a function may be largest that goes on at a as it ends at b. With them
-/// comes the place of the instant where that has a reach. Places are ascending, and no two touch.
+/// @brief Where else than at the instant of its largest value a function may be largest that goes on at a as it ends at b; the
+/// place of that instant is among them if it has a reach. Places are ascending, and no two touch.
 template <class T>
 [[nodiscard]] std::vector<Place<T>> rivals(const std::vector<Place<T>>& places, const T& a, const T& b, const T& instant);
 

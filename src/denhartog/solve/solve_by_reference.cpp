@@ -7,7 +7,6 @@
 #include "denhartog/answer/reference.hpp"
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/effort.hpp"
-#include "denhartog/solve/orbit_guess.hpp"
 
 namespace denhartog {
 namespace {

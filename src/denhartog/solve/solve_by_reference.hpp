@@ -9,6 +9,19 @@
 
 namespace denhartog {
 
+/// @brief What a proof of a motion that double found periodic starts from, in the masses of the scene. Stops and slips shorter
+/// than `shortest`, in tau, are left out; zero leaves out those of no length only. There are no directions where the motion has
+/// no phases that repeat.
+[[nodiscard]] OrbitGuess guess_of(ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit, double shortest = 0);
+
+/// @brief Motions that differ from a guess by one stop of nearly no length, which rounding may have invented or hidden; the
+/// likeliest first.
+///
+/// Where double precision sees the contact turn without a stop, or slide on at nearly no speed, a stop may hide; the shortest
+/// stop or slip that it sees may be none. A motion that mirrors itself keeps doing so: the stretch of a guess holds one of each
+/// pair.
+[[nodiscard]] std::vector<OrbitGuess> with_other_stops(const OrbitGuess& guess);
+
 /// @brief Motions near the one from rest, as double sees them, the likeliest first: what a proof starts from. What the system has
 /// prepared is used.
 [[nodiscard]] std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source);

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "denhartog/answer/modes_in_double.hpp"
-#include "denhartog/answer/sliding_solution.hpp"
+#include "denhartog/answer/sliding_point.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/solve/prepared_system.hpp"
 
@@ -51,8 +51,8 @@ void answer_by_stuck_response(const SolveTask& task, const std::optional<Certifi
 /// @brief Says whether the velocities are known not to depend on the start, and why.
 void say_whether_unique(const ModalBasis<Bounded<double>>& basis, double mu, Solution& s);
 
-/// @brief Whether the boundaries tell that a motion that is not at rest has stops, seen or not: beyond that of sliding where mu =
-/// 1 or every motion is damped.
+/// @brief Whether the boundaries tell that a motion that is not at rest has stops, seen or not: beyond that of sliding where
+/// mu = 1 or every motion is damped.
 [[nodiscard]] bool must_stop(const SolveTask& task, const Solution& s);
 
 /// @brief A periodic orbit, with its masses, as the answer; `open` where double does not tell if the motion stops.
