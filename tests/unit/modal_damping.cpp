@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "denhartog/answer/coupled_damping.hpp"
+#include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/number/errors.hpp"

@@ -1,4 +1,4 @@
-#include "denhartog/answer/sliding_solution.hpp"
+#include "denhartog/answer/sliding_point.hpp"
 
 #include <complex>
 

@@ -1,6 +1,6 @@
 /// @file
-/// @brief Whether an answer in double has its digits: numbers carry a bound of their error, `Bounded<double>`. No error is measured
-/// by computing twice. Where the bounds do not leave the digits asked for, the reference answers.
+/// @brief Whether an answer in double has its digits: numbers carry a bound of their error, `Bounded<double>`. No error is
+/// measured by computing twice. Where the bounds do not leave the digits asked for, the reference answers.
 #pragma once
 
 #include <cmath>
@@ -22,26 +22,26 @@ struct Aim {
     double tolerance; ///< ten to the minus that
 };
 
-/// @brief What a number of digits aims at. @param digits asked for; none for `digits_by_default` @return the aim
-/// @throws InputError where they are not from 1 to `most_digits`
+/// @brief What a number of digits aims at, or `digits_by_default` where none is given; InputError where they are not from 1 to
+/// `most_digits`.
 [[nodiscard]] Aim aim_of(std::optional<int> digits);
 
-/// @brief The same in words. @param aim the aim @return e.g. `6 digits aimed at`
+/// @brief The same in words, e.g. `6 digits aimed at`.
 [[nodiscard]] std::string in_words(const Aim& aim);
 
-/// @brief The relative error that leaves so many digits. @param digits from 0 to `most_digits` @return ten to the minus digits
+/// @brief The relative error that leaves so many digits: ten to the minus that.
 [[nodiscard]] double tolerance_of(int digits);
 
-/// @brief How many digits an error leaves. @param error relative @return from 0 to 17
+/// @brief How many digits a relative error leaves, from 0 to 17.
 [[nodiscard]] int digits_of(double error);
 
-/// @brief An error as a double. @param error it @return the same; infinite where it is no number
+/// @brief An error as a double, infinite where it is no number.
 template <class T>
 [[nodiscard]] double as_error(const T& error) {
     return error >= 0 ? static_cast<double>(error) : std::numeric_limits<double>::infinity();
 }
 
-/// @brief The error of a number beside its size. @param a the number @return its bound over its size; 1 of a zero that is not exact
+/// @brief The error of a number beside its size; 1 of a zero that is not exact.
 template <class T>
 [[nodiscard]] double relative_error(const Bounded<T>& a) {
     return a.e == 0 ? 0 : a.x == 0 ? 1 : as_error(T(a.e / size_of_number(a.x)));
@@ -57,7 +57,7 @@ struct Attempted {
     std::string_view doubt = "beta lies on a boundary"; ///< why it is not
 };
 
-/// @brief Whether its bounds leave the digits. @param attempted what double came to @param aim the digits @return whether they do
+/// @brief Whether what double came to has the digits, and its regime is certain.
 [[nodiscard]] inline bool is_settled(const Attempted& attempted, const Aim& aim) {
     return attempted.relative <= aim.tolerance && attempted.decided;
 }
@@ -65,30 +65,24 @@ struct Attempted {
 /// @brief Counts a question for which double did not have the digits, for `precision_steps`.
 void count_precision_step();
 
-/// @brief What is said of an attempt. @param attempted what it came to @param aim the digits @return a clause
+/// @brief What is said of an attempt, as a clause.
 [[nodiscard]] std::string verdict(const Attempted& attempted, const Aim& aim);
 
 /// @brief Whether a mass does not move, as far as numbers tell: its amplitude is no larger than its error, and that is next to
 /// nothing of the largest amplitude.
-/// @param amplitude  its amplitude
-/// @param error      a bound of its error
-/// @param largest    the largest amplitude of the masses
-/// @return           whether it does not move
 [[nodiscard]] inline bool does_not_move(double amplitude, double error, double largest) {
     constexpr double units = 1024;
     return amplitude <= error && error <= largest * units * unit_of<double>();
 }
 
-/// @brief A number of an answer from one with a bound. @param a the number @return the number
+/// @brief A number of an answer from one with a bound.
 [[nodiscard]] inline Certified certified(const Bounded<double>& a) { return {a.x, a.e, {}}; }
 
-/// @brief A number that is exact. @param x the number @return the number
+/// @brief A number that is exact.
 [[nodiscard]] inline Certified exactly(double x) { return certified(Bounded<double>(x)); }
 
-/// @brief By how much an error may turn the phase of a motion: the arc sine of its share in the amplitude.
-/// @param error      the error
-/// @param amplitude  positive, larger than the error; of any size
-/// @return           radians
+/// @brief By how much an error may turn the phase of a motion: the arc sine of its share in the amplitude, in radians. The
+/// amplitude is larger than the error, and may have any size.
 template <class T>
 [[nodiscard]] T largest_turn(T error, T amplitude) {
     using std::frexp;

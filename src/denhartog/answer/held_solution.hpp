@@ -20,21 +20,14 @@ struct HeldSolution {
     double relative = 0;                     ///< largest error, relative to amplitudes, absolute for phases
 };
 
-/// @brief The stuck response; its error is bounded by what it leaves over in the equations of motion.
-/// @eq{88}
-/// @param scene   the scene, with r and beta at or above the boundary of permanent sticking
-/// @param stuck   its stuck configuration
-/// @param basis   its modes with the bounds of their errors: damping ratios mean the damping matrix that these make
-/// @param only    the one mass whose errors count; none for all
-/// @return        the response for rest at zero
-/// @throws        DomainError where the load excites the resonance of an undamped stuck mode
+/// @brief The stuck response for rest at zero; its error is bounded by what it leaves over in the equations of motion. Damping
+/// ratios mean the damping matrix that the modes of the basis make. With `only` the errors of one mass count. Where the load
+/// excites the resonance of an undamped stuck mode, it throws DomainError. @eq{88}
 [[nodiscard]] HeldSolution held_solution(const Scene<double>& scene, const StuckConfiguration<double>& stuck,
                                          const ModalBasis<Bounded<double>>& basis, std::optional<Mass> only = std::nullopt);
 
-/// @brief The boundary of permanent sticking by (88) as printed, with a bound of its error.
-/// @eq{88}
-/// @param scene   the scene, with r
-/// @return        the boundary; none for a system that is no chain, or at a resonance
+/// @brief The boundary of permanent sticking by (88) as printed, with a bound of its error; none for a system that is no chain,
+/// or at a resonance. @eq{88}
 [[nodiscard]] std::optional<Certified> sticking_by_88(const Scene<double>& scene);
 
 } // namespace denhartog

@@ -1,6 +1,7 @@
 #include "denhartog/answer/modes_in_double.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "denhartog/answer/modes_by_reference.hpp"
 #include "denhartog/model/modal_damping.hpp"
@@ -21,6 +22,19 @@ ModalBasis<Bounded<double>> with_damping(const System<double>& system, ModalBasi
 
 std::shared_ptr<const ContactSystem> rounded_system(const SceneSource& source, const std::string& because) {
     return std::make_shared<const ContactSystem>(moving_by_reference(source, because));
+}
+
+// The modes with the damping matrix as it is.
+ModalBasis<double> modes_as_given(const SceneSource& source) {
+    try {
+        System<double> system = source->in_double().system;
+        system.damping_tolerance = 0;
+        return modal_basis(system);
+    } catch (const PrecisionError&) {
+        ModalBasis<Bounded<double>> basis = modes_by_reference(with_damping_tolerance(source, 0), true);
+        if (!certainly_couples(basis)) leave_out_coupling(basis);
+        return values_of(basis);
+    }
 }
 
 } // namespace
@@ -63,6 +77,15 @@ ContactSystem moving_by_reference(const SceneSource& source, const std::string& 
     ContactSystem moving = contact_system(system, with_damping(system, found.basis), &found.held);
     moving.rounded_because = because;
     return moving;
+}
+
+std::optional<CoupledDamping> coupled_damping(const SceneSource& source) {
+    const System<double>& system = source->in_double().system;
+    if (system.damping_matrix.size() == 0) return std::nullopt;
+    ModalBasis<double> basis = modes_as_given(source);
+    if (!basis.coupled()) return std::nullopt;
+    return CoupledDamping{basis.distance_from_classical > system.damping_tolerance, basis.distance_from_classical,
+                          largest_coupling(basis.D), std::move(basis.zeta)};
 }
 
 } // namespace denhartog

@@ -1,9 +1,12 @@
 /// @file
-/// @brief The modes of a system in double; where double has none, those of the reference, rounded.
+/// @brief The modes of a system in double; where double has none, those of the reference, rounded. What an answer says of a
+/// damping matrix that couples them.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
@@ -16,28 +19,33 @@ struct ModesInDouble {
     std::string rounded_because{};                            ///< why double has none, where the reference found it; else empty
 };
 
-/// @brief Whether a damping matrix certainly couples two modes. @param basis modes with their `D` @return true if so
+/// @brief Whether a damping matrix, given as `D` of the modes, certainly couples two of them.
 [[nodiscard]] bool certainly_couples(const ModalBasis<Bounded<double>>& basis);
 
-/// @brief Takes modes that a damping matrix does not couple, or hardly, to move by themselves.
-/// @param basis  modes with their `D`, which is taken from them; gets bounds of what is left out
+/// @brief Takes modes that a damping matrix does not couple, or hardly, to move by themselves. Their `D` is taken from them, and
+/// they get bounds of what is left out.
 void leave_out_coupling(ModalBasis<Bounded<double>>& basis);
 
-/// @brief Finds the modes. @param source the system @return the modes @throws as `modal_basis`
+/// @brief Finds the modes of a system.
 [[nodiscard]] ModesInDouble modes_in_double(const SceneSource& source);
 
-/// @brief Prepares a system for the exact solver in double.
-/// @param source  the system
-/// @param modes   its modes
-/// @return        the system, sliding and stuck
-/// @throws        as `contact_system`
-[[nodiscard]] std::shared_ptr<const ContactSystem> moving_in_double(const SceneSource& source, const ModesInDouble& modes);
+/// @brief Prepares a system for the exact solver in double, sliding and stuck.
+[[nodiscard]] std::shared_ptr<const ContactSystem> moving_in_double(const SceneSource& source,
+                                                                            const ModesInDouble& modes);
 
-/// @brief The same with the modes of the reference.
-/// @param source   the system
-/// @param because  why double has none, or not their digits
-/// @return         the system, sliding and stuck
-/// @throws         as `contact_system`
+/// @brief The same with the modes of the reference; `because` says why double has none, or not their digits.
 [[nodiscard]] ContactSystem moving_by_reference(const SceneSource& source, const std::string& because);
+
+/// @brief A damping matrix that couples the modes.
+struct CoupledDamping {
+    bool taken_in;                      ///< whether the coupling counts, or is left out as `damping_tolerance` allows
+    double distance_from_classical;     ///< as that measures it
+    double largest_coupling;            ///< of an entry between two modes, over the geometric mean of theirs
+    std::vector<double> damping_ratios; ///< those nearest to the matrix, mode by mode
+};
+
+/// @brief Whether the damping matrix of a scene couples the modes, and how much. Double tells; the reference where it fails. None
+/// where damping was given by ratios, or by a matrix that does not couple the modes. @eq{18}
+[[nodiscard]] std::optional<CoupledDamping> coupled_damping(const SceneSource& source);
 
 } // namespace denhartog

@@ -1,4 +1,4 @@
-#include "denhartog/answer/other_motions.hpp"
+#include "denhartog/answer/orbit_solution.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,6 @@
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/answer/held_solution.hpp"
-#include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
 #include "denhartog/sums/coupled_sums.hpp"

@@ -23,24 +23,24 @@ struct SceneReader {
                                                 ///< InputError where the text is no scene; empty without the reference
     std::shared_ptr<reference::KeptModes> kept_modes; ///< of its system, shared by the scenes made from it
 
-    /// @brief The scene in double. @return it, which lives as long as this @throws InputError where the text is no scene
+    /// @brief The scene in double, which lives as long as this; InputError where the text is no scene.
     [[nodiscard]] const Scene<double>& in_double() const;
 };
 
 /// @brief A scene for both floors.
 using SceneSource = std::shared_ptr<const SceneReader>;
 
-/// @brief A scene from its JSON text. @param part the text of one scene; copied @return the source
+/// @brief A scene from its JSON text, which is copied.
 [[nodiscard]] SceneSource scene_source(const SceneText& part);
 
-/// @brief A scene of numbers in double, which are exact. @param scene the scene; copied @return the source
+/// @brief A scene of numbers in double, which are exact; it is copied.
 [[nodiscard]] SceneSource scene_source(const Scene<double>& scene);
 
-/// @brief The same of a scene that lives, unchanged, as long as the source is in use. @param scene the scene @return the source
+/// @brief The same of a scene that lives, unchanged, as long as the source is in use.
 [[nodiscard]] SceneSource source_of_kept(const Scene<double>& scene);
 
-/// @name The same scene with something changed to doubles, which are exact, or left out.
 /// @{
+/// @brief The same scene with something changed to doubles, which are exact, or left out.
 [[nodiscard]] SceneSource at_point(const SceneSource& source, double r, double beta);
 [[nodiscard]] SceneSource at_frequency(const SceneSource& source, double r); ///< without a friction ratio
 [[nodiscard]] SceneSource with_static_friction(const SceneSource& source, double mu);

@@ -1,18 +1,23 @@
 /// @file
-/// @brief Boundary, regime and, where the contact slides throughout, the steady state of one point, every number with its bound.
+/// @brief Boundary, regime and, where the contact slides throughout, the steady state of one point, every number with its bound;
+/// and the answer that they make.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "denhartog/answer/certify.hpp"
+#include "denhartog/answer/scene_source.hpp"
+#include "denhartog/answer/solution.hpp"
 #include "denhartog/sliding/regime.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
 
 namespace denhartog {
 
-/// @brief A damping matrix hardly couples the modes where no entry of phi^T C phi between two modes is a larger part of the geometric
-/// mean of theirs. (56) is then that of the modes by themselves, if the coupling does not change (69) by more than `hardly_changed`.
+/// @brief A damping matrix hardly couples the modes where no entry of phi^T C phi between two modes is a larger part of the
+/// geometric mean of theirs. (56) is then that of the modes by themselves, if the coupling does not change (69) by more than
+/// `hardly_changed`.
 inline constexpr double hardly_coupled = 1e-6;
 /// @brief See `hardly_coupled`: a part of (69).
 inline constexpr double hardly_changed = 1e-9;
@@ -36,14 +41,26 @@ struct PointWish {
 ///
 /// The instants of the maxima are searched for on values alone, and the formulas are then evaluated there with bounds. Errors
 /// count relative to amplitudes and friction ratios, absolute for phases. A mass that does not move, and a contact that the load
-/// does not reach, have none.
+/// does not reach, have none. Without beta the boundary alone is computed. At a pole of a mode without damping it throws
+/// DomainError, and where a maximum is not settled PrecisionError.
 /// @eq{38,39,44,45,47,52,53,69}
-/// @param scene  the scene, with r; without beta the boundary alone is computed
-/// @param basis  its modes
-/// @param wish   what is asked
-/// @return       the point
-/// @throws       DomainError at a pole of a mode without damping; PrecisionError where a maximum is not settled
 [[nodiscard]] SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Bounded<double>>& basis,
                                          const PointWish& wish);
+
+/// @brief What is asked of the closed form.
+struct SlidingQuestion {
+    Asked asked = Asked::motion; ///< what is asked; `regime` needs no motion
+    std::optional<int> digits{}; ///< significant digits; without, 6 are aimed at
+    std::optional<Mass> only{};  ///< the one mass that must have them: no other has a maximum; none for all
+    std::shared_ptr<const ModalBasis<Bounded<double>>> modes{}; ///< modes in double, where they are prepared
+};
+
+/// @brief Boundary, regime and sliding motion at the point of a scene, in double.
+///
+/// Digits are relative to the amplitude of the mass for displacements, to the value for friction ratios, absolute for phases; a
+/// mass that does not move has none. Without beta there is the boundary alone, and outside the sliding regime there are no
+/// masses. A bad scene and bad digits are an InputError, a pole of a mode without damping is a DomainError.
+/// @eq{38,39,44,45,47,52,53,69}
+[[nodiscard]] Solution sliding_solution(const SceneSource& source, const SlidingQuestion& question);
 
 } // namespace denhartog

@@ -22,7 +22,7 @@
 
 namespace denhartog {
 
-/// @brief What errors make of a term, in units of its size. @return 2^-40: a thousand times a few units in the last place
+/// @brief What errors make of a term, in units of its size: a thousand times a few units in the last place.
 [[nodiscard]] constexpr double error_of_size() { return 0x1p-40; }
 
 /// @brief Sums over modes at the mass in contact, an entry a frequency ratio.
@@ -46,15 +46,9 @@ struct ContactSums {
     std::size_t modes = 0;                     ///< how many modes were summed
 };
 
-/// @brief Evaluates the modes over an array of frequency ratios and sums them.
-/// @eq{22,23,28,29,33,34,35,64,65}
-/// @param basis    modal basis of the system with its errors, N modes
-/// @param contact  the mass in contact, j
-/// @param load     the loaded mass, l
-/// @param r        frequency ratios, Eq. (10); positive
-/// @param threads  threads, at least 1; the result does not depend on it
-/// @param sums     written over: their memory serves again
-/// @throws         InputError where an r, j, l or the number of threads breaks its rule
+/// @brief Evaluates the modes over an array of frequency ratios and sums them. The result does not depend on the number of
+/// threads. `sums` is written over: its memory serves again. InputError where an r, j, l or the number of threads breaks its
+/// rule. @eq{22,23,28,29,33,34,35,64,65}
 void contact_sums(const ModalBasis<Bounded<double>>& basis, Mass contact, Mass load, std::span<const double> r, unsigned threads,
                   ContactSums& sums);
 
@@ -65,32 +59,19 @@ struct ContactLimits {
     std::vector<std::uint8_t> certain; ///< 1 where both are within `limit_margin()` of what `regime_boundary` has
 };
 
-/// @brief How far limits by arrays can be from those of `regime_boundary`, relative. @return a bound, far above both roundings
+/// @brief How far limits by arrays can be from those of `regime_boundary`, relative: a bound far above both roundings.
 [[nodiscard]] constexpr double limit_margin() { return 0x1p-30; }
 
-/// @brief The limits over an array of frequency ratios.
-/// @eq{54,67,69,72}
-/// @param sums     sums over modes there, from `contact_sums`
-/// @param mu       static over kinetic friction, Eq. (3); at least 1
-/// @param threads  threads, at least 1; the result does not depend on it
-/// @param limits   written over: their memory serves again
-/// @throws         InputError where mu or the number of threads breaks its rule
+/// @brief The limits over an array of frequency ratios, from the sums there; threads, memory and errors are as with
+/// `contact_sums`. @eq{54,67,69,72}
 void contact_limits(const ContactSums& sums, double mu, unsigned threads, ContactLimits& limits);
 
-/// @brief Whether the limits at a frequency ratio tell the regime at every friction ratio.
-/// @param limits     the limits
-/// @param m          index of the frequency ratio
-/// @param ascending  friction ratios, sorted
-/// @return           false where a limit is not certain, or a friction ratio is within `limit_margin()` of one
+/// @brief Whether the limits at frequency ratio m tell the regime at every friction ratio, of which the list is sorted: both are
+/// certain, and no friction ratio is within `limit_margin()` of one.
 [[nodiscard]] bool limits_tell(const ContactLimits& limits, std::size_t m, const std::vector<double>& ascending);
 
-/// @brief `evaluation::displacement_transmissibility_of_contact` over an array of friction ratios, with the same digits.
-/// @eq{38}
-/// @param V_dj  complex response function of the mass in contact, Eq. (33)
-/// @param U_dj  first damping function of the mass in contact, Eq. (34)
-/// @param G_j   second damping function of the mass in contact, Eq. (35)
-/// @param beta  friction ratios, Eq. (11)
-/// @param X_j   where the amplitudes go; as long as beta
+/// @brief `evaluation::displacement_transmissibility_of_contact` over an array of friction ratios, with the same digits. X_j is
+/// as long as beta. @eq{38}
 void contact_amplitudes(const Complex<double>& V_dj, double U_dj, double G_j, std::span<const double> beta,
                         std::span<double> X_j);
 

@@ -7,7 +7,6 @@
 #include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/evaluation/contact.hpp"
 #include "denhartog/map/contact_arrays.hpp"
-#include "denhartog/map/orbit_on_line.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"

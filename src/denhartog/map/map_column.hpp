@@ -3,12 +3,14 @@
 #pragma once
 
 #include <atomic>
+#include <cmath>
 #include <optional>
 #include <span>
 
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/sliding/boundary.hpp"
 #include "denhartog/solve/prepared_system.hpp"
+#include "denhartog/stick_slip/motion_record.hpp"
 
 namespace denhartog {
 
@@ -21,13 +23,12 @@ struct MapSystem {
     const std::vector<Mass>& masses; ///< masses whose amplitudes are wanted
     std::optional<long> effort{};    ///< operations allowed a point
 
-    /// @brief The system as the exact solver needs it. @return modes, sliding and stuck
+    /// @brief The system as the exact solver needs it, sliding and stuck.
     [[nodiscard]] const ContactSystem& system() const { return *prepared.moving; }
 };
 
-/// @brief Whether the contact alone is asked for, and no point but one of stick-slip needs a motion to be followed.
-/// @param map  what the columns share
-/// @return     true where the closed form and the rest answer many points of a column together
+/// @brief Whether the contact alone is asked for, and no point but one of stick-slip needs a motion to be followed. The closed
+/// form and rest then answer many points of a column together.
 [[nodiscard]] bool answers_together(const MapSystem& map);
 
 /// @brief What a column has of its frequency ratio, with bounds where it was evaluated; what the arrays tell has none.
@@ -38,14 +39,31 @@ struct ContactColumn {
     RegimeBoundary<Bounded<double>> boundary; ///< where the regimes part
 };
 
-/// @brief Computes a column.
-/// @param map         what the columns share
-/// @param r           frequency ratio
-/// @param arrays      what the arrays tell of it, if its limits part the friction ratios for certain; else it is evaluated here
-/// @param stop        leaves the rest of the column undone once it is set
-/// @param points      where the points go
-/// @param amplitudes  where the amplitudes go, filled with NaN before
+/// @brief Computes a column. `arrays` is what the arrays tell of its frequency ratio, if its limits part the friction ratios for
+/// certain; else it is evaluated here. Once `stop` is set, the rest of the column is left undone. Amplitudes were filled with NaN
+/// before.
 void compute_column(const MapSystem& map, double r, const std::optional<ContactColumn>& arrays, const std::atomic<bool>& stop,
                     std::span<MapPoint> points, std::span<double> amplitudes);
+
+/// @brief A periodic orbit by its state at tau = 0, with its friction ratio.
+struct OrbitAt {
+    State start; ///< the state
+    double beta;         ///< the friction ratio
+};
+
+/// @brief Where the next orbit of a column is looked for: the state on the line through two orbits at a friction ratio; none far
+/// from both, or where one is missing.
+[[nodiscard]] inline std::optional<State> on_line_through(const std::optional<OrbitAt>& a,
+                                                                  const std::optional<OrbitAt>& b, double beta) {
+    if (!a || !b) return std::nullopt;
+    const double part = (beta - b->beta) / (b->beta - a->beta);
+    if (!(std::abs(part) <= 2)) return std::nullopt;
+    State z = b->start;
+    for (std::size_t k = 0; k < z.x.size(); ++k) {
+        z.x[k] += part * (b->start.x[k] - a->start.x[k]);
+        z.x_prime[k] += part * (b->start.x_prime[k] - a->start.x_prime[k]);
+    }
+    return z;
+}
 
 } // namespace denhartog

@@ -1,5 +1,3 @@
-/// @file
-/// @brief Implicit-zero-shift QR iteration on a bidiagonal matrix.
 #include "denhartog/model/bidiagonal_singular_values.hpp"
 
 #include <algorithm>

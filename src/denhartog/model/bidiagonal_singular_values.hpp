@@ -20,21 +20,14 @@ struct SingularValues {
 ///
 /// Implicit-zero-shift QR iteration, J. Demmel and W. Kahan, "Accurate singular values of bidiagonal matrices", SIAM J. Sci.
 /// Stat. Comput. 11 (1990) 873-912. The entries of a bidiagonal matrix determine each of its singular values to the relative
-/// accuracy that they have themselves, however far apart the values lie. A sweep without shift keeps that accuracy; a sweep
-/// with a shift costs a factor of largest over smallest value of its block and is used only where that factor is at most 4 N.
-/// @param d  diagonal, N >= 1 values, finite and not zero
-/// @param e  superdiagonal, N - 1 values, finite
-/// @return   values and vectors
-/// @throws   PrecisionError where the iteration does not converge
+/// accuracy that they have themselves, however far apart the values lie. A sweep without shift keeps that accuracy; a sweep with
+/// a shift costs a factor of largest over smallest value of its block and is used only where that factor is at most 4 N. d has N
+/// >= 1 values, finite and not zero, and e has N - 1. PrecisionError where the iteration does not converge.
 template <class T>
 [[nodiscard]] SingularValues<T> bidiagonal_singular_values(std::vector<T> d, std::vector<T> e);
 
-/// @brief The same with a few rows of V in place of all: the values cost N^2, a row another N^2, all rows N^3.
-/// @param d     diagonal, as above
-/// @param e     superdiagonal, as above
-/// @param rows  the rows of V that are wanted, from 0
-/// @return      values as above to the last bit; V has the rows wanted alone, in that order
-/// @throws      as above
+/// @brief The same, to the last bit, with V of the rows wanted alone, in that order: the values cost N^2, a row another N^2, all
+/// rows N^3.
 template <class T>
 [[nodiscard]] SingularValues<T> bidiagonal_singular_values(std::vector<T> d, std::vector<T> e,
                                                            const std::vector<std::size_t>& rows);

@@ -37,33 +37,29 @@ public:
     };
 
     CoupledMotion() = default;
-    /// @param A       the system
-    /// @param rate    no rate of it is faster: its entries over it are not much larger than 1 once its rows are scaled
-    /// @param asked   what is asked of it
-    /// @param effort  what its exponentials spend; null: half of it is the question's to pay
+    /// @brief Of a matrix A with no rate faster than `rate`: its entries over that are not much larger than 1 once its rows are
+    /// scaled. Its exponentials spend of `effort`; if that is null, half of them is the question's to pay.
     CoupledMotion(const Matrix<T>& A, const T& rate, Asked asked, Effort* const* effort);
 
-    /// @brief Starts at t = 0. @param z the state
+    /// @brief Starts at t = 0 with a state.
     void start(Column<T> z);
 
-    /// @brief The state at an instant. @param t time from the start @return z; not a number where t has no digits left for a step
+    /// @brief The state at time t from the start; not a number where t has no digits left for a step.
     [[nodiscard]] Column<T> at(const T& t);
 
-    /// @brief The rate of a state. @param z a state @return \f$ Az \f$
+    /// @brief The rate \f$ Az \f$ of a state.
     [[nodiscard]] Column<T> rates(const Column<T>& z) const;
     /// @brief Operations that a state with three derivatives costs at another instant: a series, and two leaps or so.
-    /// @return their number
     [[nodiscard]] long cost() const {
         return cost_of_products(64 * rows() + 3 * static_cast<Eigen::Index>(entries_.size()) + 2 * rows() * rows());
     }
 
-    /// @brief The exponential of the system over half a period, less the identity, where many instants of one start are asked.
-    /// Half a period holds fewer than \f$ 2^{53} \f$ steps.
-    /// @return \f$ e^{A\pi}-\mathbf{1} \f$
+    /// @brief \f$ e^{A\pi}-\mathbf{1} \f$, the exponential of the system over half a period, less the identity, where many
+    /// instants of one start are asked. Half a period holds fewer than \f$ 2^{53} \f$ steps.
     [[nodiscard]] const Matrix<T>& growth_over_half_period() { return leap(doublings_); }
 
-    /// @brief Other states of the same system, carried over a time. @param t the time @param z the states, a column each
-    /// @return them then; not numbers where t has no digits left for a step
+    /// @brief Other states of the same system, a column each, carried over a time; not numbers where t has no digits left for a
+    /// step.
     Matrix<T> carried(const T& t, Matrix<T> z);
 
 private:

@@ -1,4 +1,4 @@
-#include "denhartog/model/graded_modes.hpp"
+#include "denhartog/model/natural_modes.hpp"
 
 #include <algorithm>
 #include <cmath>

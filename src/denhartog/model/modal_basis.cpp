@@ -1,5 +1,3 @@
-/// @file
-/// @brief The modal basis of a chain and of a general system.
 #include "denhartog/model/modal_basis.hpp"
 
 #include <algorithm>

@@ -24,68 +24,54 @@ struct ModalBasis {
     T distance_from_classical{}; ///< of a damping matrix, as `set_modal_damping` measures it; 0 without one
     Matrix<T> left_out{};        ///< bounds of the entries of phi^T C phi between modes that rounding explains, N x N; else empty
 
-    /// @brief Whether damping couples the modes. @return true where K M^-1 C differs from C M^-1 K
+    /// @brief Whether damping couples the modes: K M^-1 C differs from C M^-1 K.
     [[nodiscard]] bool coupled() const { return D.size() > 0; }
-    /// @brief Whether each mode is certain to move by itself. @return false also where rounding may hide that they are coupled
+    /// @brief Whether each mode is certain to move by itself; false also where rounding may hide that they are coupled.
     [[nodiscard]] bool certainly_uncoupled() const { return !coupled() && left_out.size() == 0; }
 };
 
-/// @brief How many rows of the shapes are displacements of masses or of the contact.
-/// @param basis  a modal basis
-/// @param load   the loaded mass; of a load on several its row, behind all others
-/// @return       their number
+/// @brief How many rows of the shapes are displacements of masses or of the contact; a load on several masses, which is none of
+/// them, has the row behind all others.
 template <class T>
 [[nodiscard]] std::size_t number_of_displacements(const ModalBasis<T>& basis, Mass load) {
     return load.index < basis.r_n.size() ? static_cast<std::size_t>(basis.phi.rows()) : load.index;
 }
 
-/// @brief Whether the damping matrix that was given is the one that counts, and not the damping ratios nearest to it.
-/// @param s      a system
-/// @param basis  its modal basis
-/// @return       false where damping was given by ratios, or by a matrix within `damping_tolerance` of having them
+/// @brief Whether the damping matrix that was given is the one that counts, and not the damping ratios nearest to it. It is not
+/// where damping was given by ratios, or by a matrix within `damping_tolerance` of having them.
 template <class T, class Number>
 [[nodiscard]] bool damping_matrix_counts(const System<T>& s, const ModalBasis<Number>& basis) {
     return s.damping_matrix.size() > 0 && (s.damping_tolerance == 0 || basis.coupled());
 }
 
-/// @brief The lower triangular factor of the mass matrix; the roots of the masses where these are lumped.
-/// @param s  the system
-/// @return   L with M = L L^T
-/// @throws   PrecisionError where rounding leaves the matrix indefinite
+/// @brief The lower triangular factor of the mass matrix, M = L L^T: the roots of the masses where these are lumped.
+/// PrecisionError where rounding leaves the matrix indefinite.
 template <class T>
 [[nodiscard]] Matrix<T> mass_factor(const System<T>& s);
 
-/// @brief Whether every motion is damped: with mu = 1 two motions under the same force then come to the same velocities.
-/// @param basis  a modal basis
-/// @return       true where every mode is damped; of modes that are coupled, where the damping matrix is positive definite
+/// @brief Whether every motion is damped: with mu = 1 two motions under the same force then come to the same velocities. Modes
+/// that are coupled are damped where the damping matrix is positive definite.
 template <class T>
 [[nodiscard]] bool every_motion_is_damped(const ModalBasis<T>& basis);
 
 /// @brief Solves the eigenproblem (15) once; not at all where N = 1.
 ///
 /// A chain given by ratios is solved through a bidiagonal matrix: each natural frequency comes with an error of about N eps of
-/// itself, however stiff its springs. Other systems are solved through a symmetric matrix: errors of the squared frequencies
-/// are about N eps of the highest one, or, in double, of each one where the masses are very different, see graded_modes.hpp.
+/// itself, however stiff its springs. Other systems are solved through a symmetric matrix: errors of the squared frequencies are
+/// about N eps of the highest one, or, in double, of each one where the masses are very different, see `graded_modes`.
+/// InputError where `check` throws, or C feeds energy into the motion. PrecisionError where the iteration does not converge, the
+/// lowest natural frequency is too low beside the highest, a mode is beyond the range of the number type, or two natural
+/// frequencies are too near to tell whether C couples their modes.
 /// @eq{14,15}
-/// @param s  the system
-/// @return   the basis
-/// @throws   InputError where `check` throws, or C feeds energy into the motion; PrecisionError where the iteration does not
-///           converge, the lowest natural frequency is too low beside the highest, a mode is beyond the range of the number type,
-///           or two natural frequencies are too near to tell whether C couples their modes
 template <class T>
 [[nodiscard]] ModalBasis<T> modal_basis(const System<T>& s);
 
-/// @brief The basis with the shapes at a few masses alone: on a chain in O(N^2) in place of O(N^3).
-/// @eq{14,15}
-/// @param s       the system
-/// @param masses  the masses wanted
-/// @return        the basis; phi has a row a mass wanted, in that order, and each mode any sign
-/// @throws        as `modal_basis`
+/// @brief The basis with the shapes at a few masses alone, a row for each in that order, and each mode with any sign: on a chain
+/// in O(N^2) in place of O(N^3). @eq{14,15}
 template <class T>
 [[nodiscard]] ModalBasis<T> modal_basis_at(const System<T>& s, const std::vector<Mass>& masses);
 
 /// @brief Number of eigenproblems (15) solved since the program started; tests gate on it.
-/// @return the count, over all number types and threads
 [[nodiscard]] inline long eigen_solves() { return work_counted.eigen_solves; }
 
 /// @brief Non-dimensional mass, damping and stiffness matrices (7), (8), (19) at a frequency ratio.
@@ -96,13 +82,8 @@ struct NonDimensionalMatrices {
     Matrix<T> K; ///< stiffness matrix in units of k_1
 };
 
-/// @brief Matrices of (6) at a frequency ratio.
-/// @eq{7,8,19}
-/// @param s      the system
-/// @param basis  its modal basis; used where damping is given by ratios
-/// @param r      frequency ratio, Eq. (10), positive
-/// @return       M, C, K
-/// @throws       InputError where r is not positive and finite
+/// @brief Matrices M, C, K of (6) at a frequency ratio; InputError where that is not positive and finite. The basis is used where
+/// damping is given by ratios. @eq{7,8,19}
 template <class T>
 [[nodiscard]] NonDimensionalMatrices<T> non_dimensional_matrices(const System<T>& s, const ModalBasis<T>& basis, const T& r);
 

@@ -1,5 +1,3 @@
-/// @file
-/// @brief Modal damping ratios from a damping matrix, and whether it couples the modes.
 #include "denhartog/model/modal_damping.hpp"
 
 #include <algorithm>

@@ -20,92 +20,67 @@ enum class FrequencyErrors {
 /// @brief Modal damping ratios from the damping matrix, \f$ 2\zeta_i r_{n,i} = \phi_i^T C \phi_i \f$.
 ///
 /// There are such ratios where \f$ K M^{-1} C = C M^{-1} K \f$. With A and B the stiffness and damping matrices that have the
-/// square root of M divided out on both sides the condition is A B = B A. The distance from it is measured as \f$ \|AB - BA\|_F
-/// / (\|A\|_F \|B\|_F) \f$ (0 to sqrt 2) and must not exceed 8 N eps of the number type: what rounding explains. In a higher
-/// precision matrices therefore have to meet the condition to more digits; decimal fractions are then given as text. Where
-/// natural frequencies coincide the mode shapes are turned to those that diagonalise C as well. Where C breaks the condition by
-/// more, and by more than what is to be neglected, it couples the modes, and the ratios are those of its diagonal. So it does where
-/// it couples two soft modes of which the distance, beside a stiff mode with much damping, has no trace.
+/// square root of M divided out on both sides the condition is A B = B A. The distance from it is measured as
+/// \f$ \|AB - BA\|_F / (\|A\|_F \|B\|_F) \f$ (0 to sqrt 2) and must not exceed 8 N eps of the number type: what rounding
+/// explains. In a higher precision matrices therefore have to meet the condition to more digits; decimal fractions are then given
+/// as text. Where natural frequencies coincide the mode shapes are turned to those that diagonalise C as well. Where C breaks the
+/// condition by more, and by more than what is to be neglected, it couples the modes, and the ratios are those of its diagonal.
+/// So it does where it couples two soft modes of which the distance, beside a stiff mode with much damping, has no trace. L is
+/// the factor of M = L L^T in units of m_1; K is in units of k_1, C in units of sqrt(k_1 m_1). Up to the distance `neglected` C
+/// counts as uncoupled all the same. The basis, of natural frequency ratios and mode shapes, gets the damping ratios and, where
+/// they are coupled, D; where rounding explains what couples them, it gets a bound of that. InputError where C feeds energy into
+/// a motion, or gives a ratio beyond its range; PrecisionError where two natural frequencies are too near to tell whether C
+/// couples their modes.
 /// @eq{18}
-/// @param L      lower triangular factor of the mass matrix in units of m_1, M = L L^T
-/// @param K      stiffness matrix in units of k_1
-/// @param C      damping matrix in units of sqrt(k_1 m_1)
-/// @param neglected  the distance up to which C counts as uncoupled all the same; 0: none
-/// @param errors     what the natural frequencies are good to
-/// @param basis  natural frequency ratios and mode shapes; gets the damping ratios and, where they are coupled, D; where rounding
-///               explains what couples them, a bound of that
-/// @throws InputError where C feeds energy into a motion, or gives a ratio beyond its range;
-///         PrecisionError where two natural frequencies are too near to tell whether C couples their modes
 template <class T>
 void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& C, double neglected, FrequencyErrors errors,
                        ModalBasis<T>& basis);
 
-/// @brief What rounding makes of the entries of C between modes: the rounding of the shapes, and the angle by which the solver may
-/// turn two modes towards each other.
-/// @eq{18}
-/// @param C       damping matrix in units of sqrt(k_1 m_1)
-/// @param D       the same in the modes, phi^T C phi
-/// @param modes   the modes
-/// @param errors  what their frequencies are good to
-/// @return        bounds, N x N, zero on the diagonal
+/// @brief What rounding makes of the entries of C between modes: the rounding of the shapes, and the angle by which the solver
+/// may turn two modes towards each other. The bounds are zero on the diagonal. C is in units of sqrt(k_1 m_1), and D is
+/// \f$ \phi^T C \phi \f$. @eq{18}
 template <class T>
 [[nodiscard]] Matrix<T> rounding_between_modes(const Matrix<T>& C, const Matrix<T>& D, const NaturalModes<T>& modes,
                                                FrequencyErrors errors);
 
 /// @brief Whether C couples two modes by more than rounding makes of its entry between them, however small that entry is beside
-/// those of stiffer modes.
-/// @eq{18}
-/// @param D         phi^T C phi
-/// @param rounding  of its entries, see `rounding_between_modes`
-/// @return          whether there are such modes
+/// those of stiffer modes. @eq{18}
 template <class T>
 [[nodiscard]] bool couples_a_pair(const Matrix<T>& D, const Matrix<T>& rounding);
 
-/// @brief Checks that a damping matrix takes energy out of every motion; a zero eigenvalue may be below zero by rounding to double.
-/// @param C  damping matrix in units of sqrt(k_1 m_1)
-/// @throws   InputError where it does not
+/// @brief Checks that a damping matrix takes energy out of every motion, else InputError; a zero eigenvalue may be below zero by
+/// rounding to double.
 template <class T>
 void check_passive(const Matrix<T>& C);
 
-/// @brief How much damping couples modes: the largest \f$ |D_{ik}| / \sqrt{D_{ii} D_{kk}} \f$ of \f$ D = \phi^T C \phi \f$.
+/// @brief How much damping couples modes: the largest \f$ |D_{ik}| / \sqrt{D_{ii} D_{kk}} \f$ of \f$ D = \phi^T C \phi \f$. It is
+/// from 0 to 1. A product of two diagonal entries below the square of `rounding`, the error of the entries, counts as that.
 /// @eq{18}
-/// @param D         modal damping matrix
-/// @param rounding  error of its entries: a product of two diagonal entries below its square counts as that
-/// @return          0 to 1
 template <class T>
 [[nodiscard]] T largest_coupling(const Matrix<T>& D, const T& rounding);
 
 /// @brief What rounding may make of natural frequencies, of the entries of a modal damping matrix and of the measure by which it
-/// couples modes, beside the largest of its kind.
-/// @param N  number of modes
-/// @return   some units in the last place for each mode
+/// couples modes, beside the largest of its kind. It is some units in the last place for each mode.
 template <class T>
 [[nodiscard]] T rounding_of_modes(std::size_t N) {
     return 8 * static_cast<int>(N) * std::numeric_limits<T>::epsilon();
 }
 
-/// @brief The same of entries that are as good as rounding lets them be. @param D modal damping matrix @return 0 to 1
+/// @brief The same of entries that are as good as rounding lets them be.
 template <class T>
 [[nodiscard]] T largest_coupling(const Matrix<T>& D) {
     return largest_coupling(D, T(rounding_of_modes<T>(static_cast<std::size_t>(D.rows())) * D.cwiseAbs().maxCoeff()));
 }
 
-/// @brief Whether the natural frequency of a mode coincides with the next one.
-/// @param r_n        natural frequency ratios, ascending
-/// @param i          the mode, not the last one
-/// @param tolerance  differences up to this times the highest one count as none
-/// @return           whether it does
+/// @brief Whether the natural frequency of mode i, not the last one, coincides with the next one: differences up to `tolerance`
+/// times the highest count as none.
 template <class T>
 [[nodiscard]] bool coincides_with_next(const std::vector<T>& r_n, std::size_t i, const T& tolerance) {
     return r_n[i + 1] - r_n[i] <= tolerance * r_n.back();
 }
 
 /// @brief Turns the mode shapes of every group of coinciding natural frequencies to those that diagonalise C within the group.
-/// @param C          damping matrix in units of sqrt(k_1 m_1)
-/// @param tolerance  differences of neighbouring frequencies up to this times the highest one count as none
-/// @param r_n        natural frequency ratios, ascending, at least one
-/// @param phi        mode shapes, mass by mode; turned
-/// @throws           PrecisionError where an eigenproblem is not solved
+/// Frequencies coincide as above.
 template <class T>
 void turn_coinciding_modes(const Matrix<T>& C, const T& tolerance, const std::vector<T>& r_n, Matrix<T>& phi);
 

@@ -1,12 +1,9 @@
-/// @file
-/// @brief Modes of a chain through a bidiagonal matrix, of any other system through a symmetric one.
 #include "denhartog/model/natural_modes.hpp"
 
 #include <cmath>
 #include <limits>
 
 #include "denhartog/model/bidiagonal_singular_values.hpp"
-#include "denhartog/model/graded_modes.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/errors.hpp"

@@ -2,6 +2,7 @@
 /// @brief Natural frequency ratios and mode shapes of the undamped system, (13)-(17), of a chain and of any other system.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "denhartog/scene/scene.hpp"
@@ -19,38 +20,43 @@ struct NaturalModes {
 ///
 /// The stiffness matrix of a chain is a product F^T F with F bidiagonal, one row a spring: its elongation times the root of its
 /// stiffness, on displacements times the roots of the masses. No entry of F is a difference, so that its singular values, the
-/// natural frequency ratios, come with high relative accuracy.
+/// natural frequency ratios, come with high relative accuracy. There are N springs where the last mass is free, N + 1 where the
+/// last spring joins it to the ground. PrecisionError where the iteration does not converge.
 /// @eq{14,15}
-/// @param gamma  masses, N values
-/// @param kappa  springs: N values where the last mass is free, N + 1 where the last spring joins it to the ground
-/// @return       the modes
-/// @throws       PrecisionError where the iteration does not converge
 template <class T>
 [[nodiscard]] NaturalModes<T> chain_modes(const std::vector<T>& gamma, const std::vector<T>& kappa);
 
-/// @brief The same with the shapes at a few masses alone, in O(N^2) in place of O(N^3).
-/// @eq{14,15}
-/// @param gamma   masses, as above
-/// @param kappa   springs, as above
-/// @param masses  the masses wanted
-/// @return        frequencies as above to the last bit; shapes with a row a mass wanted, in that order, each mode with any sign
-/// @throws        as above
+/// @brief The same with the shapes at a few masses alone, a row for each in that order, and each mode with any sign, in O(N^2) in
+/// place of O(N^3). Frequencies are as above to the last bit. @eq{14,15}
 template <class T>
 [[nodiscard]] NaturalModes<T> chain_modes(const std::vector<T>& gamma, const std::vector<T>& kappa,
                                           const std::vector<Mass>& masses);
 
 /// @brief Modes of any system: errors of the squared frequencies are about N eps of the highest one, in double but of masses of
-/// very different size, see `graded_modes`.
-/// @eq{14,15}
-/// @param L  lower triangular factor of the mass matrix, M = L L^T
-/// @param K  stiffness matrix
-/// @return   the modes
-/// @throws   PrecisionError where the digits do not tell the lowest from zero, or the iteration does not converge
+/// very different size, see `graded_modes`. L is the factor of the mass matrix. PrecisionError where the digits do not tell the
+/// lowest from zero, or the iteration does not converge. @eq{14,15}
 template <class T>
 [[nodiscard]] NaturalModes<T> general_modes(const Matrix<T>& L, const Matrix<T>& K);
 
-/// @brief Signs of mode shapes: positive is the first component that has more than three eighths of the size of the largest.
-/// @param phi  mode shapes, mass by mode
+/// @brief Ratio of the largest mass to the least from which modes are graded, see `graded_modes`.
+inline constexpr double least_contrast_of_masses = 1024;
+
+/// @brief By how much the springs multiply relative errors of their entries on the way to those of squared natural frequencies:
+/// the trace of the inverse of K, its rows and columns scaled to a diagonal of ones. None where modes are not graded: L is not
+/// diagonal, the masses are not very different, or differ by less than the factor.
+[[nodiscard]] std::optional<double> condition_of_graded(const Matrix<double>& L, const Matrix<double>& K);
+
+/// @brief Modes of masses of very different size, to the digits that the springs leave; none where there is no factor above.
+///
+/// With \f$ \mathbf K = \mathbf G\mathbf G^T \f$ and lumped masses, the natural frequency ratios are the singular values of
+/// \f$ \mathbf G^T\mathbf M^{-1/2} \f$, whose columns are as small as the masses are large. One-sided Jacobi rotations keep the
+/// digits of each column: the error of every natural frequency is a fraction of itself, however light a mass is; see J. Demmel
+/// and K. Veselić, SIAM Journal on Matrix Analysis and Applications 13 (1992), 1204.
+/// @eq{14,15}
+[[nodiscard]] std::optional<NaturalModes<double>> graded_modes(const Matrix<double>& L, const Matrix<double>& K);
+
+/// @brief Fixes the signs of mode shapes: positive is the first component that has more than three eighths of the size of the
+/// largest.
 template <class T>
 void fix_signs(Matrix<T>& phi);
 

@@ -14,11 +14,8 @@ struct ColumnsOfDoubles {
     std::ptrdiff_t stride;  ///< from a column to the next
 };
 
-/// @brief \f$ AB \f$: each number is the sum of its terms from the first to the last, one after the other. Loops become
-/// vectors, as they run over the rows.
-/// @param A        a matrix
-/// @param B        a matrix of as many rows as A has columns
-/// @param product  place for its numbers, column by column
+/// @brief \f$ AB \f$: each number is the sum of its terms from the first to the last, one after the other. Loops become vectors,
+/// as they run over the rows.
 void product_of_doubles(const ColumnsOfDoubles& A, const ColumnsOfDoubles& B, double* product);
 
 } // namespace denhartog

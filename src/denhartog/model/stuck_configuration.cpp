@@ -1,5 +1,3 @@
-/// @file
-/// @brief The stuck configuration of a chain, which falls into two chains, and of any other system.
 #include "denhartog/model/stuck_configuration.hpp"
 
 #include <algorithm>

@@ -56,10 +56,7 @@ template <class T>
     return stuck.load.empty() ? T(k == load ? 1 : 0) : stuck.load[k.index];
 }
 
-/// @brief What a load brings to each stuck mode.
-/// @param stuck  the stuck configuration
-/// @param load   the loaded mass, l, where the load acts on one
-/// @return       phi^T p, N - 1 values
+/// @brief What a load brings to each stuck mode, phi^T p.
 template <class T>
 [[nodiscard]] std::vector<T> load_on_stuck_modes(const StuckConfiguration<T>& stuck, Mass load) {
     std::vector<T> of_modes(stuck.masses.size(), T(0));
@@ -77,12 +74,9 @@ template <class T>
     return stuck.contact.sign * force_on(stuck, Mass{stuck.contact.a}, load);
 }
 
-/// @brief The stuck configuration of a system; one more eigenproblem (15), none where N is 1 or 2.
-/// @param s      the system
-/// @param basis  its modal basis
-/// @param held   what more digits have found, which spares the eigenproblem; else null
-/// @return       the stuck configuration; no masses where N = 1
-/// @throws       InputError where `check` throws; PrecisionError where the eigenproblem is not solved
+/// @brief The stuck configuration of a system; one more eigenproblem (15), none where N is 1 or 2. `held` is what more digits
+/// have found, and spares the eigenproblem; it may be null. There are no masses where N = 1. InputError where `check` throws;
+/// PrecisionError where the eigenproblem is not solved.
 template <class T>
 [[nodiscard]] StuckConfiguration<T> stuck_configuration(const System<T>& s, const ModalBasis<T>& basis,
                                                         const RoundedModes<T>* held = nullptr);

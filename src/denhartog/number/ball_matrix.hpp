@@ -13,13 +13,13 @@ class BallMatrix {
 public:
     arb_mat_t a; ///< the matrix as Arb has it
 
-    /// @brief Zeros. @param rows number of rows @param columns number of columns
+    /// @brief Zeros.
     explicit BallMatrix(slong rows = 0, slong columns = 0) { arb_mat_init(a, rows, columns); }
-    /// @param b  a matrix, copied
+    /// @brief A copy.
     BallMatrix(const BallMatrix& b) : BallMatrix(b.rows(), b.columns()) { arb_mat_set(a, b.a); }
-    /// @param b  a matrix, whose entries are taken
+    /// @brief Takes the entries of another matrix.
     BallMatrix(BallMatrix&& b) noexcept : BallMatrix() { arb_mat_swap(a, b.a); }
-    /// @brief Assigns. @param b a matrix @return this
+    /// @brief Assigns.
     BallMatrix& operator=(BallMatrix b) noexcept {
         arb_mat_swap(a, b.a);
         return *this;
@@ -27,36 +27,36 @@ public:
     /// @brief Frees the entries.
     ~BallMatrix() { arb_mat_clear(a); }
 
-    /// @brief Number of rows. @return it
+    /// @brief Number of rows.
     [[nodiscard]] slong rows() const { return arb_mat_nrows(a); }
-    /// @brief Number of columns. @return it
+    /// @brief Number of columns.
     [[nodiscard]] slong columns() const { return arb_mat_ncols(a); }
-    /// @brief An entry. @param r its row @param c its column @return the entry
+    /// @brief An entry.
     [[nodiscard]] Ball& operator()(slong r, slong c = 0) { return reinterpret_cast<Ball&>(*arb_mat_entry(a, r, c)); }
-    /// @brief An entry. @param r its row @param c its column @return the entry
+    /// @brief An entry.
     [[nodiscard]] const Ball& operator()(slong r, slong c = 0) const {
         return reinterpret_cast<const Ball&>(*arb_mat_entry(a, r, c));
     }
 
-    /// @brief Product. @param x a matrix @param y a matrix @return x y
+    /// @brief Product.
     friend BallMatrix operator*(const BallMatrix& x, const BallMatrix& y) {
         BallMatrix r(x.rows(), y.columns());
         arb_mat_mul(r.a, x.a, y.a, ball_bits);
         return r;
     }
-    /// @brief Multiple. @param x a matrix @param s a factor @return s x
+    /// @brief Multiple.
     friend BallMatrix operator*(const BallMatrix& x, const Ball& s) {
         BallMatrix r(x.rows(), x.columns());
         arb_mat_scalar_mul_arb(r.a, x.a, s.a, ball_bits);
         return r;
     }
-    /// @brief Sum. @param x a matrix @param y a matrix @return x + y
+    /// @brief Sum.
     friend BallMatrix operator+(const BallMatrix& x, const BallMatrix& y) {
         BallMatrix r(x.rows(), x.columns());
         arb_mat_add(r.a, x.a, y.a, ball_bits);
         return r;
     }
-    /// @brief Difference. @param x a matrix @param y what is taken from it @return x - y
+    /// @brief Difference.
     friend BallMatrix operator-(const BallMatrix& x, const BallMatrix& y) {
         BallMatrix r(x.rows(), x.columns());
         arb_mat_sub(r.a, x.a, y.a, ball_bits);
@@ -65,42 +65,41 @@ public:
 };
 static_assert(sizeof(Ball) == sizeof(arb_struct), "an entry of a matrix is a ball");
 
-/// @brief The unit matrix. @param n its size @return it
+/// @brief The unit matrix.
 [[nodiscard]] inline BallMatrix unit_matrix(slong n) {
     BallMatrix r(n, n);
     arb_mat_one(r.a);
     return r;
 }
 
-/// @brief Rows for columns. @param x a matrix @return it transposed
+/// @brief Rows for columns.
 [[nodiscard]] inline BallMatrix transposed(const BallMatrix& x) {
     BallMatrix r(x.columns(), x.rows());
     arb_mat_transpose(r.a, x.a);
     return r;
 }
 
-/// @brief Exponential. @param x a square matrix @return exp(x); wide where x is: never exponentiate a wide ball
+/// @brief Exponential of a square matrix; wide where x is: never exponentiate a wide ball.
 [[nodiscard]] inline BallMatrix exp(const BallMatrix& x) {
     BallMatrix r(x.rows(), x.columns());
     arb_mat_exp(r.a, x.a, ball_bits);
     return r;
 }
 
-/// @brief The midpoints. @param x a matrix @return its midpoints, exact
+/// @brief The midpoints, exact.
 [[nodiscard]] inline BallMatrix middle(const BallMatrix& x) {
     BallMatrix r(x.rows(), x.columns());
     arb_mat_get_mid(r.a, x.a);
     return r;
 }
 
-/// @brief Solves x y = b. @param x a square matrix @param b right sides @param y gets the solution
-/// @return false where x may be singular
+/// @brief Solves x y = b; false where x may be singular.
 [[nodiscard]] inline bool solved(const BallMatrix& x, const BallMatrix& b, BallMatrix& y) {
     y = BallMatrix(x.rows(), b.columns());
     return arb_mat_solve(y.a, x.a, b.a, ball_bits) != 0;
 }
 
-/// @brief The largest sum of sizes in a row. @param x a matrix @return an upper bound of it
+/// @brief An upper bound of the largest sum of sizes in a row.
 [[nodiscard]] inline double norm(const BallMatrix& x) {
     mag_t b;
     mag_init(b);

@@ -18,7 +18,7 @@ constexpr double library_units = 0.6;
 /// @brief The same for hyperbolic functions and those of pi times x, which are made of others.
 constexpr double composed_units = 2;
 
-/// @brief Square root. @param a a number @return its root; of one that may be zero, or negative by its error, an error as large
+/// @brief Square root; of a number that may be zero, or negative by its error, with an error as large.
 template <class T>
 [[nodiscard, gnu::noinline]] Bounded<T> sqrt(const Bounded<T>& a) {
     using std::sqrt;
@@ -30,25 +30,24 @@ template <class T>
     else
         return Bounded<T>::rounded_correctly(root, error);
 }
-/// @brief What the error of an exponent makes of an exponential. @param a the exponent @param value exp(a.x) @return the error
+/// @brief What the error of an exponent makes of an exponential.
 template <class T>
 [[nodiscard]] T error_of_exponential(const Bounded<T>& a, const T& value) {
     // A large error is bounded by the largest value.
     return a.e < T(1) / 2 ? T(value * expm1(a.e)) : T(exp(T(a.x + a.e)));
 }
-/// @brief Exponential. @param a a number @return exp(a)
+/// @{
+/// @brief Elementary functions, and what the errors of their arguments make of them.
 template <class T>
 [[nodiscard, gnu::noinline]] Bounded<T> exp(const Bounded<T>& a) {
     const T value = exp(a.x);
     return Bounded<T>::rounded(value, error_of_exponential(a, value), library_units);
 }
-/// @brief What the error of an angle makes of its sine or cosine. @param e the error @param rate the other of the two
-/// @return the error
+/// @brief What the error of an angle makes of its sine or cosine; `rate` is the other of the two.
 template <class T>
 [[nodiscard]] T error_by_angle(const T& e, const T& rate) {
     return std::min(T(2), T(e * (size_of_number(rate) + e)));
 }
-/// @brief Sine and cosine. @param a radians @return sin(a), cos(a)
 template <class T>
 [[nodiscard, gnu::noinline]] SineCosine<Bounded<T>> sine_cosine(const Bounded<T>& a) {
     const SineCosine<T> at = sine_cosine(a.x);
@@ -58,27 +57,22 @@ template <class T>
 /// @brief They share what those of the values share.
 template <class T>
 inline constexpr bool shares_sine_and_cosine<Bounded<T>> = shares_sine_and_cosine<T>;
-/// @brief Sine. @param a radians @return sin(a)
 template <class T>
 [[nodiscard, gnu::noinline]] Bounded<T> sin(const Bounded<T>& a) {
     return a.e > 0 ? sine_cosine(a).s : Bounded<T>::rounded(sin(a.x), T(0), library_units);
 }
-/// @brief Cosine. @param a radians @return cos(a)
 template <class T>
 [[nodiscard, gnu::noinline]] Bounded<T> cos(const Bounded<T>& a) {
     return a.e > 0 ? sine_cosine(a).c : Bounded<T>::rounded(cos(a.x), T(0), library_units);
 }
-/// @brief Hyperbolic cosine. @param a a number @return cosh(a)
 template <class T>
 [[nodiscard, gnu::noinline]] Bounded<T> cosh(const Bounded<T>& a) {
     return Bounded<T>::rounded(cosh(a.x), T(sinh(a.most()) * a.e), composed_units);
 }
-/// @brief Hyperbolic sine. @param a a number @return sinh(a)
 template <class T>
 [[nodiscard, gnu::noinline]] Bounded<T> sinh(const Bounded<T>& a) {
     return Bounded<T>::rounded(sinh(a.x), T(cosh(a.most()) * a.e), composed_units);
 }
-/// @brief Angle of the point (x, y). @param y ordinate @param x abscissa @return radians in (-pi, pi]
 template <class T>
 [[nodiscard, gnu::noinline]] Bounded<T> atan2(const Bounded<T>& y, const Bounded<T>& x) {
     const T size = std::max(size_of_number(x.x), size_of_number(y.x));
@@ -87,36 +81,32 @@ template <class T>
     const T error = along > 0 ? T(atan(T(across / along)) * (1 + 8 * unit_of<T>())) : T(2 * pi<T>());
     return Bounded<T>::rounded(atan2(y.x, x.x), error, library_units);
 }
-/// @brief Largest whole number not above the value. @param a a number @return an exact whole number
+/// @brief Largest whole number not above the value, exact.
 template <class T>
 [[nodiscard]] Bounded<T> floor(const Bounded<T>& a) {
     using std::floor;
     return {T(floor(a.x))};
 }
-/// @brief The value without its sign. @param a a number @return |a|
 template <class T>
 [[nodiscard]] Bounded<T> abs(const Bounded<T>& a) {
     return a.x < 0 ? -a : a;
 }
-/// @brief \f$ \sin(\pi x) \f$. @param a a number @return sin(pi a)
 template <class T>
 [[nodiscard, gnu::noinline]] Bounded<T> sin_pi(const Bounded<T>& a) {
     return Bounded<T>::rounded(sine_of_half_turns(a.x), std::min(T(2), T(4 * a.e)), composed_units);
 }
-/// @brief \f$ \cos(\pi x) \f$. @param a a number @return cos(pi a)
 template <class T>
 [[nodiscard, gnu::noinline]] Bounded<T> cos_pi(const Bounded<T>& a) {
     return Bounded<T>::rounded(cosine_of_half_turns(a.x), std::min(T(2), T(4 * a.e)), composed_units);
 }
-/// @brief \f$ e^x - 1 \f$. @param a a number @return exp(a) - 1
 template <class T>
 [[nodiscard, gnu::noinline]] Bounded<T> exp_minus_one(const Bounded<T>& a) {
     const T power = exp(a.x);
     const T value = a.x > 1 ? T(power - 1) : T(expm1(a.x));
     return Bounded<T>::rounded(value, error_of_exponential(a, power), composed_units);
 }
-/// @brief Sine and cosine of \f$ \pi\,[1/(2R) - y] \f$. @param R a positive number @param y a number
-/// @return both, with what the errors of R and y make of them
+/// @}
+/// @brief Sine and cosine of \f$ \pi\,[1/(2R) - y] \f$, with what the errors of R and y make of them.
 template <class T>
 [[nodiscard]] SineCosine<Bounded<T>> sine_cosine_of_half_period(const Bounded<T>& R, const Bounded<T>& y) {
     const SineCosine<T> f = sine_cosine_of_half_period(R.x, y.x);
@@ -128,7 +118,7 @@ template <class T>
 /// @brief pi as a number with its error.
 template <class T>
 struct PiOf<Bounded<T>> {
-    /// @return pi, and what its rounding lacks: of a double 1.2247e-16, of any other at most a unit of 1
+    /// @brief pi, and what its rounding lacks: of a double 1.2247e-16, of any other at most a unit of 1.
     static Bounded<T> value() { return {pi<T>(), std::same_as<T, double> ? T(1.2247e-16) : unit_of<T>()}; }
 };
 
@@ -136,54 +126,49 @@ struct PiOf<Bounded<T>> {
 template <class T>
 struct ValueOf {
     using type = T; ///< the type
-    /// @param x a number @return the same
+    /// @brief The number itself.
     [[nodiscard]] static const T& of(const T& x) { return x; }
-    /// @param x a number @return its size
+    /// @brief Its size.
     [[nodiscard]] static T most(const T& x) { return size_of_number(x); }
-    /// @param x a number @return its size
+    /// @brief Its size.
     [[nodiscard]] static T least(const T& x) { return size_of_number(x); }
-    /// @return 0
+    /// @brief None.
     [[nodiscard]] static T error(const T&) { return T(0); }
 };
 /// @brief Of a number with a bound.
 template <class T>
 struct ValueOf<Bounded<T>> {
     using type = T; ///< the type inside
-    /// @param a a number with a bound @return its value
+    /// @brief The value.
     [[nodiscard]] static const T& of(const Bounded<T>& a) { return a.x; }
-    /// @param a a number with a bound @return the largest size that it can have
+    /// @brief The largest size that the number can have.
     [[nodiscard]] static T most(const Bounded<T>& a) { return a.most(); }
-    /// @param a a number with a bound @return the least size that it can have
+    /// @brief The least size that the number can have.
     [[nodiscard]] static T least(const Bounded<T>& a) { return a.least(); }
-    /// @param a a number with a bound @return the bound
+    /// @brief The bound.
     [[nodiscard]] static T error(const Bounded<T>& a) { return a.e; }
 };
 
-/// @brief A number with something neglected in it. @param value the number @param neglected its size @return the same
+/// @brief A number with something neglected in it.
 template <class T>
 [[nodiscard]] T with_neglected(const T& value, const T& neglected) {
     (void)neglected;
     return value;
 }
-/// @brief The same with a bound, which takes in what was neglected.
-/// @param value      the number
-/// @param neglected  its size
-/// @return           the number with that bound; it is infinite where the size is no number
+/// @brief The same with a bound, which takes in what was neglected; infinite where that is no number.
 template <class T>
 [[nodiscard]] Bounded<T> with_neglected(const Bounded<T>& value, const Bounded<T>& neglected) {
     const T bound = value.e + neglected.most();
     return {value.x, bound >= 0 ? bound : std::numeric_limits<T>::infinity()};
 }
 
-/// @brief Zero with something neglected in it. @param neglected its size @return zero, of bounds with that bound
+/// @brief Zero with something neglected in it: of numbers with bounds a zero with that bound.
 template <class T>
 [[nodiscard]] T zero_within(const typename ValueOf<T>::type& neglected) {
     return with_neglected(T(0), T(neglected));
 }
 
 /// @brief A number of the input, one unit in the last place uncertain, as a decimal fraction or a quotient is.
-/// @param x  the number
-/// @return   the number with that error
 template <class T>
 [[nodiscard]] Bounded<T> as_input(const T& x) {
     return {x, T(unit_of<T>() * size_of_number(x))};

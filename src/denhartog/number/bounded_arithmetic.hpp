@@ -18,83 +18,73 @@
 
 namespace denhartog {
 
-/// @brief Unit in the last place of 1. @tparam T the number type @return epsilon
+/// @brief Unit in the last place of 1.
 template <class T>
 [[nodiscard]] T unit_of() {
     return std::numeric_limits<T>::epsilon();
 }
-/// @brief The size of a number. @param x a number @return |x|
+/// @brief The size of a number.
 template <class T>
 [[nodiscard]] T size_of_number(const T& x) {
     return x < 0 ? T(-x) : x;
 }
 
 /// @brief A number x known to be within e of a true one.
-/// @tparam T  the type of both
 template <class T>
 struct Bounded {
     T x{}; ///< the value
     T e{}; ///< bound of its absolute error
 
     Bounded() = default;
-    /// @param n  a whole number, exact
+    /// @brief A whole number, exact.
     Bounded(int n) : x(n), e(0) {}
-    /// @param value  an exact number
+    /// @brief An exact number.
     Bounded(const T& value) : x(value), e(0) {}
-    /// @param value  a number
-    /// @param error  bound of its error
+    /// @brief A number with a bound of its error.
     Bounded(const T& value, const T& error) : x(value), e(error) {}
-    /// @param value  an exact number of the narrower type
+    /// @brief An exact number of the narrower type.
     explicit Bounded(double value) requires(!std::same_as<T, double>) : x(value), e(0) {}
 
     /// @brief A result with a bound. Where the bound is no number, as of zero times something unbounded, or the result is none,
-    /// there is no bound: it is infinite.
-    /// @param value     the result
-    /// @param error     what the errors of the operands make of it
-    /// @param rounding  how far its own rounding may have moved it
-    /// @return          the number with both
+    /// there is no bound: it is infinite. `error` is what the errors of the operands make of it, `rounding` how far its own
+    /// rounding may have moved it.
     [[nodiscard, gnu::always_inline]] static Bounded of(const T& value, const T& error, const T& rounding) {
         const T bound = (error + rounding) * (1 + 8 * unit_of<T>()) + (std::numeric_limits<T>::min)();
         return {value, bound >= 0 && value - value == 0 ? bound : std::numeric_limits<T>::infinity()};
     }
     /// @brief The same where the rounding is at most half a unit in the last place, as of the wide types.
-    /// @param value  the result
-    /// @param error  what the errors of the operands make of it
-    /// @return       the number with both
     [[nodiscard, gnu::noinline]] static Bounded rounded_correctly(const T& value, const T& error) {
         return of(value, error, T(unit_of<T>() * size_of_number(value) / 2));
     }
-    /// @brief A sum in a wide type. @param a a number @param b a number @return their sum
+    /// @brief A sum in a wide type.
     [[nodiscard, gnu::noinline]] static Bounded wide_sum(const Bounded& a, const Bounded& b) {
         return rounded_correctly(T(a.x + b.x), T(a.e + b.e));
     }
-    /// @brief A product in a wide type. @param a a number @param b a number @return their product
+    /// @brief A product in a wide type.
     [[nodiscard, gnu::noinline]] static Bounded wide_product(const Bounded& a, const Bounded& b) {
         return rounded_correctly(T(a.x * b.x), T(size_of_number(a.x) * b.e + size_of_number(b.x) * a.e + a.e * b.e));
     }
-    /// @brief A quotient in a wide type. @param a a number @param b not zero within its error @return a over b
+    /// @brief A quotient in a wide type; b is not zero within its error.
     [[nodiscard, gnu::noinline]] static Bounded wide_quotient(const Bounded& a, const Bounded& b) {
         const T q = a.x / b.x, least = size_of_number(b.x) - b.e;
         return rounded_correctly(q, least > 0 ? T((a.e + size_of_number(q) * b.e) / least) : std::numeric_limits<T>::infinity());
     }
-    /// @brief The opposite number. @param a a number @return -a
+    /// @brief The opposite number.
     [[nodiscard, gnu::noinline]] static Bounded wide_opposite(const Bounded& a) { return {T(-a.x), a.e}; }
 
-    /// @brief The result of a library function. @param value the result @param error what the errors of the operands make of it
-    /// @param units  how many units in the last place the function is trusted with
-    /// @return       the number with both
+    /// @brief The result of a library function that is trusted with so many units in the last place; `error` as above.
     [[nodiscard]] static Bounded rounded(const T& value, const T& error, double units) {
         return of(value, error, T(units * unit_of<T>() * size_of_number(value)));
     }
 
-    /// @brief The opposite, as certain. @param a a number @return -a
+    /// @brief The opposite, as certain.
     [[nodiscard]] friend Bounded operator-(const Bounded& a) {
         if constexpr (std::floating_point<T>)
             return {-a.x, a.e};
         else
             return wide_opposite(a);
     }
-    /// @brief Sum: the errors add up, and its rounding is known. @param a a number @param b a number @return a + b
+    /// @brief Sum: the errors add up, and its rounding is known.
     [[nodiscard, gnu::always_inline]] friend Bounded operator+(const Bounded& a, const Bounded& b) {
         if constexpr (std::floating_point<T>) {
             const T sum = a.x + b.x, of_b = sum - a.x;
@@ -103,9 +93,9 @@ struct Bounded {
             return wide_sum(a, b);
         }
     }
-    /// @brief Difference, bounded as a sum is. @param a a number @param b a number @return a - b
+    /// @brief Difference, bounded as a sum is.
     [[nodiscard, gnu::always_inline]] friend Bounded operator-(const Bounded& a, const Bounded& b) { return a + -b; }
-    /// @brief Product; its rounding is known from a fused product. @param a a number @param b a number @return a b
+    /// @brief Product; its rounding is known from a fused product.
     [[nodiscard, gnu::always_inline]] friend Bounded operator*(const Bounded& a, const Bounded& b) {
         if constexpr (std::floating_point<T>) {
             const T product = a.x * b.x;
@@ -115,7 +105,7 @@ struct Bounded {
             return wide_product(a, b);
         }
     }
-    /// @brief Quotient; unbounded where the divisor may be zero. @param a a number @param b a number @return a / b
+    /// @brief Quotient; unbounded where the divisor may be zero.
     [[nodiscard, gnu::always_inline]] friend Bounded operator/(const Bounded& a, const Bounded& b) {
         if constexpr (std::floating_point<T>) {
             const T q = a.x / b.x, least = std::abs(b.x) - b.e;
@@ -125,30 +115,23 @@ struct Bounded {
             return wide_quotient(a, b);
         }
     }
-    /// @brief Adds. @param b a number @return this
+    /// @{
+    /// @brief In place, and comparisons of the values, in which bounds play no part.
     Bounded& operator+=(const Bounded& b) { return *this = *this + b; }
-    /// @brief Subtracts. @param b a number @return this
     Bounded& operator-=(const Bounded& b) { return *this = *this - b; }
-    /// @brief Multiplies. @param b a number @return this
     Bounded& operator*=(const Bounded& b) { return *this = *this * b; }
-    /// @brief Divides. @param b a number @return this
     Bounded& operator/=(const Bounded& b) { return *this = *this / b; }
-    /// @brief Compares values; bounds play no part. @param a a number @param b a number @return whether a is less
     [[nodiscard]] friend bool operator<(const Bounded& a, const Bounded& b) { return a.x < b.x; }
-    /// @brief Compares values; bounds play no part. @param a a number @param b a number @return whether a is greater
     [[nodiscard]] friend bool operator>(const Bounded& a, const Bounded& b) { return a.x > b.x; }
-    /// @brief Compares values; bounds play no part. @param a a number @param b a number @return whether a is not greater
     [[nodiscard]] friend bool operator<=(const Bounded& a, const Bounded& b) { return a.x <= b.x; }
-    /// @brief Compares values; bounds play no part. @param a a number @param b a number @return whether a is not less
     [[nodiscard]] friend bool operator>=(const Bounded& a, const Bounded& b) { return a.x >= b.x; }
-    /// @brief Compares values; bounds play no part. @param a a number @param b a number @return whether both are one value
     [[nodiscard]] friend bool operator==(const Bounded& a, const Bounded& b) { return a.x == b.x; }
-    /// @brief Compares values; bounds play no part. @param a a number @param b a number @return whether they differ
     [[nodiscard]] friend bool operator!=(const Bounded& a, const Bounded& b) { return a.x != b.x; }
+    /// @}
 
-    /// @brief Largest size that the number can have. @return |x| + e
+    /// @brief Largest size that the number can have.
     [[nodiscard]] T most() const { return size_of_number(x) + e; }
-    /// @brief Least size that the number can have. @return |x| - e, not below zero
+    /// @brief Least size that the number can have.
     [[nodiscard]] T least() const { return std::max(T(0), T(size_of_number(x) - e)); }
 };
 

@@ -1,5 +1,3 @@
-/// @file
-/// @brief Elementary functions of two doubles.
 #include "denhartog/number/double_double.hpp"
 
 #include <cmath>

@@ -23,28 +23,25 @@ struct Effort {
     long spent = 0;                                   ///< operations spent
     const std::function<bool()>* cancelled = nullptr; ///< ends the search from outside once it gives true; null: nobody does
 
-    /// @brief Counts operations. @param operations how many
+    /// @brief Counts operations.
     void spend(long operations) { spent += operations; }
-    /// @brief Operations still allowed. @return their number, not negative
+    /// @brief Operations still allowed, zero at the least.
     [[nodiscard]] long left() const { return std::max(0L, allowed - spent); }
-    /// @brief Whether a search has to end. @return true where the budget is spent or somebody cancelled
+    /// @brief Whether a search has to end: the budget is spent, or somebody cancelled.
     [[nodiscard]] bool exhausted() const { return spent >= allowed || is_cancelled(); }
-    /// @brief Whether somebody cancelled. @return true where somebody did
+    /// @brief Whether somebody cancelled.
     [[nodiscard]] bool is_cancelled() const { return cancelled != nullptr && (*cancelled)(); }
-    /// @brief Why a search ended that has exhausted it. @return a clause
+    /// @brief Why a search ended that has exhausted it, as a clause.
     [[nodiscard]] std::string ending() const {
         return is_cancelled() ? "cancelled" : "the work allowed is spent, " + std::to_string(spent) + " operations";
     }
 };
 
-/// @brief Operations that products of matrices cost: many are done at a time. @param multiplications in them, all told
-/// @return the operations
+/// @brief Operations that products of matrices cost: many are done at a time.
 [[nodiscard]] constexpr long cost_of_products(long multiplications) { return multiplications / 512; }
 
-/// @brief The budget of a question where none is asked for: about two seconds for twelve modes and fewer, half a minute for a hundred.
-/// Up to there it grows as products of matrices do that a motion with stops takes.
-/// @param modes  number of modes
-/// @return       the operations
+/// @brief The budget of a question where none is asked for: about two seconds for twelve modes and fewer, half a minute for a
+/// hundred. Up to there it grows as products of matrices do that a motion with stops takes.
 [[nodiscard]] constexpr long default_effort(std::size_t modes) {
     const auto N = static_cast<long>(std::max<std::size_t>(modes, 12)), of_modes = 10'000'000 / 12 * N;
     return std::max(of_modes, std::min(of_modes * (8 + N) / 20, 450'000'000L)) + 4 * (N * N * N - 12 * 12 * 12);
@@ -54,9 +51,8 @@ struct Effort {
 /// outermost one counts.
 class QuestionEffort {
 public:
-    /// @param modes      number of modes, for the budget where none is chosen
-    /// @param chosen     operations, as `Effort` counts them, that the user allows: one search may spend all of them
-    /// @param cancelled  asked now and then; the question ends once it gives true
+    /// @brief The number of modes gives the budget where none is chosen. If the user chose one, one search may spend all of its
+    /// operations. `cancelled` is asked now and then; the question ends once it gives true.
     explicit QuestionEffort(std::size_t modes, std::optional<long> chosen = {}, std::function<bool()> cancelled = {})
         : cancelled_(std::move(cancelled)), chosen_(chosen.has_value()), outermost_(current() == nullptr) {
         effort_.allowed = chosen.value_or(default_effort(modes));
@@ -73,13 +69,13 @@ public:
     QuestionEffort(const QuestionEffort&) = delete;
     QuestionEffort& operator=(const QuestionEffort&) = delete;
 
-    /// @brief What was spent so far, if this is the outermost scope. @return operations
+    /// @brief Operations spent so far, if this is the outermost scope.
     [[nodiscard]] long spent() const { return effort_.spent; }
-    /// @brief Whether the question of this thread has spent its budget, or was cancelled. @return false where there is none
+    /// @brief Whether the question of this thread, if there is one, has spent its budget, or was cancelled.
     [[nodiscard]] static bool exhausted() { return current() != nullptr && current()->effort_.exhausted(); }
 
-    /// @brief Spends of the budget of the question of this thread, where there is one. @param operations how many
-    /// @throws PrecisionError where nothing is left of it
+    /// @brief Spends of the budget of the question of this thread, where there is one; PrecisionError where nothing is left of
+    /// it.
     static void pay(long operations) {
         if (current() == nullptr) return;
         current()->effort_.spend(operations);
@@ -87,8 +83,6 @@ public:
     }
 
     /// @brief Spends half of what products of matrices cost of that budget.
-    /// @param multiplications  in them, all told
-    /// @throws PrecisionError where nothing is left of it
     static void pay_for_products(long multiplications) { pay(cost_of_products(multiplications) / 2); }
 
 private:
@@ -108,7 +102,7 @@ private:
 /// @brief What one search may spend: a share of the budget of its question, from which it is taken at the end of the scope.
 class SearchEffort : public Effort {
 public:
-    /// @param share  operations, where the user has not chosen the budget of the question
+    /// @brief So many operations, where the user has not chosen the budget of the question.
     explicit SearchEffort(long share) : question_(QuestionEffort::current()) {
         allowed = share;
         if (question_ == nullptr) return;

@@ -14,10 +14,8 @@ inline constexpr std::size_t most_shown = 200;
 /// @brief Any bytes as text that can be printed on a terminal.
 ///
 /// Valid UTF-8 stays as it is. Control characters, characters that turn the direction of writing, and bytes that are no UTF-8
-/// become `\xHH`. A longer text loses its middle, for which three dots stand. A text that is legible comes out unchanged.
-/// @param text  any bytes
-/// @param most  the most bytes of the result, at least 8
-/// @return      the text
+/// become `\xHH`. A longer text loses its middle, for which three dots stand. A text that is legible comes out unchanged. The
+/// result has `most` bytes at most, which are 8 or more.
 [[nodiscard]] std::string legible(std::string_view text, std::size_t most = most_shown);
 
 } // namespace denhartog

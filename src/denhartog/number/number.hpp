@@ -22,16 +22,14 @@
 namespace denhartog {
 
 /// @brief The circle constant of a number type; specialise `value()` for a type of your own.
-/// @tparam T  the number type
 template <class T>
 struct PiOf {
     static_assert(std::floating_point<T>, "no pi for this number type: include the header that defines the type");
-    /// @return pi, correctly rounded
+    /// @brief pi, correctly rounded.
     static T value() { return std::numbers::pi_v<T>; }
 };
 
 /// @brief pi in the number type `T`.
-/// @return pi; dimensionless
 template <class T>
 [[nodiscard]] T pi() {
     return PiOf<T>::value();
@@ -44,7 +42,8 @@ template <class T>
 concept MachineNumber = std::floating_point<T>;
 
 // Templates, so that whoever calls `exp` of a double beside `using namespace denhartog` gets the system's, and no ambiguity.
-/// @brief Exponential. @param x a number @return exp(x)
+/// @{
+/// @brief Elementary functions, of a double with the same digits on every machine.
 template <MachineNumber T>
 [[nodiscard]] T exp(T x) {
     if constexpr (std::same_as<T, double>)
@@ -52,7 +51,6 @@ template <MachineNumber T>
     else
         return std::exp(x);
 }
-/// @brief Exponential less one. @param x a number @return exp(x) - 1
 template <MachineNumber T>
 [[nodiscard]] T expm1(T x) {
     if constexpr (std::same_as<T, double>)
@@ -60,7 +58,6 @@ template <MachineNumber T>
     else
         return std::expm1(x);
 }
-/// @brief Hyperbolic sine. @param x a number @return sinh(x)
 template <MachineNumber T>
 [[nodiscard]] T sinh(T x) {
     if constexpr (std::same_as<T, double>)
@@ -68,7 +65,6 @@ template <MachineNumber T>
     else
         return std::sinh(x);
 }
-/// @brief Hyperbolic cosine. @param x a number @return cosh(x)
 template <MachineNumber T>
 [[nodiscard]] T cosh(T x) {
     if constexpr (std::same_as<T, double>)
@@ -76,7 +72,6 @@ template <MachineNumber T>
     else
         return std::cosh(x);
 }
-/// @brief Sine. @param x radians @return sin(x)
 template <MachineNumber T>
 [[nodiscard]] T sin(T x) {
     if constexpr (std::same_as<T, double>)
@@ -84,7 +79,6 @@ template <MachineNumber T>
     else
         return std::sin(x);
 }
-/// @brief Cosine. @param x radians @return cos(x)
 template <MachineNumber T>
 [[nodiscard]] T cos(T x) {
     if constexpr (std::same_as<T, double>)
@@ -95,7 +89,7 @@ template <MachineNumber T>
 /// @brief Whether sine and cosine of one angle cost less together; true of the types that `sine_cosine` has a body for.
 template <class T>
 inline constexpr bool shares_sine_and_cosine = std::same_as<T, double>;
-/// @brief Sine and cosine. @param x radians @return what `sin` and `cos` give
+/// @brief Sine and cosine, as `sin` and `cos` give them.
 template <class T>
 [[nodiscard]] SineCosine<T> sine_cosine(const T& x) {
     if constexpr (std::same_as<T, double>)
@@ -103,7 +97,6 @@ template <class T>
     else
         return {sin(x), cos(x)};
 }
-/// @brief Arc tangent. @param x a number @return radians
 template <MachineNumber T>
 [[nodiscard]] T atan(T x) {
     if constexpr (std::same_as<T, double>)
@@ -111,7 +104,6 @@ template <MachineNumber T>
     else
         return std::atan(x);
 }
-/// @brief Angle of the point (x, y). @param y ordinate @param x abscissa @return radians
 template <MachineNumber T>
 [[nodiscard]] T atan2(T y, T x) {
     if constexpr (std::same_as<T, double>)
@@ -119,5 +111,6 @@ template <MachineNumber T>
     else
         return std::atan2(y, x);
 }
+/// @}
 
 } // namespace denhartog

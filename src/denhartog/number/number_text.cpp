@@ -1,5 +1,3 @@
-/// @file
-/// @brief Numbers as decimal text.
 #include "denhartog/number/number_text.hpp"
 
 #include <algorithm>

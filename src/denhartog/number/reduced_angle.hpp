@@ -9,9 +9,8 @@
 
 namespace denhartog {
 
-/// @brief An angle in half turns without whole turns, where there are many: Boost counts half turns in an int.
-/// @param x  a number
-/// @return   x, or its remainder after division by 2, exact; NaN where x is not finite
+/// @brief An angle in half turns without whole turns, exact, where there are many: Boost counts half turns in an int. NaN where x
+/// is not finite.
 template <class T>
 [[nodiscard]] T without_many_turns(const T& x) {
     constexpr double many = 1e9;
@@ -19,7 +18,7 @@ template <class T>
     return x > -many && x < many ? x : T(fmod(x, T(2)));
 }
 
-/// @brief \f$ \sin(\pi x) \f$. @param x an angle in half turns @return its sine; NaN where x is not finite
+/// @brief \f$ \sin(\pi x) \f$; NaN where x is not finite.
 template <class T>
 [[nodiscard]] T sine_of_half_turns(const T& x) {
     if constexpr (std::same_as<T, double>) {
@@ -30,7 +29,7 @@ template <class T>
     }
 }
 
-/// @brief \f$ \cos(\pi x) \f$. @param x an angle in half turns @return its cosine; NaN where x is not finite
+/// @brief \f$ \cos(\pi x) \f$; NaN where x is not finite.
 template <class T>
 [[nodiscard]] T cosine_of_half_turns(const T& x) {
     if constexpr (std::same_as<T, double>) {
@@ -41,9 +40,7 @@ template <class T>
     }
 }
 
-/// @brief Remainder of 1 after division by m, of the least size: exact, whatever the quotient.
-/// @param m  a positive number
-/// @return   1 - n m for the whole n nearest to 1 / m; at most m / 2 in size
+/// @brief 1 - n m for the whole n nearest to 1 / m, with m positive: exact, whatever the quotient.
 template <class T>
 [[nodiscard]] T remainder_of_one(const T& m) {
     using std::remainder;
@@ -54,10 +51,7 @@ template <class T>
 ///
 /// With \f$ \rho \f$ the remainder of 1 after division by 4R the first part is \f$ \rho/(2R) \f$ but for whole turns. What is
 /// left to the next multiple of a quarter turn, \f$ 2R-|\rho| \f$ or \f$ R-|\rho| \f$, is a difference without rounding; y is
-/// added to it.
-/// @param R  a positive number
-/// @param y  a number, in half turns
-/// @return   sine and cosine
+/// added to it. R is positive, and y is in half turns.
 template <class T>
 [[nodiscard]] SineCosine<T> sine_cosine_of_half_period(const T& R, const T& y) {
     const T rest = remainder_of_one(T(4 * R));

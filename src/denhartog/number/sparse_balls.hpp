@@ -11,7 +11,7 @@ namespace denhartog {
 /// @brief A matrix whose zeros cost nothing in a product.
 class SparseBalls {
 public:
-    /// @param A  the matrix
+    /// @brief The entries of a matrix that are not zero.
     explicit SparseBalls(const BallMatrix& A) : rows_(static_cast<std::size_t>(A.rows())) {
         for (slong i = 0; i < A.rows(); ++i)
             for (slong k = 0; k < A.columns(); ++k) {
@@ -22,10 +22,9 @@ public:
                 ++count_;
             }
     }
-    /// @brief Number of entries that are not zero. @return it
+    /// @brief Number of entries that are not zero.
     [[nodiscard]] long count() const { return count_; }
-    /// @brief The product with a column of a matrix. @param x the matrix @param from the column @param y gets the product
-    /// @param to  in this column, which may be another one of the same matrix
+    /// @brief The product with column `from` of x, which goes to column `to` of y; that may be another one of the same matrix.
     void times_column(const BallMatrix& x, slong from, BallMatrix& y, slong to) const {
         std::vector<arb_struct> picked; // copies of the numbers' handles, which own nothing
         for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -45,9 +44,8 @@ private:
     long count_ = 0;
 };
 
-/// @brief Exponential of a square matrix with many zeros, by Taylor's series of a part of it whose norm is at most 1.
-/// @param A  the matrix; never exponentiate a wide ball
-/// @return   exp(A); what is zero in it may be uncertain
+/// @brief Exponential of a square matrix with many zeros, by Taylor's series of a part of it whose norm is at most 1. Never
+/// exponentiate a wide ball. What is zero in the result may be uncertain.
 [[nodiscard]] inline BallMatrix exp_of_sparse(const BallMatrix& A) {
     const slong n = A.rows();
     BallMatrix part(n, n), sum = unit_matrix(n), product(n, n);

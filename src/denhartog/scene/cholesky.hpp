@@ -23,8 +23,6 @@ struct Cholesky {
 /// @brief Factors a symmetric matrix.
 ///
 /// A pivot that is below N eps times the diagonal entry it was left over from has lost all its digits: it counts as zero.
-/// @param A  symmetric, finite
-/// @return   the factor, or where it fails
 template <class T>
 [[nodiscard]] Cholesky<T> cholesky(const Matrix<T>& A) {
     using std::sqrt;
@@ -47,8 +45,8 @@ template <class T>
     return result;
 }
 
-/// @brief The factor of a mass matrix that was positive definite as it was given. @param M the matrix
-/// @return its factor @throws PrecisionError where rounding leaves it indefinite
+/// @brief The factor of a mass matrix that was positive definite as it was given; PrecisionError where rounding leaves it
+/// indefinite.
 template <class T>
 [[nodiscard]] Matrix<T> factor_of_masses(const Matrix<T>& M) {
     Cholesky<T> factor = cholesky(M);

@@ -6,7 +6,7 @@
 
 namespace denhartog {
 
-/// @brief Numbers in another type. @param x the numbers @return the same, rounded where the type is narrower
+/// @brief Numbers in another type, rounded where that is narrower.
 template <class To, class From>
 [[nodiscard]] std::vector<To> in_type(const std::vector<From>& x) {
     std::vector<To> out;
@@ -15,13 +15,13 @@ template <class To, class From>
     return out;
 }
 
-/// @brief A matrix in another type. @param A the matrix @return the same, rounded where the type is narrower
+/// @brief A matrix in another type, rounded where that is narrower.
 template <class To, class From>
 [[nodiscard]] Matrix<To> in_type(const Matrix<From>& A) {
     return A.unaryExpr([](const From& x) { return static_cast<To>(x); });
 }
 
-/// @brief A system in another type. @param s the system @return the same, rounded where the type is narrower
+/// @brief A system in another type, rounded where that is narrower.
 template <class To, class From>
 [[nodiscard]] System<To> in_type(const System<From>& s) {
     return {in_type<To>(s.mass_ratios),

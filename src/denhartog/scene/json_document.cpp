@@ -1,5 +1,3 @@
-/// @file
-/// @brief JSON text with nothing silently repaired.
 #include "denhartog/scene/json_document.hpp"
 
 #include <algorithm>

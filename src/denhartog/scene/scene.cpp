@@ -1,5 +1,3 @@
-/// @file
-/// @brief The rules of a scene.
 #include "denhartog/scene/scene.hpp"
 
 #include <cmath>
@@ -9,7 +7,7 @@
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/cholesky.hpp"
 #include "denhartog/scene/converted.hpp"
-#include "denhartog/scene/mass_rules.hpp"
+#include "denhartog/scene/point_rules.hpp"
 #include "denhartog/scene/scene_rules.hpp"
 
 namespace denhartog {

@@ -16,7 +16,7 @@ inline constexpr double largest_damping_ratio = 1e300;
 /// @brief Largest tolerance of a damping matrix: no distance is as large, so that it always takes the nearest classical damping.
 inline constexpr double largest_damping_tolerance = 2;
 
-/// @brief The rule of the largest number of masses. @param of `values` or `rows` @return the rule in words
+/// @brief The rule of the largest number of masses, where `of` is `values` or `rows`.
 [[nodiscard]] inline std::string most_masses_rule(const std::string& of) {
     return "must have at most " + std::to_string(most_masses) + " " + of + ", one a mass";
 }
@@ -33,10 +33,8 @@ struct SceneNames {
     bool places = false;                               ///< errors carry the JSON pointer
 };
 
-/// @brief Checks every rule of a scene.
-/// @param scene  the scene
-/// @param names  the names that errors use
-/// @throws InputError naming quantity, rule, value and, if asked for, place of the first rule that is broken
+/// @brief Checks every rule of a scene; InputError names quantity, rule, value and, if asked for, place of the first one that is
+/// broken.
 template <class T>
 void check_under_names(const Scene<T>& scene, const SceneNames& names);
 

@@ -1,5 +1,3 @@
-/// @file
-/// @brief One scene or many from JSON text.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,3 @@
-/// @file
-/// @brief A scene as a JSON value.
 #include <nlohmann/json.hpp>
 
 #include "denhartog/scene/scene_json.hpp"

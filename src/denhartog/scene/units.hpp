@@ -8,16 +8,12 @@
 
 namespace denhartog {
 
-/// @brief Angular frequency \f$ \omega = r \sqrt{k_1 / m_1} \f$, Eq. (10) solved for it.
-/// @param units  those of the scene
-/// @param r      frequency ratio; dimensionless
-/// @return       omega; radians per unit of time
+/// @brief Angular frequency \f$ \omega = r \sqrt{k_1 / m_1} \f$, Eq. (10) solved for it; radians per unit of time.
 [[nodiscard]] inline double angular_frequency(const Units& units, double r) {
     return r * std::sqrt(units.stiffness / units.mass);
 }
 
-/// @brief The unit of displacements, \f$ P / k_1 \f$. @param units those of the scene @param P amplitude of the force
-/// @return a length
+/// @brief The unit of displacements, \f$ P / k_1 \f$, where the force has the amplitude P.
 [[nodiscard]] inline double displacement_unit(const Units& units, double P) { return P / units.stiffness; }
 
 } // namespace denhartog

@@ -17,15 +17,13 @@ struct ValueAt {
     T slope; ///< its derivative
 };
 
-/// @brief The zero between two instants: t as a polynomial of third degree in f, through the last two instants with their
-/// slopes, shows where to look next, within what is known to hold the zero.
+/// @brief The zero between two instants: t as a polynomial of third degree in f, through the last two instants with their slopes,
+/// shows where to look next, within what is known to hold the zero.
 ///
 /// What is left after a step is a multiple of the squares of the distances of both instants from the zero. That multiple is the
-/// one seen in the step before; or, if this is more, the one that leaves as much as the bracket is wide if both are that far.
-/// @param at      the function: `ValueAt` at an instant
-/// @param now     one instant, from where the search starts
-/// @param before  the other one; f has the opposite sign there, or is zero at `now`
-/// @return        the zero, to rounding; the function is not evaluated there
+/// one seen in the step before; or, if this is more, the one that leaves as much as the bracket is wide if both are that far. The
+/// search starts at `now`; f has the opposite sign at `before`, or is zero at `now`. The zero is known to rounding; the function
+/// is not evaluated there.
 template <class T, class Function>
 [[nodiscard]] T bracketed_zero(const Function& at, ValueAt<T> now, ValueAt<T> before) {
     using std::abs;

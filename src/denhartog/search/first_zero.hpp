@@ -42,11 +42,8 @@ struct Crossing {
     bool open = false;
 };
 
-/// @brief Whether f > 0 on (0, h], where its first `order` derivatives, f included, are zero at the start of the step.
-/// @param jet    the function at the start
-/// @param order  order of the zero at the start, 0 to 2
-/// @param h      length of the step
-/// @return       true where the bounds prove it
+/// @brief Whether bounds prove that f > 0 on (0, h], where its first `order` derivatives, f included, two at most, are zero at
+/// the start of the step.
 template <class T>
 [[nodiscard]] bool stays_positive(const Jet<T>& jet, int order, const T& h) {
     const std::array<T, 4>& f = jet.f;
@@ -68,10 +65,7 @@ template <class T>
     return std::min({f[0], b1, b2, b3}) > remainder * h * h * h * h / 24;
 }
 
-/// @brief Whether f' < 0 on [0, h].
-/// @param jet  the function at the start
-/// @param h    length of the step
-/// @return     true where the bounds prove it
+/// @brief Whether bounds prove that f' < 0 on [0, h].
 template <class T>
 [[nodiscard]] bool falls(const Jet<T>& jet, const T& h) {
     const std::array<T, 4>& f = jet.f;
@@ -81,17 +75,11 @@ template <class T>
     return std::max({f[1], b1, b2}) < -(jet.bound + jet.growth * h) * h * h * h / 6;
 }
 
-/// @brief First zero of a function that is positive after the start.
+/// @brief First zero of a function that is positive after the start; none up to the end.
 ///
 /// A step is halved until its bounds decide, and no further than the digits of t go. Between two steps the effort is looked at,
-/// which the function spends: the search ends however fast the function changes.
-/// @param at      jet at an instant; spends the effort
-/// @param t       the start
-/// @param t_end   where the search ends
-/// @param order   order of the zero at the start: 0 where f > 0 there, 1 where f' > 0, 2 where f'' > 0
-/// @param step    first step tried; left as the last one taken
-/// @param effort  the work allowed
-/// @return        the zero; none up to the end
+/// which the function spends: the search ends however fast the function changes. `order` is that of the zero at the start: 0
+/// where f > 0 there, 1 where f' > 0, 2 where f'' > 0. `step` is the first one tried, and is left as the last one taken.
 template <class T, class Function>
 [[nodiscard]] std::optional<Crossing<T>> first_crossing(Function& at, T t, const T& t_end, int order, T& step,
                                                         const Effort& effort) {

@@ -16,10 +16,9 @@
 namespace denhartog {
 
 /// @brief Branch and bound: of stretches of a function the one that may hold the largest value is looked into, again and again.
-/// @param open  stretches, of which one is less than another where that one is to be looked into first; gets those that are left,
-///              as a heap
-/// @param ends  whether to end, with the stretch that would be next
-/// @param look  looks into a stretch, which is taken out: behind the others it adds the parts that are left of it, if any
+/// Of the stretches in `open` one is less than another where that one is to be looked into first; it is left with those that were
+/// not looked into, as a heap. `ends` says whether to end, of the stretch that would be next. `look` looks into a stretch, which
+/// is taken out: behind the others it adds the parts that are left of it, if any.
 template <class Stretches, class Ends, class Look>
 void branch_and_bound(Stretches& open, const Ends& ends, const Look& look) {
     std::make_heap(open.begin(), open.end());
@@ -62,7 +61,7 @@ struct StretchOfLargest {
     double upper;                                   ///< no value in it is larger
     TrendOnStretch trend = TrendOnStretch::unknown; ///< where the function is going in it
 
-    /// @brief The higher one is looked into first. @param x a stretch @param y a stretch @return whether y comes before x
+    /// @brief The higher one is looked into first.
     friend bool operator<(const StretchOfLargest& x, const StretchOfLargest& y) { return x.upper < y.upper; }
 };
 
@@ -73,15 +72,9 @@ struct LargestOnStretches {
     bool settled;                            ///< whether the search came to its end
 };
 
-/// @brief Stretches that hold the largest value of a function: the interval is halved where its range may hold it.
-/// @param f         the function
-/// @param a         lower end
-/// @param b         upper end
-/// @param narrow    a stretch with one maximum is kept once it is as narrow
-/// @param flat      any stretch is kept once it is as narrow
-/// @param looks     how often a stretch may be halved
-/// @param at_least  smaller values are of no interest
-/// @return          the stretches
+/// @brief Stretches that hold the largest value of a function: the interval is halved where its range may hold it. A stretch with
+/// one maximum is kept once it is as narrow as `narrow`, and any once it is as narrow as `flat`. Stretches are halved `looks`
+/// times at most. Values below `at_least` are of no interest.
 template <class T>
 [[nodiscard]] LargestOnStretches stretches_of_largest(const SearchedFunction<T>& f, double a, double b, double narrow,
                                                       double flat, int looks,

@@ -59,34 +59,22 @@ struct Maximum {
 
 /// @brief Largest value of f on [a, b], to the error of its samples.
 ///
-/// The places are those where a sample in double leaves open which maximum is the largest: more digits there settle it.
-/// @param curve   the function with its bounds
-/// @param a       left end
-/// @param b       right end, larger than a
-/// @param noise   bound of the absolute error of f at an instant: what is below it is not searched
-/// @param effort  the work allowed; null for that of `default_effort`
-/// @param least   values not above it do not matter: the search passes over them
-/// @param error   bound of an error of f that the search cannot lessen: a value below the largest by no more than twice that much
-///                may be the largest, and has a place
-/// @return        the maximum; where `least` exceeds all values, `least` at a, without a place
-/// @throws        PrecisionError where no effort was given and the default does not settle it
+/// The places are those where a sample in double leaves open which maximum is the largest: more digits there settle it. `noise`
+/// bounds the absolute error of f at an instant: what is below it is not searched. Values not above `least` do not matter; where
+/// it exceeds all values, the result is `least` at a, without a place. `error` bounds an error of f that the search cannot
+/// lessen: a value below the largest by no more than twice that much may be the largest, and has a place. Without an effort the
+/// work allowed is that of `default_effort`, and PrecisionError says that it does not settle the maximum.
 template <class T>
 [[nodiscard]] Maximum<T> global_maximum(const Curve<T>& curve, const T& a, const T& b, const T& noise = T(0),
                                         Effort* effort = nullptr, const T& least = std::numeric_limits<T>::lowest(),
                                         const T& error = T(0));
 
-/// @brief The places with those that touch made one, which reaches as far as its maxima lie apart.
-/// @param places  places of one function, in any order
-/// @return        ascending, no two touch
+/// @brief The places of one function, ascending, with those that touch made one, which reaches as far as its maxima lie apart.
 template <class T>
 [[nodiscard]] std::vector<Place<T>> joined(std::vector<Place<T>> places);
 
-/// @brief Where besides the instant of its largest value a function may be largest that goes on at a as it ends at b.
-/// @param places   ascending, no two touch
-/// @param a        start of the stretch
-/// @param b        its end
-/// @param instant  where the largest value was taken; other places may have one as large
-/// @return         where else the function may be largest, with the place of the instant where that has a reach
+/// @brief Where else than at the instant of its largest value a function may be largest that goes on at a as it ends at b; the
+/// place of that instant is among them if it has a reach. Places are ascending, and no two touch.
 template <class T>
 [[nodiscard]] std::vector<Place<T>> rivals(const std::vector<Place<T>>& places, const T& a, const T& b, const T& instant);
 

@@ -33,12 +33,9 @@ struct ZerosOnStretches {
     std::vector<StretchOfZeros> undecided; ///< stretches of which nothing is known; outside of all of these there is no zero
 };
 
-/// @brief The zeros of a function: an interval is divided until it is known of each part that it has none or one.
-/// @param f       the function
-/// @param a       lower end, not negative
-/// @param b       upper end
-/// @param narrow  a stretch is not divided further once it is as narrow, as a part of its upper end
-/// @param found   gets the stretches behind those that it has
+/// @brief The zeros of a function: an interval is divided until it is known of each part that it has none or one. The lower end
+/// is not negative. A stretch is not divided further once it is as narrow as `narrow`, as a part of its upper end. `found` gets
+/// the stretches behind those that it has.
 inline void find_zeros(const FunctionWithZeros& f, double a, double b, double narrow, ZerosOnStretches& found) {
     const ZerosInStretch seen = f.look(a, b);
     if (seen == ZerosInStretch::none) return;

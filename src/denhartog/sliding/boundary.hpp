@@ -37,66 +37,42 @@ struct Boundary : RegimeBoundary<T> {
 /// The contact can rest where a force of at most mu beta makes its displacement zero: \f$ V_{dj} - f Y_{jj} = 0 \f$, hence
 /// `sticking` \f$ = |V_{dj}/Y_{jj}|/\mu \f$, which is \f$ 1/\mu \f$ where the load acts on the contact. All four are zero where
 /// V_dj is below the rounding of its own terms: the load does not reach the contact. Where damping couples the modes (56) has no
-/// modes to sum over, and `paper` is `exact`.
+/// modes to sum over, and `paper` is `exact`. InputError where mu is below 1 or not finite.
 /// @eq{54,56,57,58,67,69,71,72}
-/// @param sums  modes at the frequency ratio
-/// @param mu    static over kinetic friction, Eq. (3); at least 1
-/// @return      the boundary
-/// @throws      InputError where mu is below 1 or not finite
 template <class T>
 [[nodiscard]] Boundary<T> boundary(const ModeSums<T>& sums, const T& mu);
 
 /// @brief The two friction ratios alone, which is what a map asks for: the maxima of the modes by themselves are not sought, and
-/// the maximum of their sum only where `largest_at_start` does not tell it.
-/// @eq{54,57,58,67,69,71,72}
-/// @param sums  modes at the frequency ratio
-/// @param mu    static over kinetic friction, Eq. (3); at least 1
-/// @return      the same numbers as `boundary`, with bounds of their errors
-/// @throws      InputError where mu is below 1 or not finite; PrecisionError where the maximum is not settled
+/// the maximum of their sum only where `largest_at_start` does not tell it. The numbers are those of `boundary`, with bounds of
+/// their errors; PrecisionError where the maximum is not settled. @eq{54,57,58,67,69,71,72}
 template <class T>
 [[nodiscard]] RegimeBoundary<Bounded<T>> regime_boundary(const ModeSums<Bounded<T>>& sums, const Bounded<T>& mu);
 
 /// @brief Whether (57) of every mode is certain to be largest for tau -> 0, by `evaluation::excess_at_the_end`: so is the sum.
-/// @eq{57,71}
-/// @param sums  modes at a frequency ratio
-/// @return      true where it is certain; false says nothing
+/// False says nothing. @eq{57,71}
 template <class T>
 [[nodiscard]] bool largest_at_start(const ModeSums<T>& sums);
 
-/// @brief Where the sum over the modes of (57)'s expression is largest, guaranteed by `global_maximum`.
-/// @eq{56,57}
-/// @param sums  modes at a frequency ratio
-/// @return      non-dimensional time in [0, pi]; 0 stands for the limit
-/// @throws      PrecisionError where the maximum is not settled
+/// @brief Where in [0, pi] the sum over the modes of (57)'s expression is largest, guaranteed by `global_maximum`; 0 stands for
+/// the limit. PrecisionError where the maximum is not settled. @eq{56,57}
 template <class T>
 [[nodiscard]] T instant_of_largest_demand(const ModeSums<T>& sums);
 
 /// @brief Number of searches for the largest demand since the program started; tests gate on it.
-/// @return the count, over all number types
 [[nodiscard]] inline long demand_searches() { return work_counted.demand_searches; }
 
-/// @brief The same boundary in another number type, with the instants of the maxima known: what a check costs.
-/// @param sums      modes at the frequency ratio
-/// @param mu        static over kinetic friction, Eq. (3)
-/// @param instant   where the sum is largest; 0 stands for the limit
-/// @param instants  where the expression (57) of each mode is largest; N values
-/// @return          the boundary
+/// @brief The same boundary in another number type, with the instants of the maxima known: what a check costs. `instant` is that
+/// of the sum, where 0 stands for the limit, and `instants` are those of each mode.
 template <class T>
 [[nodiscard]] Boundary<T> boundary_at(const ModeSums<T>& sums, const T& mu, const T& instant, std::vector<T> instants);
 
-/// @brief Sum over the modes of (57)'s expression at an instant, the limits at 0 and pi included.
-/// @eq{56,57,71}
-/// @param sums  modes at a frequency ratio
-/// @param tau   non-dimensional time in [0, pi]
-/// @return      the sum
+/// @brief Sum over the modes of (57)'s expression at an instant, the limits at 0 and pi included. @eq{56,57,71}
 template <class T>
 [[nodiscard]] T sliding_demand(const ModeSums<T>& sums, const T& tau);
 
-/// @brief Where the sum over the modes of (57)'s expression is largest, and where that of each mode is.
+/// @brief N + 1 instants in [0, pi]: where the sum over the modes of (57)'s expression is largest, and where that of each mode
+/// is; 0 stands for the limit. What `y` remembers serves the next search. PrecisionError where a maximum is not settled.
 /// @eq{56,57}
-/// @param y     braces of (40) of all modes at a frequency ratio; what it remembers serves the next search
-/// @return      N + 1 instants in [0, pi]; 0 stands for the limit
-/// @throws      PrecisionError where a maximum is not settled
 template <class T>
 [[nodiscard]] std::vector<T> instants_of_demands(FrictionMotions<T>& y);
 

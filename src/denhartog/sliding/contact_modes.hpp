@@ -32,11 +32,7 @@ struct ContactModes {
     std::vector<ContactMode> modes;                           ///< N
 };
 
-/// @brief Prepares the modes for many frequency ratios.
-/// @param basis    a modal basis with errors
-/// @param contact  the row of its shapes that the mass in contact has
-/// @param load     the row that the loaded mass has
-/// @return         the modes
+/// @brief Prepares the modes for many frequency ratios; contact and load are rows of the shapes that the basis has.
 [[nodiscard]] ContactModes contact_modes(std::shared_ptr<const ModalBasis<Bounded<double>>> basis, Mass contact, Mass load);
 
 /// @brief What the contact does in the sliding regime.
@@ -46,12 +42,8 @@ struct ContactSolution {
     Bounded<double> slides_below; ///< the boundary (69) is not below it
 };
 
-/// @brief Amplitude and phase of the contact in the sliding regime, mu = 1.
+/// @brief Amplitude and phase of the contact in the sliding regime, mu = 1; none where sliding is not certain.
 /// @eq{33,34,35,38,39,57,69}
-/// @param modes  the modes
-/// @param r      frequency ratio with its error
-/// @param beta   friction ratio with its error
-/// @return       the solution; none where sliding is not certain
 [[nodiscard]] std::optional<ContactSolution> contact_solution(const ContactModes& modes, const Bounded<double>& r,
                                                               const Bounded<double>& beta);
 

@@ -13,13 +13,10 @@ namespace denhartog {
 
 /// @brief How far the demand may rise between two samples above the larger of them.
 ///
-/// F sin solves y'' + y = Z, so that between two samples it exceeds the sine through them by at most
-/// z_bound (cos(tau - m) / cos(h / 2) - 1); over the sine this is at most z_bound tan(h / 2) next to an end of the half-period.
-/// In place of the sines and cosines stand the first terms of their series that bound them.
-/// @param a        left end
-/// @param b        right end, not more than 2 from it
-/// @param z_bound  bound of |Z| between them
-/// @return         the rise
+/// F sin solves y'' + y = Z, so that between two samples it exceeds the sine through them by at most z_bound (cos(tau - m) /
+/// cos(h / 2) - 1); over the sine this is at most z_bound tan(h / 2) next to an end of the half-period. In place of the sines and
+/// cosines stand the first terms of their series that bound them. The ends are at most 2 apart, and z_bound bounds |Z| between
+/// them.
 template <class T>
 T rise_of_demand(const T& a, const T& b, const T& z_bound) {
     const T half = (b - a) / 2, square = half * half;
@@ -28,8 +25,7 @@ T rise_of_demand(const T& a, const T& b, const T& z_bound) {
     return z_bound * square / (2 - square) / (from_end * (1 - from_end * from_end / 6));
 }
 
-/// @brief The expression of (57) of one mode, with its limits. @param s modes at a frequency ratio @param i the mode
-/// @param tau non-dimensional time in [0, pi] @return the demand of the mode
+/// @brief The expression of (57) of one mode, with its limits.
 template <class T>
 [[nodiscard]] T s_d(const ModeSums<T>& s, std::size_t i, const T& tau) {
     return evaluation::s_d_integrand_of(tau, s.R[i], s.zeta[i], evaluation::DampingFunctions<T>{s.u[i], s.g[i]});
@@ -48,7 +44,7 @@ struct Demand {
     const std::vector<T>& weights;   ///< their weights
     const ModeSums<T>& s = y.sums(); ///< modes at a frequency ratio
 
-    /// @brief At an instant. @param tau in [0, pi] @return F, W, Z and the slope of W
+    /// @brief F, W, Z and the slope of W at an instant in [0, pi].
     [[nodiscard]] Sample<T> operator()(const T& tau) const {
         const FrictionMotionsAt<T>& at = y.at(tau);
         const std::pmr::vector<evaluation::FrictionMotion<T>>& now = at.y;
@@ -67,7 +63,7 @@ struct Demand {
         return {limit, T(0), Z};
     }
 
-    /// @brief Bounds how fast Z changes. @param a an instant @return the bound, from there on
+    /// @brief A bound of how fast Z changes from an instant on.
     [[nodiscard]] T rate(const T& a) const {
         const FrictionMotionsAt<T>& now = y.at(a, true);
         T bound(0);

@@ -1,5 +1,6 @@
 /// @file
-/// @brief Where the masses are farthest out while the contact slides.
+/// @brief Where the masses are farthest out while the contact slides. Where damping couples the modes, the bounds of the searches
+/// come from the free motion, which never grows.
 #pragma once
 
 #include <algorithm>
@@ -17,13 +18,9 @@
 
 namespace denhartog {
 
-/// @brief How far the phase of a displacement may be from that of its maximum.
-/// @param places       where the displacement may be the largest, in the order of time; no two touch
-/// @param a            start of the stretch
-/// @param b            its end, where the motion goes on as at a, or mirrored
-/// @param instant      the instant of the maximum
-/// @param is_negative  whether the displacement is negative at an instant
-/// @return             radians; zero where no other instant can be that of the maximum
+/// @brief By how many radians the phase of a displacement may differ from that of its maximum; zero where no other instant can be
+/// that of the maximum. The places are where the displacement may be the largest, in the order of time, and no two touch. At b,
+/// the end of the stretch, the motion goes on as at a, or mirrored.
 template <class T, class Sign>
 [[nodiscard]] T spread_of_phases(const std::vector<Place<T>>& places, const T& a, const T& b, const T& instant,
                                  const Sign& is_negative) {
@@ -36,12 +33,9 @@ template <class T, class Sign>
     return spread;
 }
 
-/// @brief Where a displacement is largest, and how far the phase of another such instant may be from that of this one.
-/// @param curve  the search; gets the size of the displacement
-/// @param at     motion (46) at an instant
-/// @param noise  rounding error of the displacement
-/// @param error  bound of the error that the sums make of it
-/// @return       instant in [0, pi], and radians
+/// @brief Where a displacement is largest, and by how many radians the phase of another such instant may differ. `at` gives the
+/// motion (46) at an instant, and the curve gets the size of the displacement. `noise` is the rounding error of the displacement,
+/// and `error` bounds the error that the sums make of it.
 template <class T, class Motion>
 [[nodiscard]] std::pair<T, T> instant_and_spread(Curve<T> curve, const Motion& at, const T& noise, const T& error) {
     curve.sample = [&](const T& tau) {
@@ -62,15 +56,22 @@ struct InstantsOfMaxima {
     std::vector<T> spreads;
 };
 
-/// @brief Where the displacements of the masses are largest, guaranteed by `global_maximum`.
-/// @eq{46}
-/// @param y       braces of (40) of all modes at a frequency ratio; what it remembers serves the next search
-/// @param beta    friction ratio, Eq. (11), in the sliding regime
-/// @param only    the one mass whose maximum is wanted besides that of the contact; none for all
-/// @param errors  bounds of the errors that the sums make of the displacements, N; empty for none
-/// @return        the instants
+/// @brief Where the displacements of the masses are largest, guaranteed by `global_maximum`. `only` is the one mass whose maximum
+/// is wanted besides that of the contact, none for all. `errors` bound what the sums make of the displacements, or are empty.
+/// What `y` remembers serves the next search. @eq{46}
 template <class T>
 [[nodiscard]] InstantsOfMaxima<T> instants_of_maxima(FrictionMotions<T>& y, const T& beta,
                                                      std::optional<Mass> only = std::nullopt, const std::vector<T>& errors = {});
+
+/// @brief Where in [0, pi] (57)'s expression summed over the contact is largest, guaranteed by `global_maximum`; 0 stands for the
+/// limit. PrecisionError where the maximum is not settled. @eq{56,57}
+template <class T>
+[[nodiscard]] T instant_of_largest_demand_where_coupled(const ModeSums<T>& s);
+
+/// @brief Where in [0, pi] a displacement of the sliding regime is largest, and by how many radians the phase of another such
+/// instant may differ; `error` bounds the error that the sums make of the displacement. @eq{46}
+template <class T>
+[[nodiscard]] std::pair<T, T> instant_and_spread_where_coupled(const ModeSums<T>& s, const T& beta, std::size_t k,
+                                                               const T& error);
 
 } // namespace denhartog

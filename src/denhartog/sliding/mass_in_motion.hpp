@@ -14,19 +14,14 @@
 
 namespace denhartog {
 
-/// @brief The load's part of the motion of a mass.
-/// @eq{41}
-/// @param s     the modes
-/// @param k     the mass
-/// @param beta  friction ratio
-/// @return      its terms
+/// @brief The load's part of the motion of a mass. @eq{41}
 template <class T>
 [[nodiscard]] evaluation::HarmonicPart<T> harmonic_part(const ModeSums<T>& s, std::size_t k, const T& beta) {
     const std::size_t j = s.contact.index;
     return evaluation::harmonic_part(s.V[k], s.V[j], s.U[j], beta);
 }
 
-/// @brief Factors of the braces in (41), without beta. @eq{41} @param s modes @param k mass @return N factors
+/// @brief Factors of the braces in (41), without beta. @eq{41}
 template <class T>
 [[nodiscard]] std::vector<T> friction_weights(const ModeSums<T>& s, std::size_t k) {
     const auto psi_k = mode_shapes_at(s, Mass{k});
@@ -44,13 +39,11 @@ struct MassInMotion {
     T beta;                        ///< friction ratio, Eq. (11)
     std::vector<T> weights;        ///< of `friction_weights`
 
-    /// @param s modes @param k mass @param beta_ friction ratio
+    /// @brief Mass k of the modes at a friction ratio.
     MassInMotion(const ModeSums<T>& s, std::size_t k, const T& beta_)
         : h(harmonic_part(s, k, beta_)), beta(beta_), weights(friction_weights(s, k)) {}
-    /// @brief The motion. @eq{46} @param C cosine of an instant in [0, pi] @param S its sine
-    /// @param y       friction's share of every mode there
-    /// @param so_far  friction's share that is no mode's
-    /// @return        x, x', x''
+    /// @brief The motion x, x', x'' at an instant in [0, pi], of which the cosine and the sine are given; `so_far` is friction's
+    /// share that is no mode's. @eq{46}
     [[nodiscard]] evaluation::MotionOfMass<T> at(const T& C, const T& S, std::span<const evaluation::FrictionMotion<T>> y,
                                                  const evaluation::FrictionMotion<T>& so_far = {T(0), T(0), T(0)}) const {
         return evaluation::motion_of_mass(C, S, h, beta, std::span<const T>(weights), y, so_far);
@@ -66,8 +59,8 @@ struct FrictionShare {
     evaluation::FrictionMotion<T> of_mass;               ///< then that of the mass, else zero within what is left out
 };
 
-/// @brief Friction's share of the motion of a mass that is no mode's. @param s the modes @param k its place @param tau instant in
-/// [0, pi] @return all of it where damping couples the modes, else zero within what is left out
+/// @brief Friction's share, at an instant in [0, pi], of the motion of a mass that is no mode's: all of it where damping couples
+/// the modes, else zero within what is left out.
 template <class T>
 [[nodiscard]] evaluation::FrictionMotion<T> share_of_no_mode(const ModeSums<T>& s, std::size_t k, const T& tau) {
     if (s.coupled) return s.coupled->motion(k, tau);
@@ -75,7 +68,7 @@ template <class T>
     return {zero_within<T>(left_out.x), zero_within<T>(left_out.x_prime), zero_within<T>(left_out.x_double_prime)};
 }
 
-/// @brief The same of a mass. @param s modes @param k its place @param tau instant in [0, pi] @return friction's share
+/// @brief Friction's share of the motion of a mass at an instant in [0, pi].
 template <class T>
 [[nodiscard]] FrictionShare<T> friction_share(const ModeSums<T>& s, std::size_t k, const T& tau) {
     const SineCosine<T> at = sine_cosine(tau);
@@ -83,20 +76,13 @@ template <class T>
             share_of_no_mode(s, k, tau)};
 }
 
-/// @brief Motion (46) of a mass with friction's share at an instant. @eq{46} @param mass the mass @param y that share
-/// @return x, x', x''
+/// @brief Motion (46) of a mass with friction's share at an instant. @eq{46}
 template <class T>
 [[nodiscard]] evaluation::MotionOfMass<T> motion_with(const MassInMotion<T>& mass, const FrictionShare<T>& y) {
     return mass.at(y.cosine, y.sine, y.of_modes, y.of_mass);
 }
 
-/// @brief Motion (46) of a mass at an instant.
-/// @eq{46}
-/// @param s     the modes
-/// @param mass  the mass
-/// @param k     its place
-/// @param tau   the instant, in [0, pi]
-/// @return      x, x', x''
+/// @brief The same at an instant in [0, pi]. @eq{46}
 template <class T>
 [[nodiscard]] evaluation::MotionOfMass<T> motion_at(const ModeSums<T>& s, const MassInMotion<T>& mass, std::size_t k,
                                                     const T& tau) {

@@ -15,19 +15,11 @@ struct BoundaryError {
     T sticking; ///< absolute error of `Boundary::sticking`
 };
 
-/// @brief The regime at a friction ratio and nothing else: what a map asks for at every point.
-/// @eq{54,69}
-/// @param boundary  the boundary at the frequency ratio
-/// @param beta      friction ratio, Eq. (11); zero or positive
-/// @return          the regime
+/// @brief The regime at a friction ratio and nothing else: what a map asks for at every point. @eq{54,69}
 template <class T>
 [[nodiscard]] Regime regime_of(const RegimeBoundary<T>& boundary, const T& beta);
 
 /// @brief Whether a friction ratio is a boundary between two regimes, to the accuracy of the boundary.
-/// @param boundary  the boundary at the frequency ratio
-/// @param beta      friction ratio, Eq. (11); zero or positive
-/// @param error     accuracy of the boundary
-/// @return          true where the regime could be the neighbour
 template <class T>
 [[nodiscard]] bool on_boundary(const RegimeBoundary<T>& boundary, const T& beta, const BoundaryError<T>& error);
 
@@ -35,17 +27,10 @@ template <class T>
 ///
 /// With mu > 1 the sliding regime can reach beyond `sticking`: the contact then slides if it is moving, and rests if it rests.
 /// @eq{54,69}
-/// @param boundary  the boundary at the frequency ratio
-/// @param beta      friction ratio, Eq. (11); zero or positive
-/// @param error     accuracy of the boundary
-/// @return          the regime
 template <class T>
 [[nodiscard]] RegimeAtPoint regime_at(const Boundary<T>& boundary, const T& beta, const BoundaryError<T>& error);
 
 /// @brief The same from a boundary with bounds of its errors. @eq{54,69}
-/// @param boundary  the boundary at the frequency ratio
-/// @param beta      friction ratio, Eq. (11); zero or positive
-/// @return          the regime
 template <class T>
 [[nodiscard]] RegimeAtPoint regime_at(const Boundary<Bounded<T>>& boundary, const T& beta);
 

@@ -39,51 +39,34 @@ struct Motion {
 };
 
 /// @brief The steady state in the sliding regime, with the global maximum of every displacement guaranteed by `global_maximum`.
-/// @eq{38,39,44,45,47,52,53}
-/// @param sums      modes at a frequency ratio
-/// @param boundary  the boundary there
-/// @param beta      friction ratio, Eq. (11); not negative
-/// @param only      the one mass whose maximum is wanted besides that of the contact; none for all
-/// @return          the steady state
-/// @throws          InputError where beta is negative or not finite; DomainError at and beyond the boundary (69)
+/// `only` is the one mass whose maximum is wanted besides that of the contact, none for all. InputError where beta is negative or
+/// not finite; DomainError at and beyond the boundary (69). @eq{38,39,44,45,47,52,53}
 template <class T>
 [[nodiscard]] SteadyState<T> steady_state(const ModeSums<T>& sums, const RegimeBoundary<T>& boundary, const T& beta,
                                           std::optional<Mass> only = std::nullopt);
 
 /// @brief What the steady state needs no search for: amplitude and phase of the mass in contact, initial values of every mass.
-/// @eq{38,39,44,45,52,53}
-/// @param sums  modes at a frequency ratio
-/// @param beta  friction ratio, Eq. (11), in the sliding regime
-/// @return      the steady state; instant, amplitude and phase of the masses not in contact are zero
-/// @throws      DomainError where the amplitude (38) is not a positive number
+/// Instant, amplitude and phase of the masses not in contact are zero. DomainError where the amplitude (38) is not a positive
+/// number. @eq{38,39,44,45,52,53}
 template <class T>
 [[nodiscard]] SteadyState<T> steady_state_without_maxima(const ModeSums<T>& sums, const T& beta);
 
 /// @brief A steady state with the maxima of the masses not in contact, whose instants are known, also in another number type.
-/// @param sums      modes at a frequency ratio
-/// @param state     the steady state without maxima
-/// @param instants  where the displacements are largest, to about half the digits of T; N values
-/// @param only      the one mass whose maximum is wanted besides that of the contact; none for all
-/// @return          the steady state; instants corrected by one step of Newton's method
+/// They are known to about half the digits of T, and one step of Newton's method corrects them; `only` is as above.
 template <class T>
 [[nodiscard]] SteadyState<T> with_maxima(const ModeSums<T>& sums, SteadyState<T> state, const std::vector<T>& instants,
                                          std::optional<Mass> only = std::nullopt);
 
-/// @brief Motion of all masses, (46) over the half-period and antisymmetric beyond.
-/// @eq{41,46}
-/// @param sums   modes at a frequency ratio
-/// @param state  the steady state there
-/// @param tau    any non-dimensional time; zero at a maximum of x_j
-/// @return       displacements and velocities
+/// @brief Motion of all masses at any instant, of which zero is at a maximum of x_j: (46) over the half-period and antisymmetric
+/// beyond. @eq{41,46}
 template <class T>
 [[nodiscard]] Motion<T> motion(const ModeSums<T>& sums, const SteadyState<T>& state, const T& tau);
 
-/// @brief The same at many instants. @eq{41,46} @param sums modes @param state the steady state @param tau the instants
-/// @return displacements and velocities, instant by instant
+/// @brief The same at many instants. @eq{41,46}
 template <class T>
 [[nodiscard]] std::vector<Motion<T>> motions(const ModeSums<T>& sums, const SteadyState<T>& state, std::span<const T> tau);
 
-/// @brief An angle wrapped to (-pi, pi]. @param angle radians @return the same direction
+/// @brief An angle in radians wrapped to (-pi, pi].
 template <class T>
 [[nodiscard]] T wrapped(const T& angle);
 

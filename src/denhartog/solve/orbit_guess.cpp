@@ -1,4 +1,4 @@
-#include "denhartog/solve/orbit_guess.hpp"
+#include "denhartog/solve/solve_by_reference.hpp"
 
 #include <algorithm>
 #include <cmath>

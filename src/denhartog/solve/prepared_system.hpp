@@ -31,35 +31,21 @@ struct PreparedSystem {
     [[nodiscard]] const Scene<double>& scene() const { return source->in_double(); } ///< @return the same in double, checked
 };
 
-/// @brief Checks a question to a system. @param question the question @param N number of masses
-/// @throws InputError naming quantity, rule and value
+/// @brief Checks a question to a system of N masses; InputError names quantity, rule and value.
 void check(const Question& question, std::size_t N);
 
-/// @brief Whether amplitude or phase of a mass in contact with the wall is all that is asked for. @param question the question
-/// @param s  the system
-/// @return   true where it is
+/// @brief Whether amplitude or phase of a mass in contact with the wall is all that is asked for.
 [[nodiscard]] bool asks_for_contact(const Question& question, const System<double>& s);
 
-/// @brief Prepares a system for a question.
-/// @param source    the scene; r and beta are not needed
-/// @param question  what will be asked
-/// @param points    which points are prepared for
-/// @return          the system
-/// @throws          InputError for a bad scene or question; as `modal_basis`
+/// @brief Prepares a system for a question; r and beta are not needed.
 [[nodiscard]] PreparedSystem prepare(const SceneSource& source, const Question& question,
                                      Prepared points = Prepared::sliding_contact);
 
 /// @brief The same of a system in double, mu = 1: the same binary fractions in every number type.
-/// @param system    the system
-/// @param question  what will be asked
-/// @param points    which points are prepared for
-/// @return          the system
 [[nodiscard]] PreparedSystem prepare(const System<double>& system, const Question& question,
                                      Prepared points = Prepared::sliding_contact);
 
-/// @brief The same system with another ratio of static to kinetic friction. @param system a system prepared for every regime
-/// @param mu  static over kinetic friction, Eq. (3)
-/// @return    the system
+/// @brief The same system, which is prepared for every regime, with another ratio of static to kinetic friction, Eq. (3).
 [[nodiscard]] PreparedSystem with_static_friction(PreparedSystem system, double mu);
 
 } // namespace denhartog

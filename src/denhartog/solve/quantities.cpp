@@ -9,7 +9,6 @@
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
-#include "denhartog/solve/quantities_by_reference.hpp"
 #include "denhartog/solve/quantities_of_sums.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
 

@@ -38,8 +38,6 @@ template <class T>
 using QuantityReader = std::function<void(const char* name, std::size_t mass, const T& value, const T& size)>;
 
 /// @brief Lists all numbers of a point. Errors of parts of V are relative to |V|, of a phase absolute, of x_k relative to (52).
-/// @param q     the numbers
-/// @param read  called for each
 template <class T>
 void list(const Quantities<T>& q, const QuantityReader<T>& read) {
     for (std::size_t k = 0; k < q.V.size(); ++k) {
@@ -80,26 +78,23 @@ struct QuantitiesAnswer {
 ///
 /// A number that the reference finds below 1e-25 of the largest of its kind, and to which its bound does not leave the digits
 /// asked for, comes out as zero with its bound: it is zero without being so by its formula, as at an antiresonance, or lies too
-/// low to tell.
+/// low to tell. Instants may be any; zero is at a maximum of x_j. Digits are from 1 to 15. Outside the sliding regime there is no
+/// motion. A bad scene, instant or number of digits is an InputError, a pole of a mode without damping a DomainError;
+/// PrecisionError where neither double nor the reference has the digits.
 /// @eq{33,34,35,38,39,41,56,64,69}
-/// @param source  the scene, with r and, where the motion is asked for, beta
-/// @param tau     instants of the motion, any; zero at a maximum of x_j
-/// @param digits  significant digits, from 1 to 15
-/// @param asked   which numbers must have them
-/// @return        the numbers; no motion outside the sliding regime
-/// @throws        InputError for a bad scene, instant or digits; DomainError at a pole of a mode without damping; PrecisionError
-///                where neither double nor the reference has the digits
 [[nodiscard]] QuantitiesAnswer quantities(const SceneSource& source, std::span<const double> tau, int digits,
                                           PointNumbers asked = PointNumbers::all);
 
-/// @brief The same at a point of a system prepared for every regime, without an eigen-solve where double has the digits.
-/// @param system  the system, prepared
-/// @param point   the same system with r, beta and mu
-/// @param tau     instants of the motion
-/// @param digits  significant digits, from 1 to 15
-/// @param asked   which numbers must have them
-/// @return        the numbers
+/// @brief The same of a system prepared for every regime, at the r, beta and mu of `point`, without an eigen-solve where double
+/// has the digits.
 [[nodiscard]] QuantitiesAnswer quantities(const PreparedSystem& system, const SceneSource& point, std::span<const double> tau,
                                           int digits, PointNumbers asked);
+
+/// @brief The numbers of a point by the reference, each proved and rounded to double, masses in their order. Bits are doubled
+/// until they are accepted. `accept` says whether the numbers have their digits, and may put zeros for some. PrecisionError where
+/// something cannot be proved, the budget of work is spent, or the library was built without the reference.
+/// @eq{33,34,35,38,39,41,52,64,69}
+[[nodiscard]] QuantitiesAnswer quantities_by_reference(const SceneSource& source, std::span<const double> tau,
+                                                       const std::function<bool(Quantities<Bounded<double>>&)>& accept);
 
 } // namespace denhartog

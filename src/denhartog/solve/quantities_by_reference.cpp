@@ -1,4 +1,4 @@
-#include "denhartog/solve/quantities_by_reference.hpp"
+#include "denhartog/solve/quantities.hpp"
 
 #if DENHARTOG_REFERENCE
 

@@ -8,12 +8,8 @@
 
 namespace denhartog {
 
-/// @brief What friction does not change: V, U, G, H, and S with the boundary.
-/// @eq{33,34,35,56,64,69}
-/// @param s        modes at the frequency ratio
-/// @param mu       static over kinetic friction, Eq. (3)
-/// @param instant  where the sum over modes of (57)'s expression is largest; 0 stands for the limit
-/// @return         the numbers, without X_j, phi_j and x
+/// @brief What friction does not change: V, U, G, H, and S with the boundary. The sum over modes of (57)'s expression is largest
+/// at `instant`, where 0 stands for the limit. @eq{33,34,35,56,64,69}
 template <class T>
 [[nodiscard]] Quantities<T> quantities_without_motion(const ModeSums<T>& s, const T& mu, const T& instant) {
     const std::size_t j = s.contact.index;
@@ -28,12 +24,8 @@ template <class T>
     return q;
 }
 
-/// @brief Adds the motion, where the friction ratio is below the boundary.
-/// @eq{38,39,41,52}
-/// @param q     the numbers without it; gets X_j, phi_j, x, x'
-/// @param s     modes at the frequency ratio
-/// @param beta  friction ratio, Eq. (11)
-/// @param tau   instants, any; zero at a maximum of x_j
+/// @brief Adds the motion, where the friction ratio is below the boundary: X_j, phi_j, and x, x' at any instants, of which zero
+/// is at a maximum of x_j. @eq{38,39,41,52}
 template <class T>
 void add_motion(Quantities<T>& q, const ModeSums<T>& s, const T& beta, const std::vector<T>& tau) {
     if (!(beta < q.beta_lim)) return;

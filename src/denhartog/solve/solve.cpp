@@ -5,7 +5,6 @@
 
 #include "denhartog/answer/held_solution.hpp"
 #include "denhartog/answer/orbit_solution.hpp"
-#include "denhartog/answer/other_motions.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"

@@ -16,21 +16,12 @@
 
 namespace denhartog {
 
-/// @brief The steady motion at the point of a scene, in every regime.
-/// @param source    the scene, with r and beta
-/// @param question  what is asked
-/// @return          the answer
-/// @throws          InputError for a bad scene or question; DomainError at a pole of a mode without damping; PrecisionError where
-///                  no model reaches the digits asked for or no steady motion is found
+/// @brief The steady motion at the point of a scene, in every regime. A bad scene or question is an InputError, a pole of a mode
+/// without damping a DomainError; PrecisionError where no model reaches the digits asked for or no steady motion is found.
 [[nodiscard]] Solution solve(const SceneSource& source, const Question& question);
 
-/// @brief The same at any point of a system that is prepared: `solve` of a scene is nothing but both.
-/// @param system    the system, from `prepare`
-/// @param r         frequency ratio, Eq. (10)
-/// @param beta      friction ratio, Eq. (11)
-/// @param question  what is asked; another one than was prepared for is answered as well
-/// @return          the answer; its work is that of this point
-/// @throws          as above
+/// @brief The same at any point of a system that is prepared: `solve` of a scene is nothing but both. Another question than was
+/// prepared for is answered as well. The work of the answer is that of this point.
 [[nodiscard]] Solution solve(const PreparedSystem& system, double r, double beta, const Question& question);
 
 } // namespace denhartog

@@ -6,7 +6,6 @@
 
 #include "denhartog/answer/reference.hpp"
 #include "denhartog/number/effort.hpp"
-#include "denhartog/solve/orbit_guess.hpp"
 
 namespace denhartog {
 namespace {

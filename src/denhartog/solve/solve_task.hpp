@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "denhartog/answer/modes_in_double.hpp"
-#include "denhartog/answer/sliding_solution.hpp"
+#include "denhartog/answer/sliding_point.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/solve/prepared_system.hpp"
 
@@ -23,7 +23,7 @@ struct SolvePoint {
     const SceneSource* source; ///< where both are to be had to any digits; null where the doubles are what is meant
 };
 
-/// @brief A system at a point. @param p the system @param at the point @return the scene
+/// @brief The scene of a system at a point.
 [[nodiscard]] SceneSource source_at(const PreparedSystem& p, const SolvePoint& at);
 
 /// @brief A question to a scene, prepared.
@@ -40,37 +40,23 @@ struct SolveTask {
     bool at_pole = false;                        ///< whether they do not exist
 };
 
-/// @brief Amplitude or phase of the contact alone, in the sliding regime at mu = 1: the cheapest model.
-/// @param p         the system, prepared for such a question
-/// @param at        the point
-/// @param question  the question
-/// @param s         gets the answer
-/// @return          false where something else is asked, this has not the digits, or sliding is not certain
+/// @brief Amplitude or phase of the contact alone, in the sliding regime at mu = 1: the cheapest model. False where something
+/// else is asked, this has not the digits, or sliding is not certain.
 [[nodiscard]] bool answer_by_contact(const PreparedSystem& p, const SolvePoint& at, const Question& question, Solution& s);
 
-/// @brief The stuck response as the answer.
-/// @param task      the task, its boundary found
-/// @param rests_at  where the contact rests, where that was followed
-/// @param s         gets the answer
+/// @brief The stuck response as the answer, once the boundary is found; `rests_at` is where the contact rests, if that was
+/// followed.
 void answer_by_stuck_response(const SolveTask& task, const std::optional<Certified>& rests_at, Solution& s);
 
-/// @brief Says whether the velocities are known not to depend on the start, and why. @param basis the modes
-/// @param mu  static over kinetic friction, Eq. (3)
-/// @param s   gets it
+/// @brief Says whether the velocities are known not to depend on the start, and why.
 void say_whether_unique(const ModalBasis<Bounded<double>>& basis, double mu, Solution& s);
 
-/// @brief Whether the boundaries tell that the motion has stops: beyond that of sliding where mu = 1 or every motion is damped.
-/// @param task  the task, its boundary found
-/// @param s     the regime by the boundaries
-/// @return      whether a motion that is not at rest has stops, seen or not
+/// @brief Whether the boundaries tell that a motion that is not at rest has stops, seen or not: beyond that of sliding where
+/// mu = 1 or every motion is damped.
 [[nodiscard]] bool must_stop(const SolveTask& task, const Solution& s);
 
-/// @brief A periodic orbit as the answer.
-/// @param task    the task
-/// @param solver  the solver that found the orbit
-/// @param orbit   the orbit, with its masses
-/// @param open    whether double does not tell if the motion stops
-/// @param s       gets the answer
-void answer_by_orbit(const SolveTask& task, ExactSolver& solver, const PeriodicOrbit& orbit, bool open, Solution& s);
+/// @brief A periodic orbit, with its masses, as the answer; `open` where double does not tell if the motion stops.
+void answer_by_orbit(const SolveTask& task, ExactSolver& solver, const PeriodicOrbit& orbit, bool open,
+                     Solution& s);
 
 } // namespace denhartog

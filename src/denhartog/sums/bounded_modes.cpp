@@ -6,8 +6,8 @@
 
 #include "denhartog/evaluation/mode.hpp"
 #include "denhartog/model/contact_and_load.hpp"
-#include "denhartog/model/graded_modes.hpp"
 #include "denhartog/model/linear_algebra.hpp"
+#include "denhartog/model/natural_modes.hpp"
 #include "denhartog/sums/coupled_friction.hpp"
 
 namespace denhartog {

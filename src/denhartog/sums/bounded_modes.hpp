@@ -19,36 +19,24 @@
 namespace denhartog {
 
 /// @brief A modal basis with bounds of its errors.
-/// @param system  the system
-/// @param basis   its basis
-/// @return        the basis with errors
 template <class T>
 [[nodiscard]] ModalBasis<Bounded<T>> with_errors(const System<T>& system, const ModalBasis<T>& basis);
 
-/// @brief The modes of a system with bounds of their errors, as several answers share them.
-/// @eq{14,15}
-/// @param system  the system
-/// @return        its basis with errors
-/// @throws        as `modal_basis`
+/// @brief The modes of a system with bounds of their errors, as several answers share them. @eq{14,15}
 template <class T>
 [[nodiscard]] std::shared_ptr<const ModalBasis<Bounded<T>>> modes_with_errors(const System<T>& system) {
     return std::make_shared<const ModalBasis<Bounded<T>>>(with_errors(system, modal_basis(system)));
 }
 
-/// @brief The same with the shapes at a few masses alone, see `modal_basis_at`: one eigen-solve.
-/// @eq{14,15}
-/// @param system  the system
-/// @param masses  the masses wanted
-/// @return        frequencies and damping ratios with errors; shapes with a row a mass wanted
-/// @throws        as `modal_basis`
+/// @brief The same with the shapes at a few masses alone, a row for each, see `modal_basis_at`: one eigen-solve. @eq{14,15}
 template <class T>
 [[nodiscard]] ModalBasis<Bounded<T>> bounded_basis_at(const System<T>& system, const std::vector<Mass>& masses);
 
-/// @brief Modes and sums without their bounds. @param sums modes and sums with bounds @return their values
+/// @brief Modes and sums without their bounds.
 template <class T>
 [[nodiscard]] ModeSums<T> values_of(const ModeSums<Bounded<T>>& sums);
 
-/// @brief A modal basis without its bounds. @param basis a basis with bounds @return its values
+/// @brief A modal basis without its bounds.
 template <class T>
 [[nodiscard]] ModalBasis<T> values_of(const ModalBasis<Bounded<T>>& basis);
 
@@ -61,42 +49,34 @@ template <class T>
 /// from (28), (29), and from (23) \f$ |R\,v_d'| \le 2R(R+\zeta)\,|v_d|^2 \f$, \f$ |dv_d/d\zeta| = 2R|v_d|^2 \f$. Where the change
 /// is not small, and without oscillations, every operation carries its own bound.
 /// @eq{23,28,29}
-/// @param R     modal frequency ratio with its error
-/// @param zeta  modal damping ratio with its error
-/// @return      the functions
 template <class T>
 [[nodiscard]] evaluation::ModeFunctions<Bounded<T>> bounded_mode_functions(const Bounded<T>& R, const Bounded<T>& zeta);
 
-/// @brief The larger of two numbers. @param a a number @param b a number @return the larger value; of bounds the larger too
+/// @brief The larger of two numbers.
 template <class T>
 [[nodiscard]] T larger(const T& a, const T& b) {
     return a < b ? b : a;
 }
-/// @brief The same with bounds. @param a a number @param b a number @return the larger value with the larger bound
+/// @brief The same with bounds: the larger value with the larger bound.
 template <class T>
 [[nodiscard]] Bounded<T> larger(const Bounded<T>& a, const Bounded<T>& b) {
     return {std::max(a.x, b.x), std::max(a.e, b.e)};
 }
 
-/// @brief A largest value as a search found it. @param value the value @return the same
+/// @brief A largest value as a search found it.
 template <class T>
 [[nodiscard]] T found_by_search(const T& value) {
     return value;
 }
 /// @brief The same with a bound. The search compares rounded values: the true maximum exceeds what it found by no more than the
 /// error where that lies, which is taken to be at most half again of the error where the search ended, and a unit or two.
-/// @param value  the value where the search ended
-/// @return       the value with that bound
 template <class T>
 [[nodiscard]] Bounded<T> found_by_search(const Bounded<T>& value) {
     return Bounded<T>::rounded(value.x, T(value.e + value.e / 2), 2);
 }
 
-/// @brief The angle by which errors of two natural frequencies may turn their modes towards each other: that of the squares over
-/// their distance. The modes of a chain keep their digits however far they are apart; those of other systems do not.
-/// @param r_i  a natural frequency ratio with its error
-/// @param r_k  another one
-/// @return     radians, at most 1
+/// @brief The angle, at most 1, by which errors of two natural frequencies may turn their modes towards each other: that of the
+/// squares over their distance. The modes of a chain keep their digits however far they are apart; those of other systems do not.
 template <class T>
 [[nodiscard]] T angle_of_turn(const Bounded<T>& r_i, const Bounded<T>& r_k) {
     const T of_squares = std::min(T(r_k.x * r_i.e + r_i.x * r_k.e), T(r_i.x * r_i.e + r_k.x * r_k.e)); // the first of chains

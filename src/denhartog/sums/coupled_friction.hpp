@@ -34,40 +34,33 @@ using CoupledState = std::array<Column<T>, 4>;
 template <class T>
 class CoupledFriction {
 public:
-    /// @param system  the system, its damping given as a matrix
-    /// @param r       frequency ratio, Eq. (10); positive
-    /// @throws        DomainError at a pole: a motion without damping that mirrors itself every half-period;
-    ///                PrecisionError where the number type does not have the digits of its coordinates
+    /// @brief Of a system with a damping matrix, at a frequency ratio. DomainError at a pole, which is a
+    /// motion without damping that mirrors itself every half-period; PrecisionError where the number type does not have the
+    /// digits of its coordinates.
     CoupledFriction(const System<T>& system, const T& r);
 
-    /// @brief Number of coordinates. @return N
+    /// @brief Number of coordinates.
     [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(A_.rows() / 2); }
-    /// @brief Operations that an instant costs. @return their number
+    /// @brief Operations that an instant costs.
     [[nodiscard]] long cost() const { return motion_.cost() + 10; }
-    /// @brief The static compliance between a displacement and the contact. @param k a displacement @return its movement under a
-    /// unit force on the contact
+    /// @brief The static compliance between a displacement and the contact: its movement under a unit force on the contact.
     [[nodiscard]] Bounded<T> compliance(std::size_t k) const { return along(displacement_, k, rest_, error_of_rest_); }
-    /// @brief \f$ \mathbf{w}^T\mathbf{M}^{-1}\mathbf{w}/r^2 \f$, which (65) is at the contact. @return the sum
+    /// @brief \f$ \mathbf{w}^T\mathbf{M}^{-1}\mathbf{w}/r^2 \f$, which (65) is at the contact.
     [[nodiscard]] Bounded<T> inverse_inertia() const { return inverse_inertia_; }
 
-    /// @brief The free part of the motion at an instant. @param tau in [0, pi] @return valid until the next call
+    /// @brief The free part of the motion at an instant in [0, pi], valid until the next call.
     [[nodiscard]] const CoupledState<T>& at(const T& tau) const;
-    /// @brief A derivative of a displacement over the half-period. @param k which @param order 1 to 3 @param s the free part
-    /// @return the derivative
+    /// @brief A derivative, of order 1 to 3, of a displacement over the half-period, with the free part at the instant.
     [[nodiscard]] T derivative(std::size_t k, int order, const CoupledState<T>& s) const;
-    /// @brief A bound of a derivative of a displacement from an instant on. @param k a displacement @param order 1 to 3
-    /// @param s  the free part at the instant
-    /// @return   what the derivative does not exceed from there on
+    /// @brief What a derivative, of order 1 to 3, of a displacement does not exceed from the instant of the free part on.
     [[nodiscard]] T largest_derivative(std::size_t k, int order, const CoupledState<T>& s) const;
     /// @brief How fast the sum of the third and the first derivative of a displacement changes at most from an instant on.
-    /// @param k  a displacement @param s the free part at the instant @return the bound
     [[nodiscard]] T rate_of_demand(std::size_t k, const CoupledState<T>& s) const;
 
-    /// @brief Displacement, velocity and acceleration of a mass under the friction force alone. @param k a displacement
-    /// @param tau  instant in [0, pi]
-    /// @return     the motion, in the place of the sum over modes of the braces of (40)
+    /// @brief Displacement, velocity and acceleration of a mass under the friction force alone, at an instant in [0, pi]; they
+    /// have the place of the sum over modes of the braces of (40).
     [[nodiscard]] evaluation::FrictionMotion<T> motion(std::size_t k, const T& tau) const;
-    /// @brief The same with bounds. @param k a displacement @param tau instant in [0, pi] with its error @return the motion
+    /// @brief The same with bounds.
     [[nodiscard]] evaluation::FrictionMotion<Bounded<T>> motion(std::size_t k, const Bounded<T>& tau) const;
 
 private:
@@ -97,11 +90,7 @@ private:
 };
 
 /// @brief (57)'s expression summed over the contact, where damping couples the modes: what of X_j + beta G_j friction demands.
-/// @eq{56,57,71}
-/// @param friction  friction's share of the motion
-/// @param contact   the mass in contact
-/// @param tau       instant in [0, pi], the limits at both ends included
-/// @return          the sum
+/// The limits at both ends of [0, pi] are included. @eq{56,57,71}
 template <class T, class Number>
 [[nodiscard]] Number coupled_demand(const CoupledFriction<T>& friction, Mass contact, const Number& tau) {
     const evaluation::FrictionMotion<Number> now = friction.motion(contact.index, tau);

@@ -32,24 +32,20 @@ struct FrictionMotionsAt {
 template <class T>
 class FrictionMotions {
 public:
-    /// @brief Of all modes. @param sums modes at a frequency ratio; must outlive the object
+    /// @brief Of all modes; the sums must outlive the object.
     explicit FrictionMotions(const ModeSums<T>& sums);
 
-    /// @brief Of one mode, which is not evaluated again at instants that are remembered of all.
-    /// @param all   of all modes; must outlive the object
-    /// @param mode  the mode
+    /// @brief Of one mode, which is not evaluated again at instants that are remembered of `all`; that must outlive the object.
     FrictionMotions(const FrictionMotions& all, std::size_t mode);
 
-    /// @brief Braces and derivatives at an instant.
-    /// @param tau    non-dimensional time in [0, pi]
-    /// @param sizes  whether bounds of the derivatives from there on are needed as well
-    /// @return       one entry for each mode of the range, valid until the next call
+    /// @brief Braces and derivatives of each mode of the range at an instant in [0, pi], valid until the next call; with `sizes`
+    /// also bounds of the derivatives from there on.
     const FrictionMotionsAt<T>& at(const T& tau, bool sizes = false);
 
-    /// @brief The modes. @return what was given
+    /// @brief The modes.
     [[nodiscard]] const ModeSums<T>& sums() const { return sums_; }
 
-    /// @brief Number of modes times number of instants that are remembered. @return the product
+    /// @brief Number of modes times number of instants that are remembered.
     [[nodiscard]] std::size_t remembered() const { return known.size() * c.size(); }
 
 private:
@@ -65,11 +61,7 @@ private:
     [[nodiscard]] T size_of(const evaluation::FrictionMotion<T>& y, std::size_t i, const T& tau) const;
 };
 
-/// @brief Braces of (40) of every mode and their derivatives at an instant.
-/// @eq{40}
-/// @param sums  modes at a frequency ratio
-/// @param tau   non-dimensional time in [0, pi]
-/// @return      one entry a mode
+/// @brief Braces of (40) of every mode and their derivatives at an instant. @eq{40}
 template <class T>
 [[nodiscard]] std::vector<evaluation::FrictionMotion<T>> friction_motions(const ModeSums<T>& sums, const T& tau);
 

@@ -32,7 +32,7 @@ struct ModeUnderCoupling {
     T acceleration; ///< largest second derivative
 };
 
-/// @brief The bounds of a mode. @param s the modes @param i which @return the bounds
+/// @brief The bounds of a mode.
 template <class T>
 [[nodiscard]] ModeUnderCoupling<T> mode_under_coupling(const ModeSums<Bounded<T>>& s, std::size_t i) {
     const T R = s.R[i].most(), gain = R * R * modulus(s.v[i]).most();
@@ -43,17 +43,14 @@ template <class T>
     return {gain, half_turn * c * R, half_turn * c, gain * psi_l, gain * psi_j, c * R * psi_j, c * psi_j};
 }
 
-/// @brief Nothing is left out where numbers have no bounds. @return none
+/// @brief Nothing is left out where numbers have no bounds.
 template <class T>
 [[nodiscard]] std::vector<LeftOut<T>> left_out_coupling(const ModalBasis<T>&, const ModeSums<T>&) {
     return {};
 }
 
-/// @brief Bounds of what the coupling left out makes of the motion of each row of the shapes.
-/// @eq{33,40}
-/// @param basis  the modes
-/// @param s      their functions at a frequency ratio; its sums are not used
-/// @return       a bound a row; none where nothing is left out, infinite ones where the forces of what is left out are not small
+/// @brief Bounds of what the coupling left out makes of the motion of each row of the shapes. There are none where nothing is
+/// left out, and infinite ones where the forces of what is left out are not small. The sums of `s` are not used. @eq{33,40}
 template <class T>
 [[nodiscard]] std::vector<LeftOut<T>> left_out_coupling(const ModalBasis<Bounded<T>>& basis, const ModeSums<Bounded<T>>& s) {
     if (basis.left_out.size() == 0) return {};

@@ -58,22 +58,19 @@ struct ModeSums {
 
 /// @brief \f$ |c_i| \f$ of a mode with \f$ \zeta_i < 1 \f$, whose brace in (40) is \f$ 1 - \mathrm{Re}\{c_ie^{\rho_i\tau}\} \f$.
 /// @eq{40}
-/// @param s  modes at a frequency ratio
-/// @param i  the mode
-/// @return   the amplitude of its free motion
 template <class T>
 [[nodiscard]] T amplitude_of_brace(const ModeSums<T>& s, std::size_t i) {
     const T cosine = 1 + s.g[i], sine = (cosine * s.zeta[i] + s.u[i] * s.R[i]) / s.w[i];
     return modulus(Complex<T>{cosine, sine});
 }
 
-/// @brief What may be left out of the motion of a mass. @param s modes @param k the mass @return bounds; zero where nothing is
+/// @brief Bounds of what may be left out of the motion of a mass; zero where nothing is.
 template <class T>
 [[nodiscard]] LeftOut<typename ValueOf<T>::type> left_out_of(const ModeSums<T>& s, Mass k) {
     return s.left_out.empty() ? LeftOut<typename ValueOf<T>::type>{} : s.left_out[k.index];
 }
 
-/// @brief Checks that each mode moves by itself. @param basis a modal basis @throws InputError where damping couples the modes
+/// @brief Checks that each mode moves by itself; InputError where damping couples the modes.
 template <class T>
 void check_uncoupled(const ModalBasis<T>& basis) {
     if (basis.coupled())
@@ -81,60 +78,36 @@ void check_uncoupled(const ModalBasis<T>& basis) {
                          "K M^-1 C is not C M^-1 K");
 }
 
-/// @brief Evaluates the modes at a frequency ratio and sums them.
-/// @eq{22,23,28,29,33,34,35,64,65}
-/// @param basis    modal basis of the system, N modes; with the shapes at a few masses alone, masses are counted among these
-/// @param contact  the mass in contact, j
-/// @param load     the loaded mass, l; of a load on several masses, which is none of them, its row behind all others
-/// @param r        frequency ratio, Eq. (10); positive
-/// @return         modes and sums
-/// @throws         InputError where r, j or l breaks its rule; DomainError where an undamped mode is at a pole of (23), (28)
+/// @brief Evaluates the modes at a frequency ratio and sums them. Of a basis with the shapes at a few masses alone, masses are
+/// counted among these; a load on several masses, which is none of them, has its row behind all others. InputError where r, j or
+/// l breaks its rule; DomainError where an undamped mode is at a pole of (23), (28). @eq{22,23,28,29,33,34,35,64,65}
 template <class T>
 [[nodiscard]] ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r);
 
-/// @brief The same sums of modes that were evaluated before.
-/// @param basis      modal basis of the system, N modes
-/// @param contact    the mass in contact, j
-/// @param load       the loaded mass, l
-/// @param r          frequency ratio, Eq. (10); positive
-/// @param functions  (23), (28), (29) of every mode at r, N values
-/// @return           modes and sums
-/// @throws           as above
+/// @brief The same sums of modes that were evaluated before: `functions` are (23), (28), (29) of every mode at r.
 template <class T>
 [[nodiscard]] ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r,
                                     const std::vector<evaluation::ModeFunctions<T>>& functions);
 
-/// @brief (23), (28), (29) of every mode; counted.
-/// @param basis  modal basis of the system
-/// @param r      frequency ratio, Eq. (10); positive
-/// @return       the functions, N values
-/// @throws       DomainError where an undamped mode is at a pole of (23), (28)
+/// @brief (23), (28), (29) of every mode; counted. DomainError where an undamped mode is at a pole.
 template <class T>
 [[nodiscard]] std::vector<evaluation::ModeFunctions<T>> mode_functions_at(const ModalBasis<T>& basis, const T& r);
 
-/// @brief A row of the modal matrix.
-/// @param sums  modes at a frequency ratio
-/// @param k     a mass
-/// @return      psi_k1 .. psi_kN
+/// @brief A row of the modal matrix, psi_k1 .. psi_kN.
 template <class T>
 [[nodiscard]] std::span<const T> mode_shapes_at(const ModeSums<T>& sums, Mass k) {
     return {sums.psi.data() + k.index * sums.R.size(), sums.R.size()};
 }
 
 /// @brief Whether the load leaves the contact unmoved without friction: \f$ |V_{dj}| \f$ is below the rounding of its own terms.
-/// @param sums  modes at a frequency ratio
-/// @return      true where V_dj has no digit
 template <class T>
 [[nodiscard]] bool contact_is_unmoved(const ModeSums<T>& sums);
 
 /// @brief Whether the system resonates without damping while the contact is held: Y_jj is below the rounding of its own terms.
-/// @param sums  modes at a frequency ratio
-/// @return      true where Y_jj has no digit
 template <class T>
 [[nodiscard]] bool stuck_system_resonates(const ModeSums<T>& sums);
 
 /// @brief Number of modes evaluated since the program started; tests gate on it.
-/// @return the count, over all number types
 [[nodiscard]] inline long mode_evaluations() { return work_counted.mode_evaluations; }
 
 } // namespace denhartog

@@ -1,10 +1,9 @@
 // The sliding motion in 50 and 100 digits.
 #include "tests/support/multiprecision.hpp" // first: what follows takes its functions
 
-#include "denhartog/sliding/boundary.cpp"
-#include "denhartog/sliding/coupled_maxima.cpp"
-#include "denhartog/sliding/instants_of_maxima.cpp"
 #include "denhartog/search/largest_in_double.cpp"
+#include "denhartog/sliding/boundary.cpp"
+#include "denhartog/sliding/instants_of_maxima.cpp"
 #include "denhartog/sliding/regime.cpp"
 #include "denhartog/sliding/steady_state.cpp"
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "denhartog/answer/sliding_solution.hpp"
+#include "denhartog/answer/sliding_point.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/program/exit_status.hpp"
 #include "denhartog/scene/scene_json.hpp"

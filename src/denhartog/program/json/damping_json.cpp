@@ -1,6 +1,6 @@
 #include "denhartog/program/json/damping_json.hpp"
 
-#include "denhartog/answer/coupled_damping.hpp"
+#include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/program/output/table.hpp"
 
 namespace denhartog::program {
