@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "denhartog/answer/scene_source.hpp"
-#include "denhartog/reference/boundary.hpp"
+#include "denhartog/reference/sliding.hpp"
 #include "denhartog/reference/series.hpp"
 #include "denhartog/reference/stuck.hpp"
 

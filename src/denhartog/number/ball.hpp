@@ -171,6 +171,8 @@ struct PiOf<Ball> {
 /// @brief What both hold. @param x a number @param y the same number @return a ball that holds what is in both; x where rounding
 /// leaves nothing
 [[nodiscard]] Ball both_hold(const Ball& x, const Ball& y);
+/// @brief A power of two. @param n the exponent @return 2^n, exact
+[[nodiscard]] Ball power_of_two(slong n);
 /// @brief The midpoint. @param x a number @return its midpoint, exact
 [[nodiscard]] Ball middle(const Ball& x);
 /// @brief The radius. @param x a number @return its radius, exact
