@@ -16,12 +16,8 @@ constexpr slong bits_a_phase = 5; // about what a phase widens balls by, and som
 // The binary logarithm of a midpoint's size, also where a double cannot hold it.
 double size_in_bits(const Ball& x) {
     if (arf_is_zero(arb_midref(x.a))) return -1e9;
-    mag_t size;
-    mag_init(size);
-    arf_get_mag(size, arb_midref(x.a));
-    const double bits = mag_get_d_log2_approx(size);
-    mag_clear(size);
-    return bits;
+    const slong exponent = arf_abs_bound_lt_2exp_si(arb_midref(x.a));
+    return binary_logarithm(std::abs(static_cast<double>(x * power_of_two(-exponent)))) + static_cast<double>(exponent);
 }
 
 // The equations at one point: states at the events, and what is not zero.
