@@ -4,8 +4,8 @@
 # @erratum{40}        a link to what the page says of the printed form
 # @derivation{name}   a link to derivation/name.cpp, made good by `pages link`
 # @domain{...}        a paragraph; commas and all
-# What is documented stands in the headers of the library and the derivation; of all other sources, which the site shows as they
-# are, nothing is declared. No line is added or taken away: line numbers stay true.
+# What is documented stands in the headers of the library and the derivation, but for those of the reference and its drivers,
+# which no user of the library includes; of all other sources, which the site shows as they are, nothing is declared. No line is added or taken away: line numbers stay true.
 
 function label(number) {
     gsub(/\./, "_", number)
@@ -105,7 +105,8 @@ function page_label(file, parts, n, name) {
 FNR == 1 {
     file = index(FILENAME, ENVIRON["PWD"] "/") == 1 ? substr(FILENAME, length(ENVIRON["PWD"]) + 2) : FILENAME
     markdown = file ~ /^docs\/.*\.md$/
-    shown_only = file ~ /\.cpp$/ || file ~ /^(docs|tests|paper-figures)\/.*\.hpp$/
+    shown_only = file ~ /\.cpp$/ || file ~ /^(docs|tests|paper-figures|src\/denhartog\/reference)\/.*\.hpp$/ ||
+                 file ~ /^src\/denhartog\/answer\/reference_(point|attempts)\.hpp$/
 }
 shown_only {
     brief = FNR == 1 && /^\/\/ / ? substr($0, 4) : ""

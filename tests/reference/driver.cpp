@@ -169,6 +169,31 @@ TEST_CASE("two modes of one frequency are answered", "[driver][eq:69]") {
     CHECK(apart(ball_of(text.limits->exact), ball_of(s.limits->exact)) > 0);
 }
 
+TEST_CASE("masses of which two modes have one frequency stop as those do whose frequencies are nearly the same",
+          "[driver][eq:69]") {
+    const Bits enough(256);
+    for (const std::string& rest : {std::string(R"("contact": 1, "load": 1, "r": 0.03, "beta": 0.3})"),
+                                    std::string(R"("contact": [1, 2], "load": 1, "r": 0.04, "beta": 0.1, "mu": 1.25})")}) {
+        const auto answer = [&](const std::string& last) {
+            return proved(R"({"mass_ratios": [1, 1, 1], "stiffness_matrix": [[2, -0.5, -0.5], [-0.5, 2, -0.5], [-0.5, -0.5, )" +
+                              last + R"(]], "damping_ratios": 0.02, )" + rest,
+                          20);
+        };
+        INFO(rest);
+        const Solution one = answer("2"), near = answer("\"2.0000000000000000000000001\""), other = answer("2.0001");
+        CHECK(one.regime.regime == Regime::stick_slip);
+        REQUIRE(one.stops.size() == near.stops.size());
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Ball x = ball_of(one.masses[k].amplitude);
+            CHECK(abs(x - ball_of(near.masses[k].amplitude)) < Ball(1e-17) * x);
+            CHECK(apart(x, ball_of(other.masses[k].amplitude)) > 1e-10); // the test would tell
+        }
+        for (std::size_t n = 0; n < one.stops.size(); ++n)
+            CHECK(abs(ball_of(one.stops[n].start) - ball_of(near.stops[n].start)) < Ball(1e-16));
+        CHECK(abs(ball_of(one.limits->paper) - ball_of(near.limits->paper)) < Ball(1e-17));
+    }
+}
+
 TEST_CASE("at a pole of a mode without damping the answer is refused, or is that of the motion itself", "[driver]") {
     const std::string undamped =
         R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": [0], "contact": 1, "load": 1, )";
@@ -237,6 +262,29 @@ TEST_CASE("damping of each mode by itself is not taken of modes that are not tol
     const Solution few = answer(6), more = answer(60);
     CHECK(std::abs(few.masses[0].amplitude.value - more.masses[0].amplitude.value) <= few.masses[0].amplitude.error * 1.01);
     CHECK(more.masses[0].amplitude.value == Approx(1.68173804246).epsilon(1e-11));
+}
+
+TEST_CASE("of a matrix that damps modes of one frequency alike each has its damping by itself", "[driver][eq:18][eq:56]") {
+    const Bits enough(256);
+    const auto answer = [](const std::string& damping) {
+        return proved(R"({"mass_ratios": [1, 1, 1], "stiffness_matrix": [[2, -0.5, -0.5], [-0.5, 2, -0.5], [-0.5, -0.5, 2]],
+                          "contact": 1, "load": 1, "r": 0.8, "beta": 0.03125, )" +
+                          damping + "}",
+                      30);
+    };
+    // frequencies 1 and sqrt(5/2): C = 0.125 I, and C = 0.0625 K, whose ratios are 0.03125 times the frequencies
+    for (const std::string C : {"[[0.125, 0, 0], [0, 0.125, 0], [0, 0, 0.125]]",
+                                "[[0.125, -0.03125, -0.03125], [-0.03125, 0.125, -0.03125], [-0.03125, -0.03125, 0.125]]"}) {
+        INFO(C);
+        const Solution each = answer(R"("damping_tolerance": 2, "damping_matrix": )" + C),
+                       all = answer(R"("damping_matrix": )" + C);
+        CHECK(each.regime.regime == Regime::continuous);
+        for (std::size_t k = 0; k < 3; ++k) CHECK(is_the_same_number(each.masses[k].amplitude, all.masses[k].amplitude));
+        CHECK(is_the_same_number(each.limits->exact, all.limits->exact));
+        CHECK(is_the_same_number(each.limits->paper, all.limits->paper));
+    }
+    CHECK_THROWS_WITH(answer(R"("damping_tolerance": 2, "damping_matrix": [[0.125, 0, 0], [0, 0.25, 0], [0, 0, 0.125]])"),
+                      Catch::Contains("modes are not told apart, and neither is the damping of each by itself"));
 }
 
 TEST_CASE("(88) of masses of nearly one frequency beside the contact is the same to any digits", "[driver][eq:88]") {

@@ -2,7 +2,6 @@
 /// @brief Every demand of friction on a motion is checked: a motion that breaks one of them is refused.
 #include <string>
 
-#include "denhartog/reference/orbit_multipliers.hpp"
 #include "denhartog/reference/orbit_proof.hpp"
 #include "orbit_cases.hpp"
 #include "tests/catch.hpp"

@@ -59,8 +59,6 @@ TEST_CASE("the response functions by modes are those by the state", "[responses]
         INFO(s.text);
         const BothWays both(s.text);
         const ResponsesInBalls &a = both.by_modes, &b = both.by_state;
-        CHECK(a.modal);
-        CHECK_FALSE(b.modal);
         const auto same = [](const Ball& x, const Ball& y) {
             CHECK(apart(x, y) == 0);
             CHECK(y.radius() < 1e-40 * (1 + std::abs(static_cast<double>(x))));
@@ -162,6 +160,60 @@ TEST_CASE("modes damped critically and beyond move by themselves as the state do
     const Bits few(128);
     CHECK_FALSE(is_told_from_critical(sqrt(Ball(2)) * sqrt(Ball(2)) / 2));
     CHECK_THROWS_AS(FrictionMotionOfMode(Ball(1), sqrt(Ball(2)) * sqrt(Ball(2)) / 2), Unproved);
+}
+
+TEST_CASE("modes of one frequency move as the state does, and over a stretch too", "[responses][eq:34][eq:35][eq:41][eq:64]") {
+    const Bits enough(bits);
+    for (const char* rest : {R"("damping_ratios": 0.02, "contact": 1, "load": 1, "r": 0.7)",
+                             R"("damping_ratios": 0.3, "contact": [1, 3], "load": 2, "r": 0.2)",
+                             R"("damping_ratios": 1.5, "contact": 2, "load": [1, -0.5, 0.25], "r": 1.25)",
+                             R"("damping_ratios": 1, "contact": 3, "load": 1, "r": 0.8)",
+                             R"("damping_ratios": 0.02, "contact": 1, "load": 1, "r": 4000)"}) {
+        INFO(rest);
+        const BothWays both(
+            R"({"mass_ratios": [1, 1, 1], "stiffness_matrix": [[2, -0.5, -0.5], [-0.5, 2, -0.5], [-0.5, -0.5, 2]], )" +
+            std::string(rest) + "}");
+        const ResponsesInBalls &a = both.by_modes, &b = both.by_state;
+        REQUIRE(a.modes.clusters.size() == 1);
+        for (std::size_t k = 0; k < a.V.size(); ++k) {
+            for (const auto& [x, y] : {std::pair(a.V[k].re, b.V[k].re), std::pair(a.V[k].im, b.V[k].im),
+                                       std::pair(a.U[k], b.U[k]), std::pair(a.G[k], b.G[k])}) {
+                CHECK(apart(x, y) == 0);
+                CHECK(x.radius() < 1e-60);
+            }
+            for (const double tau : {0.0, 0.25, 2.5})
+                for (const int n : {0, 1, 2}) {
+                    const Ball alone = a.friction.of(k, (*a.friction.shared)(Ball(tau))).rate(n);
+                    CHECK(apart(alone, b.friction.of(k, (*b.friction.shared)(Ball(tau))).rate(n)) == 0);
+                    CHECK(alone.radius() < 1e-50);
+                    CHECK(apart(alone, a.friction.at(k, Ball::within(tau, tau + 0x1p-20)).rate(n)) == 0);
+                }
+        }
+        CHECK(apart(a.H, b.H) == 0);
+        CHECK(apart(a.Y.re, b.Y.re) == 0);
+    }
+}
+
+TEST_CASE("modes whose R is in a ball are no further apart than is said, and hardly less", "[responses][eq:41]") {
+    const Bits enough(bits);
+    double used = 0;
+    for (const double zeta : {0.0, 0.02, 0.7, 1.0, 4.0})
+        for (const double R : {0.03, 0.3, 2.1, 40.0}) {
+            const Ball low(R), high(R * (1 + 1e-9)), both = Ball::within(R, R * (1 + 1e-9));
+            const FrictionMotionOfMode one(low, Ball(zeta)), other(high, Ball(zeta)), any(both, Ball(zeta));
+            for (const double tau : {0.0, 0.1, 1.5, 3.0}) {
+                const Series x = one.at(Ball(tau)), y = other.at(Ball(tau));
+                Ball most = any.apart();
+                for (std::size_t n = 0; n < x.c.size(); ++n) {
+                    INFO("zeta " << zeta << ", R " << R << ", tau " << tau << ", order " << n);
+                    const Ball off = abs(low * low * x.c[n] - high * high * y.c[n]);
+                    CHECK(off <= most);
+                    if (n == 0) used = std::max(used, (off / most).high());
+                    most = most * any.changes() / static_cast<int>(n + 1);
+                }
+            }
+        }
+    CHECK(used > 1e-3);
 }
 
 TEST_CASE("over a stretch the friction motion holds itself at every instant of it", "[responses]") {

@@ -6,7 +6,7 @@
 
 #include "denhartog/c/denhartog.h"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/reference/orbit_states.hpp"
+#include "denhartog/reference/orbit.hpp"
 #include "denhartog/reference/sliding.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"

@@ -15,21 +15,12 @@
 
 namespace denhartog {
 
-/// @brief Tries with more and more bits. The work is counted, see `QuestionEffort`.
-/// @param N        number of masses
-/// @param first    bits of the first attempt, which are doubled
-/// @param most     bits of the last
-/// @param attempt  called with the bits, and whether they are the last; returns whether they were enough
-/// @throws         PrecisionError where something cannot be proved, or the budget of work is spent
+/// @brief Tries with bits from `first` on, doubled up to `most`, until an attempt says that they were enough. It is told whether
+/// they are the last. The work is counted, see `QuestionEffort`, of a system of N masses.
+/// @throws PrecisionError where something cannot be proved, or the budget of work is spent
 void with_enough_bits(std::size_t N, slong first, slong most, const std::function<bool(slong bits, bool last)>& attempt);
 
-/// @brief The same for an attempt that gives its result.
-/// @param N        number of masses
-/// @param first    bits of the first attempt, which are doubled
-/// @param most     bits of the last
-/// @param attempt  called with the bits, and whether they are the last; gives an optional, empty where the digits are not certain
-/// @return         what it gave
-/// @throws         as `with_enough_bits`
+/// @brief The same for an attempt that gives its result, or nothing where the digits are not certain.
 template <class Attempt>
 [[nodiscard]] auto with_more_bits(std::size_t N, slong first, slong most, const Attempt& attempt) {
     decltype(attempt(first, true)) found;
@@ -40,19 +31,17 @@ template <class Attempt>
 /// @brief Guesses of a motion with stops.
 class OrbitGuesses {
 public:
-    /// @param made  makes them, the likeliest first; called when they are first needed
+    /// @brief What makes them, the likeliest first, is called when they are first needed.
     explicit OrbitGuesses(const std::function<std::vector<OrbitGuess>()>& made) : made_(made) {}
 
     /// @brief The first of them that is proved. What is disproved is not tried again, and what is proved is tried first.
-    /// @param prove  from a guess to its proof; throws Disproved or Unproved
-    /// @return       the proof
-    /// @throws       Unproved where there is none; Disproved where none is left to be tried
+    /// @throws Unproved where there is none; Disproved where none is left to be tried
     template <class Prove>
     [[nodiscard]] auto first_proved(const Prove& prove) {
         if (!known_) guesses_ = made_();
         known_ = true;
         if (guesses_.empty()) QuestionEffort::pay(0); // none may be had for want of work
-        bool first = true; // what is said of the likeliest one is said
+        bool first = true;                            // what is said of the likeliest one is said
         for (std::size_t n = 0; n < guesses_.size(); first = false) {
             try {
                 auto found = prove(std::as_const(guesses_[n]));

@@ -13,8 +13,22 @@ using namespace reference;
 
 namespace {
 
-// The same scene with the nearest damping that each mode has by itself, (18).
-SceneInBalls by_themselves(SceneInBalls s, const ModesInBalls& m, const BallMatrix& D) {
+// The same scene with the nearest damping that each mode has by itself, (18). Whatever the modes of a cluster are, what each has is
+// between the least and the largest eigenvalue of their block.
+SceneInBalls by_themselves(SceneInBalls s, const ModesInBalls& m, BallMatrix D) {
+    for (const ModeCluster& c : m.clusters) {
+        const auto first = static_cast<slong>(c.first), last = static_cast<slong>(c.last);
+        Ball all = D(first, first), squares(0);
+        for (slong i = first; i < last; ++i) {
+            all = either(all, D(i, i));
+            for (slong k = first; k < last; ++k) {
+                if (!(i == k ? D(i, i) - D(first, first) : D(i, k)).may_vanish())
+                    throw Unproved("modes are not told apart, and neither is the damping of each by itself");
+                if (i != k) squares += D(i, k) * D(i, k);
+            }
+        }
+        for (slong i = first; i < last; ++i) D(i, i) = widened(all, root_of_positive(squares));
+    }
     for (slong i = 0; i < s.N(); ++i) s.zeta.push_back(D(i, i) * s.r * m.R[static_cast<std::size_t>(i)] / 2);
     return s;
 }
@@ -104,7 +118,6 @@ SceneInBalls scene_in_balls(const SceneSource& source) {
     const double tolerance = source->in_double().system.damping_tolerance;
     if (s.zeta.empty() && tolerance > 0) {
         const ModesInBalls m = modes_in_balls(s);
-        if (!m.clusters.empty()) throw Unproved("modes are not told apart, and neither is the damping of each by itself");
         const BallMatrix D = damping_of_modes(s, m);
         if (!counts_as_modal(m, D, tolerance)) return s;
         s = by_themselves(s, m, D);

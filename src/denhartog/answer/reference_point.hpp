@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "denhartog/answer/scene_source.hpp"
-#include "denhartog/reference/boundary.hpp"
 #include "denhartog/reference/series.hpp"
+#include "denhartog/reference/sliding.hpp"
 #include "denhartog/reference/stuck.hpp"
 
 namespace denhartog {
@@ -20,38 +20,26 @@ struct PointInBalls {
     std::optional<Ball> sticking{};                         ///< the friction ratio from which the contact can rest for ever
 };
 
-/// @brief A scene as it is given. @param source the scene; without r it is taken at r = 1
-/// @return  the scene in the bits of the moment
+/// @brief A scene as it is given, without r at r = 1.
 /// @throws  InputError where it breaks a rule that double is too coarse to see broken
 [[nodiscard]] reference::SceneInBalls scene_as_given(const SceneSource& source);
 
 /// @brief A scene with the damping that counts: ratios, or a matrix; the ratios nearest to that where it is within
 /// `damping_tolerance` of having them.
-/// @param source  the scene
-/// @return        the scene in the bits of the moment
-/// @throws        Unproved where the bits do not suffice
 [[nodiscard]] reference::SceneInBalls scene_in_balls(const SceneSource& source);
 
-/// @brief The mode shapes of the masses, (17). @param modes the modes @return Psi, mass by mode
+/// @brief The mode shapes of the masses, Psi of (17), mass by mode.
 [[nodiscard]] BallMatrix shapes_of(const reference::ModesInBalls& modes);
 
 /// @brief The damping matrix in the modes, \f$ \boldsymbol\Psi^T\mathbf{C}\boldsymbol\Psi \f$, whose diagonal has the damping of
 /// each by itself.
 /// @eq{18}
-/// @param scene  a scene with its damping matrix
-/// @param modes  its modes
-/// @return       the matrix, mode by mode
 [[nodiscard]] BallMatrix damping_of_modes(const reference::SceneInBalls& scene, const reference::ModesInBalls& modes);
 
-/// @brief A scene with its damping matrix, (19) where damping is given by ratios. @param source the scene
-/// @return  the scene in the bits of the moment
+/// @brief A scene with its damping matrix, (19) where damping is given by ratios.
 [[nodiscard]] reference::SceneInBalls damped_scene_in_balls(const SceneSource& source);
 
-/// @brief A point of a scene.
-/// @param source          the scene
-/// @param needs_boundary  whether it is of no use without its boundary
-/// @return                the point
-/// @throws                Unproved where the bits do not suffice
+/// @brief A point of a scene, which may be of no use without its boundary.
 [[nodiscard]] PointInBalls point_in_balls(const SceneSource& source, bool needs_boundary);
 
 } // namespace denhartog

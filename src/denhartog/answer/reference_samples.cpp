@@ -8,7 +8,7 @@
 #include "denhartog/answer/reference_attempts.hpp"
 #include "denhartog/answer/reference_point.hpp"
 #include "denhartog/number/effort.hpp"
-#include "denhartog/reference/orbit_states.hpp"
+#include "denhartog/reference/orbit.hpp"
 #include "denhartog/reference/sliding.hpp"
 
 namespace denhartog {

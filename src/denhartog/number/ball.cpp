@@ -126,6 +126,12 @@ Ball both_hold(const Ball& x, const Ball& y) {
     return arb_intersection(r.a, x.a, y.a, ball_bits) != 0 ? r : x;
 }
 
+Ball power_of_two(slong n) {
+    Ball r(1);
+    arb_mul_2exp_si(r.a, r.a, n);
+    return r;
+}
+
 Ball middle(const Ball& x) {
     Ball r;
     arb_get_mid_arb(r.a, x.a);

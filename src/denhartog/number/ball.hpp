@@ -150,6 +150,8 @@ struct PiOf<Ball> {
 [[nodiscard]] Ball either(const Ball& x, const Ball& y);
 /// @brief What is in both balls of one number; x where rounding leaves nothing.
 [[nodiscard]] Ball both_hold(const Ball& x, const Ball& y);
+/// @brief A power of two, exact.
+[[nodiscard]] Ball power_of_two(slong n);
 /// @brief The midpoint, exact.
 [[nodiscard]] Ball middle(const Ball& x);
 /// @brief The radius, exact.

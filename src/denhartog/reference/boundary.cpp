@@ -1,4 +1,4 @@
-#include "denhartog/reference/boundary.hpp"
+#include "denhartog/reference/sliding.hpp"
 
 #include <algorithm>
 

@@ -156,9 +156,4 @@ const std::shared_ptr<FastPhases>& ContactMechanics::by_free_motions(int directi
     return *kind;
 }
 
-slong leaps_for(double norm) {
-    if (!(norm < 1e9)) throw Unproved("a mode is too fast for the motion to be followed");
-    return std::max<slong>(1, static_cast<slong>(std::ceil(norm / longest_leap)));
-}
-
 } // namespace denhartog::reference

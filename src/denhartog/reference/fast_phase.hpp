@@ -22,16 +22,15 @@ using NumberInTime = std::function<Series(const Ball& t)>;
 /// where u is \f$ (\cos\tau, \sin\tau, 1, \mathbf w^{\mathrm T}\bar{\mathbf x}) \f$.
 class FastPhases {
 public:
-    /// @param s          the mechanics
-    /// @param direction  1, -1 or 0, as `ContactMechanics::phase` has it
-    /// @throws           Unproved where free motions are not told apart, or the force may be in resonance with one without damping
+    /// @brief Of a direction as `ContactMechanics::phase` has it.
+    /// @throws Unproved where free motions are not told apart, or the force may be in resonance with one without damping
     FastPhases(const ContactMechanics& s, int direction);
 
-    /// @brief The state at the end of a phase. @param Z the state at its start @param length its length @return the state
+    /// @brief The state at the end of a phase.
     [[nodiscard]] BallMatrix state(const BallMatrix& Z, const Ball& length) const;
-    /// @brief What takes any state to the end of a phase. @param length its length @return the matrix
+    /// @brief What takes any state to the end of a phase.
     [[nodiscard]] BallMatrix propagator(const Ball& length) const;
-    /// @brief A number over a phase. @param row the number, as a row over Z @param Z the state at its start @return the number
+    /// @brief A number over a phase.
     [[nodiscard]] NumberInTime number(const BallMatrix& row, const BallMatrix& Z) const;
 
 private:

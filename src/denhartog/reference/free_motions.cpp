@@ -1,7 +1,5 @@
 #include "denhartog/reference/free_motions.hpp"
 
-#include <acb_mat.h>
-
 #include "denhartog/number/effort.hpp"
 #include "denhartog/reference/orbit_equations.hpp"
 
@@ -36,28 +34,16 @@ void add_over_stretch(const ComplexBall& lambda, const Series& re, const Series&
 FreeMotions::FreeMotions(const BallMatrix& B) {
     const slong n = B.rows();
     QuestionEffort::pay(cost_of_ball_products(40 * static_cast<double>(n * n * n)));
-    acb_mat_t C, L, R, guess;
-    acb_mat_init(C, n, n);
-    acb_mat_init(L, n, n);
-    acb_mat_init(R, n, n);
-    acb_mat_init(guess, n, n);
-    acb_ptr near = _acb_vec_init(n), values = _acb_vec_init(n);
-    acb_mat_set_arb_mat(C, B.a);
-    acb_mat_approx_eig_qr(near, nullptr, guess, C, nullptr, 0, ball_bits);
-    simple_ = acb_mat_eig_simple(values, L, R, C, near, guess, ball_bits) != 0;
+    ComplexMatrix C(B), L(n, n), R(n, n), guess(n, n), near(1, n), values(1, n);
+    acb_mat_approx_eig_qr(near.all(), nullptr, guess.a, C.a, nullptr, 0, ball_bits);
+    simple_ = acb_mat_eig_simple(values.all(), L.a, R.a, C.a, near.all(), guess.a, ball_bits) != 0;
     for (slong i = 0; i < n && simple_; ++i) {
-        acb_set(lambda_.emplace_back().a, values + i);
+        acb_set(lambda_.emplace_back().a, values.all() + i);
         for (slong k = 0; k < n; ++k) {
-            acb_set(L_.emplace_back().a, acb_mat_entry(L, i, k));
-            acb_set(R_.emplace_back().a, acb_mat_entry(R, i, k));
+            acb_set(L_.emplace_back().a, acb_mat_entry(L.a, i, k));
+            acb_set(R_.emplace_back().a, acb_mat_entry(R.a, i, k));
         }
     }
-    _acb_vec_clear(near, n);
-    _acb_vec_clear(values, n);
-    acb_mat_clear(C);
-    acb_mat_clear(L);
-    acb_mat_clear(R);
-    acb_mat_clear(guess);
 }
 
 std::vector<ComplexBall> FreeMotions::shares_of(const BallMatrix& z) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "denhartog/formulas/modal_coordinate.hpp"
 #include "denhartog/formulas/superposition.hpp"
@@ -10,31 +11,6 @@
 
 namespace denhartog::reference {
 namespace {
-
-// The paper's own formulas, mode by mode.
-struct OneByOne {
-    const ModesInBalls& m;
-    std::vector<Complex<Ball>> v{};
-    std::vector<Ball> u{}, g{};
-
-    OneByOne(const ModesInBalls& modes, const std::vector<FrictionMotionOfMode>& motions) : m(modes) {
-        for (std::size_t i = 0; i < m.R.size(); ++i) {
-            v.push_back(paper::complex_response(m.R[i], m.zeta[i])); // (23)
-            u.push_back(motions[i].u);                               // (28)
-            g.push_back(motions[i].g);                               // (29)
-        }
-    }
-    [[nodiscard]] Complex<Ball> V(const std::vector<Ball>& k, const std::vector<Ball>& load) const { // (33)
-        return paper::complex_response_of_mass<Ball>(k, load, m.R, v);
-    }
-    [[nodiscard]] Ball U(const std::vector<Ball>& k) const { // (34)
-        return paper::damping_function_of_mass<Ball>(k, m.at_contact(), m.R, u);
-    }
-    [[nodiscard]] Ball G(const std::vector<Ball>& k) const { // (35)
-        return paper::damping_function_of_mass<Ball>(k, m.at_contact(), m.R, g);
-    }
-    [[nodiscard]] Ball H() const { return paper::H<Ball>(m.at_contact(), m.R, m.zeta, u, g); } // (64)
-};
 
 // What is left of F - 1 of a mode that is damped critically or beyond.
 std::vector<MotionThatDiesOut> parts_that_die_out(const Ball& R, const Ball& zeta) {
@@ -55,6 +31,12 @@ FrictionInTime friction_of_modes(const ModesInBalls& m, const std::vector<Fricti
         f.constant.emplace_back(0);
         std::vector<Ball>& weight = f.weight.emplace_back();
         for (std::size_t i = 0; i < m.R.size(); ++i) weight.push_back(m.psi[row][i] * m.at_contact()[i] * m.R[i] * m.R[i]);
+        f.open.emplace_back(0);
+        for (const ModeCluster& c : m.clusters) { // its modes move as one, but for what is left open
+            for (std::size_t i = c.first + 1; i < c.last; ++i) weight[c.first] += std::exchange(weight[i], Ball(0));
+            f.open[row] += m.lengths_in(c, m.psi[row], m.at_contact()) * motions[c.first].apart();
+            f.fastest = larger(f.fastest, motions[c.first].changes());
+        }
     }
     f.modes = motions;
     using AllModes = std::vector<Series>;
@@ -77,8 +59,7 @@ std::array<Ball, 6> most_of_parts(const std::vector<MotionThatDiesOut>& parts, c
     const Bits few(64);
     std::array<Ball, 6> most;
     for (const MotionThatDiesOut& p : parts) {
-        const Ball left = upper_bound_of(exp(p.rate * Ball(tau.low()))),
-                   factor = abs(p.factor) + abs(p.slope) * Ball(tau.high());
+        const Ball left = upper_bound_of(exp(p.rate * Ball(tau.low()))), factor = abs(p.factor) + abs(p.slope) * Ball(tau.high());
         Ball powers(1), before(0); // of the rate, over n!, and over (n - 1)!
         for (int n = 0; n < 6; ++n) {
             most[n] += left * (factor * powers + abs(p.slope) * before);
@@ -97,8 +78,17 @@ Ball acceleration_of_contact(const SceneInBalls& s) {
     return (transposed(s.w) * a)(0) / (s.r * s.r);
 }
 
+void FrictionInTime::widen(std::span<Ball> c, Ball off) const {
+    for (std::size_t n = 0; n < c.size() && !off.is_zero(); ++n) {
+        c[n] = widened(c[n], upper_bound_of(off));
+        off = off * fastest / static_cast<int>(n + 1);
+    }
+}
+
 Series FrictionInTime::of(std::size_t row, const std::vector<Series>& e) const {
-    return sum_of(weight[row], e, Series(constant[row]));
+    Series F = sum_of(weight[row], e, Series(constant[row]));
+    if (!open.empty()) widen(F.c, open[row]);
+    return F;
 }
 
 Series FrictionInTime::at(std::size_t row, const Ball& tau) const {
@@ -109,15 +99,15 @@ Series FrictionInTime::at(std::size_t row, const Ball& tau) const {
     const std::vector<Series>& in_the_middle = (*shared)(m);
     std::vector<Ball> left; // what each mode may bring to the first coefficient that is left out
     for (std::size_t i = 0; i < modes.size(); ++i) left.push_back(abs(weights[i]) * modes[i].most_of(tau));
-    const auto sum = [&] { return std::accumulate(left.begin(), left.end(), Ball(0)); };
-    Ball shown = sum(), rest, power(1);
-    arb_mul_2exp_si(shown.a, shown.a, -ball_bits);
+    const auto all = [&] { return std::accumulate(left.begin(), left.end(), Ball(0)); };
+    const Ball shown = all() * power_of_two(-ball_bits);
+    Ball rest, power(1);
     std::size_t terms = 0;
     while (terms < in_the_middle[0].c.size() || (terms < most_terms && !(rest * power < shown))) {
         ++terms;
         power *= abs(off);
         for (std::size_t i = 0; i < modes.size(); ++i) left[i] = left[i] * modes[i].speed / static_cast<int>(terms);
-        rest = sum();
+        rest = all();
     }
     QuestionEffort::pay(static_cast<long>(terms * modes.size()) * (1 + ball_bits / 256));
     std::vector<Ball> sums(terms), c;
@@ -128,6 +118,7 @@ Series FrictionInTime::at(std::size_t row, const Ball& tau) const {
         for (std::size_t n = 0; n < terms; ++n) sums[n] += weights[i] * c[n];
     }
     sums.push_back(widened(Ball(0), rest));
+    widen(sums, open[row]);
     Series series;
     for (std::size_t k = 0; k < series.c.size(); ++k) { // the sum of binom(n, k) times coefficient n times off^(n - k)
         Ball binomial(1);
@@ -144,7 +135,9 @@ Series FrictionInTime::at(std::size_t row, const Ball& tau) const {
 Series FrictionInTime::rate_and_third(std::size_t row, const std::vector<Series>& e) const {
     std::vector<Series> each;
     for (std::size_t i = 0; i < e.size(); ++i) each.push_back(modes[i].rate_and_third(e[i]));
-    return sum_of(weight[row], each, Series());
+    Series Z = sum_of(weight[row], each, Series());
+    widen(Z.c, open[row] * (fastest + fastest * fastest * fastest));
+    return Z;
 }
 
 Series FrictionMotionOfMode::rate_and_third(const Series& F) const {
@@ -167,12 +160,19 @@ FrictionMotionOfMode::FrictionMotionOfMode(const Ball& R_i, const Ball& zeta_i)
         const Series start = at(Ball(0));
         u = -start.rate(1);
         g = -start.rate(0);
+        for (const MotionThatDiesOut& p : parts) largest += abs(p.factor) + 5 * abs(p.slope);
         return;
     }
     u = paper::first_damping_function(R, zeta);  // (28)
     g = paper::second_damping_function(R, zeta); // (29)
     const Ball of_sine = ((1 + g) * zeta + u * R) / sqrt(1 - zeta * zeta);
     largest = root_of_positive((1 + g) * (1 + g) + of_sine * of_sine);
+}
+
+Ball FrictionMotionOfMode::apart() const {
+    const Ball square = R * R,
+               off = 2 * radius_of(damping) * square * largest * changes() + 2 * radius_of(stiffness) * square * (1 + largest);
+    return (1 + R) * (2 * radius_of(square * u) + 2 * radius_of(square * g) * speed + 4 * off);
 }
 
 Series FrictionMotionOfMode::at(const Ball& tau) const {
@@ -204,20 +204,41 @@ Ball FrictionMotionOfMode::most_of(const Ball& tau) const {
     return upper_bound_of(largest * exp(-damping / 2 * Ball(tau.low())));
 }
 
-bool are_told_apart(const ModesInBalls& m) { return m.clusters.empty() && std::ranges::all_of(m.zeta, is_told_from_critical); }
-
 ResponsesInBalls responses_of_modes(const SceneInBalls& s, ModesInBalls m) {
     std::vector<FrictionMotionOfMode> motions;
-    for (std::size_t i = 0; i < m.R.size(); ++i) motions.emplace_back(m.R[i], m.zeta[i]);
-    const OneByOne modes(m, motions);
+    std::vector<Complex<Ball>> v;
+    std::vector<Ball> u, g;
+    for (std::size_t i = 0; i < m.R.size(); ++i) {
+        motions.emplace_back(m.R[i], m.zeta[i]);
+        v.push_back(paper::complex_response(m.R[i], m.zeta[i])); // (23)
+        u.push_back(motions[i].u);                               // (28)
+        g.push_back(motions[i].g);                               // (29)
+    }
+    using Row = std::vector<Ball>;
+    const auto open = [&m](const Row& k, const Row& n, const auto& f) { // what clusters leave open, a ball about zero
+        Row of_modes(m.R.size());
+        for (const ModeCluster& c : m.clusters) of_modes[c.first] = f(c.first);
+        return m.left_open(k, n, of_modes);
+    };
+    const auto square = [&m](std::size_t i) { return m.R[i] * m.R[i]; };
+    const auto V = [&](const Row& k, const Row& load) { // (33)
+        const Complex<Ball> left{open(k, load, [&](std::size_t i) { return square(i) * v[i].re; }),
+                                 open(k, load, [&](std::size_t i) { return square(i) * v[i].im; })};
+        return paper::complex_response_of_mass<Ball>(k, load, m.R, v, left);
+    };
+    const auto U = [&](const Row& k, const Row& u) { // (34), (35)
+        const Ball left = open(k, m.at_contact(), [&](std::size_t i) { return square(i) * u[i]; });
+        return paper::damping_function_of_mass<Ball>(k, m.at_contact(), m.R, u, left);
+    };
     ResponsesInBalls r;
     for (std::size_t row = 0; row <= static_cast<std::size_t>(m.N); ++row) {
-        r.V.push_back(modes.V(m.psi[row], m.at_load()));
-        r.U.push_back(modes.U(m.psi[row]));
-        r.G.push_back(modes.G(m.psi[row]));
+        r.V.push_back(V(m.psi[row], m.at_load()));
+        r.U.push_back(U(m.psi[row], u));
+        r.G.push_back(U(m.psi[row], g));
     }
-    r.H = modes.H();
-    r.Y = modes.V(m.at_contact(), m.at_contact());
+    const auto h = [&](std::size_t i) { return g[i] + 2 * m.zeta[i] * m.R[i] * u[i]; };
+    r.H = paper::H<Ball>(m.at_contact(), m.R, m.zeta, u, g, open(m.at_contact(), m.at_contact(), h)); // (64)
+    r.Y = V(m.at_contact(), m.at_contact());
     r.squares = acceleration_of_contact(s);
     r.friction = friction_of_modes(m, motions);
     const bool oscillate = std::ranges::all_of(motions, [](const FrictionMotionOfMode& F) { return F.parts.empty(); });

@@ -2,12 +2,13 @@
 /// @brief What the load and the friction each add to the motion: V, U, G, H and the friction motion, (23) to (35), (41), (64).
 #pragma once
 
+#include <algorithm>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "denhartog/formulas/complex.hpp"
 #include "denhartog/reference/modes.hpp"
-#include "denhartog/reference/remembered.hpp"
 #include "denhartog/reference/series.hpp"
 
 namespace denhartog::reference {
@@ -33,23 +34,30 @@ struct FrictionMotionOfMode {
     Ball speed{};                           ///< 1 / R
     Ball stiffness{};                       ///< 1 / R^2
     Ball damping{};                         ///< 2 zeta / R
-    Ball largest{};                         ///< a bound of |F - 1| throughout, below critical damping
+    Ball largest{};                         ///< a bound of |F - 1| throughout
     std::vector<MotionThatDiesOut> parts{}; ///< of F - 1, from critical damping on
 
-    /// @param R     modal frequency ratio @param zeta  modal damping ratio, told from critical damping
+    /// @brief Of a damping ratio that is told from critical damping.
     FrictionMotionOfMode(const Ball& R, const Ball& zeta);
-    /// @brief The motion and its derivatives at an instant. @param tau the instant, exact @return the series
+    /// @brief The motion and its derivatives at an instant, exact.
     [[nodiscard]] Series at(const Ball& tau) const;
-    /// @brief The same over a stretch. @param in_the_middle its series there @param tau the stretch @return the series
+    /// @brief The same over a stretch, from its series in the middle.
     [[nodiscard]] Series over(const Series& in_the_middle, const Ball& tau) const;
     /// @brief How large F - 1 is over a stretch and later, below critical damping: it is e^(-zeta tau / R) times a cosine.
-    /// @param tau  the stretch @return a bound
     [[nodiscard]] Ball most_of(const Ball& tau) const;
-    /// @brief The derivatives that follow from two of them. @param c Taylor's coefficients at an instant, of which the first three are
-    /// known @param terms  how many are wanted
+    /// @brief How far \f$ y = R^2F \f$ of two modes whose R is in the ball are apart at most throughout.
+    ///
+    /// They obey \f$ y'' + dy' + \lambda y = 1 \f$, with \f$ d = 2\zeta/R \f$ and \f$ \lambda = 1/R^2 \f$. Their difference
+    /// \f$ \delta \f$ obeys it with \f$ -(\Delta d\,y' + \Delta\lambda\,y) \f$ in place of 1. Damping takes energy away, so that
+    /// \f$ \sqrt{\delta'^2 + \lambda\delta^2} \f$ grows by less than the integral of that; at 0 it follows from u and g. The
+    /// derivative of order n is at most so often as large as `changes` to the n.
+    [[nodiscard]] Ball apart() const;
+    /// @brief How fast such a difference changes at most.
+    [[nodiscard]] Ball changes() const { return 4 * (1 + zeta) * (1 + speed); }
+    /// @brief Taylor's coefficients that follow from the first three, as many as are wanted.
     void go_on(std::vector<Ball>& c, std::size_t terms) const;
     /// @brief First and third derivative, added, by the equation of motion: next to a resonance the sum is a small difference of
-    /// large terms. @param F the motion @return value, slope and curvature of the sum; the rest is not known
+    /// large terms. Of the series the value, the slope and the curvature are known.
     [[nodiscard]] Series rate_and_third(const Series& F) const;
 };
 
@@ -62,23 +70,26 @@ struct FrictionInTime {
     std::vector<std::vector<Ball>> weight{};                   ///< a_ki, as many rows
     std::shared_ptr<Remembered<std::vector<Series>>> shared{}; ///< e_i at an instant or over a stretch
     std::vector<FrictionMotionOfMode> modes{};                 ///< those whose motions the e_i are; none of free motions
+    std::vector<Ball> open{};                                  ///< of each row, by how much clusters may put it off, see `apart`
+    Ball fastest{};                                            ///< how fast that changes, as `changes` has it
     std::vector<bool> cancels{};                               ///< of each row, whether it is a small difference of them
 
-    /// @brief One row from the shared functions. @param row a mass, or the contact at N @param e what `shared` gave @return F_k
+    /// @brief F_k of a mass, or of the contact at N, from what `shared` gave.
     [[nodiscard]] Series of(std::size_t row, const std::vector<Series>& e) const;
-    /// @brief One row. @param row as above @param tau an instant or a stretch @return F_k; over a stretch of a row that is a small
-    /// difference of the motions of the modes from as many derivatives in its middle as the bits show
+    /// @brief F_k at an instant or over a stretch; over a stretch of a row that is a small difference of the motions of the modes
+    /// from as many derivatives in its middle as the bits show.
     [[nodiscard]] Series at(std::size_t row, const Ball& tau) const;
-    /// @brief First and third derivative of F_k, added. @param row as above @param e as above, of modes
-    /// @return  see `FrictionMotionOfMode`
+    /// @brief First and third derivative of F_k, added, as `FrictionMotionOfMode` has it.
     [[nodiscard]] Series rate_and_third(std::size_t row, const std::vector<Series>& e) const;
+
+private:
+    // Makes the derivatives over n! uncertain by what changes as fast as `fastest`.
+    void widen(std::span<Ball> c, Ball off) const;
 };
 
 /// @brief Acceleration of the contact by a unit force on it: the sum of (w^T psi_i)^2 over the modes is w^T M^-1 w / r^2.
 /// @eq{65}
-/// @param scene  the scene
-/// @return       the acceleration
-/// @throws       Unproved where the mass matrix is not proved regular
+/// @throws Unproved where the mass matrix is not proved regular
 [[nodiscard]] Ball acceleration_of_contact(const SceneInBalls& scene);
 
 /// @brief Response functions at a frequency ratio, of the N masses and then of the contact, w^T x.
@@ -90,47 +101,37 @@ struct ResponsesInBalls {
     Ball squares{};                 ///< acceleration of the contact by a unit force on it: the sum (65)
     Complex<Ball> Y{};              ///< displacement of the contact by a unit harmonic force on it
     FrictionInTime friction{};      ///< the friction motion
-    bool modal = true;    ///< whether each mode moves by itself, see `are_told_apart`; false if the scene gives a matrix C
-    ModesInBalls modes{}; ///< the modes, where damping is given by their ratios; else none
+    ModesInBalls modes{};           ///< the modes, where damping is given by their ratios; else none
 
-    /// @brief Place of the contact among the rows. @return N
+    /// @brief Place of the contact among the rows.
     [[nodiscard]] std::size_t contact() const { return V.size() - 1; }
 };
 
-/// @brief Whether damping is told from critical damping. @param zeta a damping ratio @return true where it is below, beyond, or
-/// critical to the last digit
+/// @brief Whether damping is below critical damping, beyond it, or critical to the last digit.
 [[nodiscard]] inline bool is_told_from_critical(const Ball& zeta) {
     return zeta < Ball(1) || zeta > Ball(1) || (zeta - 1).is_zero();
 }
 
-/// @brief Whether every mode moves by itself: it is told apart from the others, and its damping from critical damping.
-/// @param modes  the modes, with their damping ratios
-/// @return       true where it is certain
-[[nodiscard]] bool are_told_apart(const ModesInBalls& modes);
+/// @brief Whether every mode moves by itself: its damping is told from critical damping.
+[[nodiscard]] inline bool are_told_apart(const ModesInBalls& modes) {
+    return std::ranges::all_of(modes.zeta, is_told_from_critical);
+}
 
 /// @brief The response functions by the paper's formulas, and those of modes that are damped critically or beyond.
 /// @eq{23,28,29,33,34,35,41,64,65}
-/// @param scene  the scene
-/// @param modes  its modes, told apart
-/// @return       the functions
-/// @throws       Unproved where the bits do not suffice
+/// @throws Unproved where the bits do not suffice
 [[nodiscard]] ResponsesInBalls responses_of_modes(const SceneInBalls& scene, ModesInBalls modes);
 
-/// @brief The same where the scene gives a damping matrix, or modes are not told apart.
+/// @brief The same where the scene gives a damping matrix, or damping is not told from critical damping.
 ///
 /// Between two turns of the contact the state \f$ \mathbf z = (\bar{\mathbf x}, \bar{\mathbf x}') \f$ obeys
 /// \f$ \mathbf z' = \mathbf A\mathbf z + \mathbf b \f$ under a unit force on the contact. The motion that mirrors itself is
 /// \f$ \mathbf F(\tau) = \mathbf F_\infty - 2e^{\mathbf A\tau}(\mathbf I + e^{\mathbf A\pi})^{-1}\mathbf F_\infty \f$, with the
 /// static displacements \f$ \mathbf F_\infty \f$. Where the eigenvalues are proved simple, the exponential is a sum of free
 /// motions \f$ e^{\lambda\tau} \f$.
-/// @param scene  the scene with its damping matrix
-/// @return       the functions
 [[nodiscard]] ResponsesInBalls responses_of_state(const SceneInBalls& scene);
 
 /// @brief The same of one mass at r = R, which is a mode by itself: for modes whose damping is not told from critical damping.
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @return      the functions
 [[nodiscard]] ResponsesInBalls responses_of_one_mass(const Ball& R, const Ball& zeta);
 
 } // namespace denhartog::reference

@@ -13,19 +13,16 @@ namespace {
 // z' = A z + b between two turns of the contact, z = (x, x'); b is the acceleration by a unit force on the contact.
 struct StateMatrix {
     BallMatrix A{}, rest{}; // rest: the static displacements by that force, with velocities zero
-    BallMatrix stiffness{}, damping{}, mass{};
 };
 
 StateMatrix state_matrix(const SceneInBalls& s) {
     const slong N = s.N();
     StateMatrix m{BallMatrix(2 * N, 2 * N), BallMatrix(2 * N, 1)};
-    m.mass = s.M * (s.r * s.r); // (7)
-    m.damping = s.C * s.r;
-    m.stiffness = s.K;
+    const BallMatrix mass = s.M * (s.r * s.r); // (7)
     BallMatrix of_stiffness, of_damping, at_rest;
-    if (!solved(m.mass, m.stiffness, of_stiffness) || !solved(m.mass, m.damping, of_damping))
+    if (!solved(mass, s.K, of_stiffness) || !solved(mass, s.C * s.r, of_damping))
         throw Unproved("the mass matrix is not proved regular");
-    if (!solved(m.stiffness, s.w, at_rest)) throw Unproved("the stiffness matrix is not proved regular");
+    if (!solved(s.K, s.w, at_rest)) throw Unproved("the stiffness matrix is not proved regular");
     for (slong i = 0; i < N; ++i) {
         m.A(i, N + i) = Ball(1);
         m.rest(i) = at_rest(i);
@@ -37,19 +34,12 @@ StateMatrix state_matrix(const SceneInBalls& s) {
     return m;
 }
 
-// The complex amplitudes X of (K - M + i C) X = force.
-std::vector<Complex<Ball>> harmonic_response(const StateMatrix& m, const BallMatrix& force) {
-    const slong N = m.mass.rows();
-    BallMatrix A(2 * N, 2 * N), b(2 * N, 1), X;
-    for (slong i = 0; i < N; ++i) {
-        b(i) = force(i);
-        for (slong k = 0; k < N; ++k) {
-            A(i, k) = A(N + i, N + k) = m.stiffness(i, k) - m.mass(i, k);
-            A(i, N + k) = -m.damping(i, k);
-            A(N + i, k) = m.damping(i, k);
-        }
-    }
-    if (!solved(A, b, X)) throw Unproved("the load may excite a resonance without damping");
+// The complex amplitudes of the masses under a harmonic force.
+std::vector<Complex<Ball>> harmonic_response(const SceneInBalls& s, const BallMatrix& force) {
+    const slong N = s.N();
+    BallMatrix b(2 * N, 1), X;
+    for (slong i = 0; i < N; ++i) b(i) = force(i);
+    if (!solved(dynamic_stiffness(s, N), b, X)) throw Unproved("the load may excite a resonance without damping");
     std::vector<Complex<Ball>> out;
     for (slong i = 0; i < N; ++i) out.push_back({X(i), X(N + i)});
     return out;
@@ -85,8 +75,8 @@ public:
         const Ball reach = upper_bound_of(size_ * radius_of(off));
         if (!(reach < Ball(600))) throw Unproved("a mode is too fast for the state to be followed");
         BallMatrix term = state_after(A_, center) * begin_, sum = term;
-        Ball left(norm(term)), enough = left; // left: (reach^k / k!) |z|, a bound of the last term taken
-        arb_mul_2exp_si(enough.a, enough.a, -ball_bits);
+        Ball left(norm(term)); // (reach^k / k!) |z|, a bound of the last term taken
+        const Ball enough = left * power_of_two(-ball_bits);
         for (slong k = 1; !off.is_zero() && !(left < enough) && k < 10 * ball_bits; ++k) {
             term = A_ * term * (off / k);
             sum = sum + term;
@@ -162,10 +152,9 @@ void add_states(const SceneInBalls& s, const StateMatrix& m, FrictionInTime& f) 
 ResponsesInBalls responses_of_state(const SceneInBalls& s) {
     const StateMatrix m = state_matrix(s);
     ResponsesInBalls r;
-    r.modal = false;
-    r.V = harmonic_response(m, s.p);
+    r.V = harmonic_response(s, s.p);
     r.V.push_back(at_contact(s, r.V));
-    r.Y = at_contact(s, harmonic_response(m, s.w));
+    r.Y = at_contact(s, harmonic_response(s, s.w));
     const FreeMotions free(m.A);
     if (free.are_simple())
         add_free_motions(s, free, m.rest, r.friction);

@@ -8,9 +8,8 @@
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
-#include "denhartog/reference/place_of_zero.hpp"
+#include "denhartog/reference/maximum.hpp"
 #include "denhartog/reference/series.hpp"
-#include "denhartog/reference/undamped_modes.hpp"
 #include "denhartog/search/zeros.hpp"
 
 namespace denhartog::reference {

@@ -3,11 +3,47 @@
 #include <algorithm>
 #include <limits>
 
-#include "denhartog/reference/place_of_zero.hpp"
 #include "denhartog/search/largest.hpp"
 
 namespace denhartog::reference {
 namespace {
+
+// What has the sign of a function's rate, and its slope.
+using RateInTime = std::function<ValueAndSlope(const Ball&)>;
+
+// The stretch halved, as often as the bits can tell and no more often than is asked for.
+Ball halved(Ball at, const RateInTime& f, slong most) {
+    for (slong looks = 0; looks < most; ++looks) {
+        const Ball m = middle(at), there = f(m).value, half = radius_of(at) / 2;
+        if (there > Ball(0))
+            at = widened(m + half, half);
+        else if (there < Ball(0))
+            at = widened(m - half, half);
+        else
+            break;
+    }
+    return at;
+}
+
+// Where Newton's method leads from the middle of a stretch, without proof. More bits are taken as digits come.
+Ball likely_place(const Ball& at, const RateInTime& f) {
+    const slong full = ball_bits;
+    Ball m = middle(at), last = radius_of(at);
+    for (slong looks = 0, bits = std::min(bits_of_search, full); looks < 40; ++looks) {
+        const Bits some(bits);
+        const ValueAndSlope here = f(m);
+        const Ball step = middle(here.value / here.slope);
+        if (!step.finite()) break;
+        m = middle(m - step);
+        if (arb_overlaps(m.a, at.a) == 0) break;
+        const bool goes_on = abs(step) < last / 4 && !here.value.may_vanish();
+        last = abs(step);
+        if (goes_on && !(last < power_of_two(4 - bits / 2))) continue; // a step as small leaves all bits right
+        if (bits == full) break;
+        bits = std::min(2 * bits, full);
+    }
+    return m;
+}
 
 constexpr double end = 3.141592653589793; // not above pi
 constexpr double narrow = 0.1, flat = 1e-14;
@@ -59,9 +95,6 @@ SeenBySearch seen_by_search(const std::function<Ball(const Ball&)>& f) {
     if (shows(ball_bits, 0x1p-32)) return {ball_bits, size};
     throw Unproved("a sum is too small a difference of its terms");
 }
-
-// What has the sign of a function's rate, and its slope.
-using RateInTime = std::function<ValueAndSlope(const Ball& tau)>;
 
 // From stretches to the largest value in the bits of the moment.
 LargestInBalls refined(const LargestOnStretches& found, const std::function<Ball(const Ball&)>& value, const RateInTime& rate) {
@@ -123,6 +156,21 @@ LargestInBalls refined_of(const FunctionOfTime& f, const LargestOnStretches& fou
 }
 
 } // namespace
+
+Ball place_of_zero(const Ball& stretch, const RateInTime& f) {
+    Ball at = stretch;
+    for (int attempt = 0; attempt < 2; ++attempt) {
+        const Ball m = likely_place(at, f);
+        const Ball about = widened(m, power_of_two(-ball_bits / 2));
+        if (arb_contains(at.a, about.a) != 0) {
+            const Ball there = f(m).value, next = m - there / f(about).slope;
+            if (next.finite() && arb_contains_interior(about.a, next.a) != 0) return next;
+        }
+        const Bits few(std::min(bits_of_search, ball_bits));
+        at = halved(at, f, 32);
+    }
+    return halved(at, f, 64 + ball_bits);
+}
 
 LargestBothWays largest_size_of(const FunctionOfTime& f) {
     const SeenBySearch seen = seen_by_search([&f](const Ball& tau) { return f(tau).rate(0); });

@@ -10,6 +10,18 @@
 
 namespace denhartog::reference {
 
+/// @brief A function and its slope, or two functions with the signs of these.
+struct ValueAndSlope {
+    Ball value{}; ///< the function
+    Ball slope{}; ///< its slope
+};
+
+/// @brief The place, with all bits of the moment, of the one zero in a stretch of a function that falls through it.
+///
+/// A step of Newton's method that leads from a small stretch about the likely place into itself proves it. If it does not,
+/// halving finds the place.
+[[nodiscard]] Ball place_of_zero(const Ball& stretch, const std::function<ValueAndSlope(const Ball&)>& f);
+
 /// @brief A largest value, and where it is taken.
 struct LargestInBalls {
     Ball value{};   ///< the largest value
@@ -27,20 +39,15 @@ struct LargestBothWays {
 
 /// @brief The largest size of a function on [0, pi], by a search with few bits and then by Newton's method with all bits of the
 /// moment.
-/// @param f  the function
-/// @return   its largest value, that of its negative, or both where either may be the larger
-/// @throws   Unproved where the search does not come to its end
+/// @throws Unproved where the search does not come to its end
 [[nodiscard]] LargestBothWays largest_size_of(const FunctionOfTime& f);
 
 /// @brief The largest value on [0, pi] of n / sin for a function n that is zero at both ends.
 ///
 /// \f$ W = n'\sin - n\cos \f$ has the sign of the rate of the quotient, and \f$ W' = (n'' + n)\sin \f$. At the ends the quotient
-/// is the rate of n over the cosine.
+/// is the rate of n over the cosine. Z is n'' + n with its slope and curvature, where that is a small difference of large terms.
 /// @eq{54,56,57}
-/// @param n  the numerator
-/// @param Z  n'' + n with its slope and curvature, where that is a small difference of large terms; else none
-/// @return   the largest value of the quotient
-/// @throws   Unproved where the search does not come to its end
+/// @throws Unproved where the search does not come to its end
 [[nodiscard]] LargestInBalls largest_over_sine(const FunctionOfTime& n, const FunctionOfTime& Z = {});
 
 } // namespace denhartog::reference

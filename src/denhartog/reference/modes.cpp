@@ -1,7 +1,5 @@
 #include "denhartog/reference/modes.hpp"
 
-#include <acb_mat.h>
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include <span>
 
 #include "denhartog/number/effort.hpp"
+#include "denhartog/reference/free_motions.hpp"
 
 namespace denhartog::reference {
 namespace {
@@ -61,24 +60,17 @@ BallMatrix eigenvectors_in_double(const BallMatrix& A) {
 BallMatrix eigenvectors_in_bits(const BallMatrix& A, long& work) {
     const slong N = A.rows();
     pay(N * N * N * 100, work);
-    acb_mat_t C, R;
-    acb_mat_init(C, N, N);
-    acb_mat_init(R, N, N);
-    acb_ptr values = _acb_vec_init(N);
-    acb_mat_set_arb_mat(C, A.a);
-    acb_mat_approx_eig_qr(values, nullptr, R, C, nullptr, 0, 2 * ball_bits);
+    ComplexMatrix C(A), R(N, N), values(1, N);
+    acb_mat_approx_eig_qr(values.all(), nullptr, R.a, C.a, nullptr, 0, 2 * ball_bits);
     BallMatrix X(N, N);
     for (slong k = 0; k < N; ++k) {
         Ball length(0);
         for (slong i = 0; i < N; ++i) {
-            arb_get_mid_arb(X(i, k).a, acb_realref(acb_mat_entry(R, i, k)));
+            arb_get_mid_arb(X(i, k).a, acb_realref(acb_mat_entry(R.a, i, k)));
             length += X(i, k) * X(i, k);
         }
         for (slong i = 0; i < N; ++i) X(i, k) = middle(X(i, k) / sqrt(length));
     }
-    _acb_vec_clear(values, N);
-    acb_mat_clear(C);
-    acb_mat_clear(R);
     return X;
 }
 
@@ -99,8 +91,7 @@ BallMatrix improved(const BallMatrix& A, const BallMatrix& X) {
     const slong N = A.rows();
     const BallMatrix across = transposed(X), B = middle(across * A * X), G = middle(across * X);
     BallMatrix T(N, N);
-    Ball off(norm(B));
-    arb_mul_2exp_si(off.a, off.a, -ball_bits / 2);
+    const Ball off = Ball(norm(B)) * power_of_two(-ball_bits / 2);
     for (slong i = 0; i < N; ++i)
         for (slong k = 0; k < N; ++k) {
             const Ball value = B(k, k) / G(k, k), apart = value - B(i, i) / G(i, i);
@@ -124,8 +115,7 @@ NearlyDiagonal on_vectors(const BallMatrix& A, const BallMatrix& X) {
 }
 
 NearlyDiagonal nearly_diagonal(const BallMatrix& A, long& work) {
-    Ball enough(norm(A));
-    arb_mul_2exp_si(enough.a, enough.a, -ball_bits * 4 / 5);
+    const Ball enough = Ball(norm(A)) * power_of_two(-ball_bits * 4 / 5);
     const auto improve = [&](BallMatrix X) {
         slong steps = 2;
         for (slong bits = 40; bits < ball_bits; bits *= 2) ++steps;
@@ -189,18 +179,18 @@ NaturalModesInBalls natural_modes(const SceneInBalls& s) {
 
 } // namespace
 
+Ball ModesInBalls::lengths_in(const ModeCluster& cluster, const std::vector<Ball>& k, const std::vector<Ball>& n) {
+    Ball of_k(0), of_n(0);
+    for (std::size_t i = cluster.first; i < cluster.last; ++i) {
+        of_k += k[i] * k[i];
+        of_n += n[i] * n[i];
+    }
+    return root_of_positive(of_k * of_n);
+}
+
 Ball ModesInBalls::left_open(const std::vector<Ball>& k, const std::vector<Ball>& n, const std::vector<Ball>& f) const {
     Ball open(0);
-    for (const ModeCluster& c : clusters) {
-        Ball of_k(0), of_n(0);
-        Ball radius(0);
-        for (std::size_t i = c.first; i < c.last; ++i) {
-            of_k += k[i] * k[i];
-            of_n += n[i] * n[i];
-            radius = larger(radius, radius_of(f[i]));
-        }
-        open = widened(open, root_of_positive(of_k * of_n) * radius);
-    }
+    for (const ModeCluster& c : clusters) open = widened(open, lengths_in(c, k, n) * radius_of(f[c.first]));
     return open;
 }
 

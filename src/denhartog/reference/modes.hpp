@@ -28,18 +28,18 @@ struct ModesInBalls {
     std::vector<ModeCluster> clusters{};  ///< the clusters of more than one mode
     slong N = 0;                          ///< number of masses
 
-    /// @brief Row of the contact. @return w^T psi_i of every mode
+    /// @brief Row of the contact, w^T psi_i.
     [[nodiscard]] const std::vector<Ball>& at_contact() const { return psi[static_cast<std::size_t>(N)]; }
-    /// @brief Row of the load. @return p^T psi_i of every mode
+    /// @brief Row of the load, p^T psi_i.
     [[nodiscard]] const std::vector<Ball>& at_load() const { return psi[static_cast<std::size_t>(N) + 1]; }
 
     /// @brief What the sum of psi_ki psi_ni f_i over the modes leaves open, if a cluster has one ball f for all its modes.
     ///
     /// With f_i = f + e_i and |e_i| at most e, the sum of psi_ki psi_ni f_i differs from that with f alone by at most e times
     /// the product of the lengths of both rows in the cluster (Cauchy and Schwarz), whichever basis the shapes are.
-    /// @param k  a row @param n a row @param f of each mode, equal within a cluster
-    /// @return   a ball about zero
     [[nodiscard]] Ball left_open(const std::vector<Ball>& k, const std::vector<Ball>& n, const std::vector<Ball>& f) const;
+    /// @brief The product of the lengths of two rows in a cluster.
+    [[nodiscard]] static Ball lengths_in(const ModeCluster& cluster, const std::vector<Ball>& k, const std::vector<Ball>& n);
 };
 
 /// @brief What of the modes depends neither on the frequency ratio nor on damping and friction.
@@ -56,11 +56,9 @@ class KeptModes {
 public:
     /// @brief The natural modes of a scene in the bits of the moment. A question pays for them as if it had solved for them: what
     /// it may cost does not depend on what was asked before.
-    /// @param scene  the scene, of whose matrices M, K, w and p alone count
-    /// @return       the modes
-    /// @throws       as `modes_in_balls`; nothing is kept then
+    /// @throws as `modes_in_balls`; nothing is kept then
     [[nodiscard]] std::shared_ptr<const NaturalModesInBalls> of(const SceneInBalls& scene);
-    /// @brief Eigenproblems (15) solved so far. @return how many
+    /// @brief Eigenproblems (15) solved so far.
     [[nodiscard]] long solved() const { return solved_; }
 
 private:
@@ -82,17 +80,13 @@ private:
 /// \f$ \varepsilon = \|\mathbf{E}\|_F \f$ and a gap \f$ \delta \f$ about an eigenvalue, Weyl's theorem puts it within
 /// \f$ \varepsilon \f$ of its entry, that of Kato and Temple within \f$ \varepsilon^2/\delta \f$, and that of Davis and Kahan its
 /// vector within \f$ \sqrt2\varepsilon/\delta \f$.
+/// Without damping ratios `zeta` is empty.
 /// @eq{13,14,15,16,17,22}
-/// @param scene  the scene
-/// @return       its modes; without damping ratios `zeta` is empty
-/// @throws       Unproved where the mass matrix is not proved positive definite, a frequency is not proved positive, or modes of
+/// @throws Unproved where the mass matrix is not proved positive definite, a frequency is not proved positive, or modes of
 ///               one cluster have different damping ratios
 [[nodiscard]] ModesInBalls modes_in_balls(const SceneInBalls& scene);
 
 /// @brief The damping matrix that gives the modes their damping ratios. @eq{19}
-/// @param scene  the scene
-/// @param modes  its modes
-/// @return       C in units of sqrt(k_1 m_1)
 [[nodiscard]] BallMatrix damping_matrix_in_balls(const SceneInBalls& scene, const ModesInBalls& modes);
 
 } // namespace denhartog::reference

@@ -3,20 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/reference/orbit_multipliers.hpp"
-#include "denhartog/reference/orbit_states.hpp"
+#include "denhartog/number/effort.hpp"
 
 namespace denhartog::reference {
 namespace {
 
 constexpr slong bits_of_multipliers[] = {64, 192}; // the next, with slopes of its own, where the slopes of the proof do not tell
 constexpr double narrow_multiplier = 1e-9;
-
-Ball displacement_of_contact(const ContactMechanics& s, const BallMatrix& Z) {
-    Ball x(0);
-    for (slong k = 0; k < s.N; ++k) x += s.w(k) * Z(k);
-    return x;
-}
 
 // An instant moved by whole periods to [0, period), by its midpoint; the other by as many.
 void bring_into_period(Ball& start, Ball& end, const Ball& period) {
@@ -31,7 +24,7 @@ std::vector<StopInBalls> stops_of(const ProvedOrbit& orbit) {
     for (slong i = 1; i <= orbit.at.m(); ++i) {
         if (orbit.at.direction(i) != 0) continue;
         StopInBalls stop{orbit.at.instant(i - 1), orbit.at.instant(i),
-                         displacement_of_contact(orbit.s, orbit.Z[static_cast<std::size_t>(i - 1)])};
+                         (orbit.s.place() * orbit.Z[static_cast<std::size_t>(i - 1)])(0)};
         StopInBalls mirrored{stop.start + orbit.at.T(), stop.end + orbit.at.T(), -stop.x};
         bring_into_period(stop.start, stop.end, period);
         bring_into_period(mirrored.start, mirrored.end, period);
@@ -56,6 +49,48 @@ void set_stability(const ProvedOrbit& orbit, OrbitInBalls& r) {
 }
 
 } // namespace
+
+BallMatrix OrbitInPhases::at(const Ball& tau) const {
+    const OrbitUnknowns& o = orbit.at;
+    const slong N = orbit.s.N;
+    const Ball T = o.T();
+    const double first = std::ceil(static_cast<double>(o.instant(0) - tau) / static_cast<double>(T));
+    QuestionEffort::pay(cost_of_ball_products(static_cast<double>(N * ball_bits) / 16));
+    BallMatrix state(2 * N, 1);
+    bool found = false;
+    for (const double stretches : {first - 1, first, first + 1}) {
+        const Ball there = tau + Ball(stretches) * T;
+        const Ball sign(o.mirrored && std::fmod(stretches, 2) != 0 ? -1 : 1);
+        for (slong i = 1; i <= o.m(); ++i) {
+            const Ball start = o.instant(i - 1), end = o.instant(i);
+            if (there < start || there > end) continue;
+            BallMatrix Z = phases[static_cast<std::size_t>(i - 1)].state((there - start) / (end - start));
+            if (orbit.s.on_a_wall && o.direction(i) == 0) Z(N + orbit.s.lead) = Ball(0); // it sticks
+            for (slong k = 0; k < 2 * N; ++k) {                                          // an event may be on either side
+                const Ball value = sign * (k < N ? Z(k) : Z(k) * orbit.s.sigma);
+                state(k) = found ? either(state(k), value) : value;
+            }
+            found = true;
+        }
+    }
+    if (!found) throw Unproved("an instant is in none of the phases");
+    return state;
+}
+
+OrbitInPhases orbit_in_phases(const std::function<SceneInBalls()>& scene, const OrbitGuess& guess, slong bits) {
+    OrbitInPhases motion{proved_near(scene, guess, bits)};
+    const Bits all(bits);
+    for (slong few = 64;; few *= 2) try { // what friction demands, with as many bits as it takes
+            motion.phases = in_stretches(motion.orbit, few);
+            const Bits some(few);
+            require_friction(motion.orbit, motion.phases);
+            return motion;
+        } catch (const Disproved&) {
+            throw;
+        } catch (const Unproved&) {
+            if (few >= bits) throw;
+        }
+}
 
 OrbitInBalls proved_orbit(const std::function<SceneInBalls()>& scene, const OrbitGuess& guess, slong bits,
                           const std::vector<std::size_t>& masses, bool with_multipliers) {
@@ -85,8 +120,7 @@ OrbitInBalls proved_orbit(const std::function<SceneInBalls()>& scene, const Orbi
         r.x.push_back(start(k));
         r.x_prime.push_back(start(s.N + k));
     }
-    if (!with_multipliers) return r;
-    set_stability(orbit, r);
+    if (with_multipliers) set_stability(orbit, r);
     return r;
 }
 

@@ -9,8 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "denhartog/reference/orbit_guess_data.hpp"
-#include "denhartog/reference/scene_in_balls.hpp"
+#include "denhartog/reference/orbit_proof.hpp"
 
 namespace denhartog::reference {
 
@@ -43,16 +42,28 @@ struct OrbitInBalls {
 /// @brief Proves that there is a periodic motion near a guess, and bounds its numbers.
 ///
 /// A guess may be wrong in the order of its phases. That is found out, but only what is certainly wrong is `Disproved`.
-/// @param scene             makes the scene in the bits of the moment; C and beta must be filled
-/// @param guess             the motion as double precision sees it
-/// @param bits              bits of the numbers that the result is computed with; somewhat fewer are certain
-/// @param masses            the masses whose amplitudes are wanted; empty for all. The contact's is always given
-/// @param with_multipliers  whether stability and multipliers are wanted
-/// @return                  the motion
+/// Somewhat fewer bits are certain than it computes with. No `masses` are all; the contact's amplitude is always given.
 /// @throws Disproved        where the motion near the guess is certainly not what the guess says
 /// @throws Unproved         where more bits, or another guess, may help
 /// @throws PrecisionError   where the budget of the question is spent, see `QuestionEffort`
 [[nodiscard]] OrbitInBalls proved_orbit(const std::function<SceneInBalls()>& scene, const OrbitGuess& guess, slong bits,
                                         const std::vector<std::size_t>& masses = {}, bool with_multipliers = true);
+
+/// @brief A motion that obeys its equations and all that friction demands.
+struct OrbitInPhases {
+    ProvedOrbit orbit;                      ///< the motion
+    std::vector<PhaseInStretches> phases{}; ///< phases 1 to m, at [0 .. m-1]
+
+    /// @brief The state at an instant. The motion is followed over one stretch; before and after, that stretch repeats itself or
+    /// its mirror image.
+    /// tau counts from a maximum of the force, and may be a ball that holds the instant. The state is that of `harmonic_in_balls`.
+    /// @throws Unproved where the ball is too wide
+    [[nodiscard]] BallMatrix at(const Ball& tau) const;
+};
+
+/// @brief Proves that there is a periodic motion near a guess, and that friction allows it.
+/// What is taken from it should be computed with as many bits.
+/// @throws Disproved, Unproved as `proved_orbit`
+[[nodiscard]] OrbitInPhases orbit_in_phases(const std::function<SceneInBalls()>& scene, const OrbitGuess& guess, slong bits);
 
 } // namespace denhartog::reference

@@ -9,12 +9,6 @@
 namespace denhartog::reference {
 namespace {
 
-Ball power_of_two(double exponent) {
-    Ball r(1);
-    arb_mul_2exp_si(r.a, r.a, static_cast<slong>(exponent));
-    return r;
-}
-
 BallMatrix row_of(const BallMatrix& w, slong from, slong length) {
     BallMatrix row(1, length);
     for (slong i = 0; i < w.rows(); ++i) row(0, from + i) = w(i);
@@ -41,22 +35,15 @@ BallMatrix powers_of(const Ball& theta, slong count) {
     return powers;
 }
 
-// Whether w is a unit vector: then the row of the contact vanishes while it sticks, to the last bit.
-bool is_unit(const BallMatrix& w) {
-    slong others = 0;
-    for (slong i = 0; i < w.rows(); ++i) others += w(i).is_zero() || w(i) == Ball(1) ? 0 : 2;
-    for (slong i = 0; i < w.rows(); ++i) others += w(i) == Ball(1) ? 1 : 0;
-    return others == 1;
-}
-
 } // namespace
 
 ContactMechanics::ContactMechanics(const SceneInBalls& scene)
     : N(scene.N()), w(scene.w), free(n(), n()), load(1, n()), stuck(n(), n()), push(N, 1), beta(scene.beta.value()),
-      holds(scene.mu * beta), equal(scene.mu == Ball(1)), on_a_wall(is_unit(scene.w)), lead(0) {
+      holds(scene.mu * beta), equal(scene.mu == Ball(1)), on_a_wall(scene.is_the_contact(static_cast<slong>(scene.contact))),
+      lead(0) {
     const BallMatrix inverse = inverse_of(scene.M * (scene.r * scene.r));
     const BallMatrix stiffness = inverse * scene.K, damping = inverse * (scene.C * scene.r), force = inverse * scene.p;
-    sigma = power_of_two(std::ceil(binary_logarithm(std::max(norm(stiffness), 1e-280)) / 2));
+    sigma = power_of_two(static_cast<slong>(std::ceil(binary_logarithm(std::max(norm(stiffness), 1e-280)) / 2)));
     push = inverse * w * (Ball(1) / sigma);
     for (slong i = 0; i < N; ++i) {
         free(i, N + i) = sigma;
@@ -87,6 +74,8 @@ BallMatrix ContactMechanics::phase(int direction) const {
     return A;
 }
 
+BallMatrix ContactMechanics::place() const { return row_of(w, 0, n()); }
+
 BallMatrix ContactMechanics::speed() const { return row_of(w, N, n()); }
 
 BallMatrix ContactMechanics::ending(int before, int after) const {
@@ -104,19 +93,12 @@ BallMatrix rounded(const BallMatrix& A) {
 }
 
 BallMatrix with_width(BallMatrix E, double part) {
-    mag_t grows, width, each;
-    for (mag_ptr m : {grows, width, each}) mag_init(m);
-    mag_set_d(grows, part * (1 + 1e-9));
     for (slong c = 0; c < E.columns(); ++c) {
-        mag_zero(width);
-        for (slong k = 0; k < E.rows(); ++k) {
-            arb_get_mag(each, E(k, c).a);
-            mag_max(width, width, each);
-        }
-        mag_mul(width, width, grows);
-        for (slong k = 0; k < E.rows(); ++k) arb_add_error_mag(E(k, c).a, width);
+        Ball width(0);
+        for (slong k = 0; k < E.rows(); ++k) width = larger(width, abs(E(k, c)));
+        width = upper_bound_of(width * Ball(part * (1 + 1e-9)));
+        for (slong k = 0; k < E.rows(); ++k) E(k, c) = widened(E(k, c), width);
     }
-    for (mag_ptr m : {grows, width, each}) mag_clear(m);
     return E;
 }
 
@@ -237,7 +219,9 @@ Linearised linearised(const ContactMechanics& s, const OrbitUnknowns& box) {
     slong all_leaps = 0;
     for (slong i = 1; i <= m; ++i) {
         const Ball h = box.length(i);
-        r.leaps.push_back(leaps_for(norm(s.phase(box.direction(i))) * std::max(std::abs(h.low()), std::abs(h.high()))));
+        const double size = norm(s.phase(box.direction(i))) * std::max(std::abs(h.low()), std::abs(h.high()));
+        if (!(size < 1e9)) throw Unproved("a mode is too fast for the motion to be followed");
+        r.leaps.push_back(std::max<slong>(1, static_cast<slong>(std::ceil(size / longest_leap))));
         all_leaps += r.leaps.back();
     }
     r.fast = all_leaps > many_leaps &&

@@ -8,6 +8,7 @@
 /// after the stretch, mirrored or not, and that the quantity that ends a phase is zero at the event at its end.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -21,7 +22,6 @@ namespace denhartog::reference {
 /// @brief The mechanics of a scene with one contact, phase by phase.
 /// @eq{6}
 struct ContactMechanics {
-    /// @param scene  the scene, with C and beta
     explicit ContactMechanics(const SceneInBalls& scene);
 
     slong N;                ///< number of masses
@@ -34,36 +34,30 @@ struct ContactMechanics {
     Ball beta{};            ///< friction while the contact slides
     Ball holds{};           ///< friction up to which it sticks, mu beta
     bool equal;             ///< mu = 1
-    bool on_a_wall;         ///< whether w is a unit vector: the contact is of one mass, on a wall
+    bool on_a_wall;         ///< whether the contact is of one mass, on a wall: its row vanishes while it sticks, to the last bit
     slong lead;             ///< the mass on which w is largest
     slong bits = ball_bits; ///< bits of the scene
     mutable std::optional<std::shared_ptr<FastPhases>> fast[3] = {}; ///< phases by their free motions, sought when first needed
 
-    /// @brief Length of a state. @return 2 N + 3
     [[nodiscard]] slong n() const { return 2 * N + 3; }
-    /// @brief The matrix of a phase.
-    /// @param direction  1 or -1 while the contact slides: friction is a constant force against it; 0 while it sticks
-    /// @return           A
+    /// @brief The matrix A of a phase: direction 1 or -1 while the contact slides, against a constant friction, 0 while it sticks.
     [[nodiscard]] BallMatrix phase(int direction) const;
-    /// @brief A phase by its free motions. @param direction as in `phase`
-    /// @return  all phases of the kind; null where the free motions are not told apart, or the force may excite one without damping
+    /// @brief All phases of a kind by their free motions; null where these are not told apart, or the force may excite one without
+    /// damping.
     [[nodiscard]] const std::shared_ptr<FastPhases>& by_free_motions(int direction) const;
-    /// @brief The velocity of the contact, \f$ \mathbf w^T\bar{\mathbf x}'/\sigma \f$. @return it as a row over Z
+    /// @brief The displacement of the contact, \f$ \mathbf w^T\bar{\mathbf x} \f$, as a row over Z.
+    [[nodiscard]] BallMatrix place() const;
+    /// @brief The velocity of the contact, \f$ \mathbf w^T\bar{\mathbf x}'/\sigma \f$, as a row over Z.
     [[nodiscard]] BallMatrix speed() const;
     /// @brief What is zero where a phase ends: the velocity of a contact that slides, or the load on a contact that sticks less
-    /// static friction, (74).
-    /// @param before  direction in the phase that ends
-    /// @param after   direction in the one that begins
-    /// @return        it as a row over Z
+    /// static friction, (74); as a row over Z. The directions are those of the phases before and after.
     [[nodiscard]] BallMatrix ending(int before, int after) const;
 };
 
-/// @brief A matrix in the bits of the moment. @param A a matrix @return it, rounded
+/// @brief A matrix rounded to the bits of the moment.
 [[nodiscard]] BallMatrix rounded(const BallMatrix& A);
 
-/// @brief A matrix made uncertain. @param E the matrix @param part by which part of the largest entry of a column each of its
-/// entries may be off
-/// @return  the matrix
+/// @brief A matrix whose entries are off by no more than a part of the largest of their column.
 [[nodiscard]] BallMatrix with_width(BallMatrix E, double part);
 
 /// @brief Where the unknowns are, and the order of the phases.
@@ -73,48 +67,42 @@ struct OrbitUnknowns {
     int periods = 1;               ///< as in `OrbitGuess`
     BallMatrix u{};                ///< x, x'/sigma at event 0, then the instants of events 0 to m - 1
 
-    /// @brief Number of phases in the stretch. @return m
+    /// @brief Number of phases in the stretch.
     [[nodiscard]] slong m() const { return static_cast<slong>(directions.size()) - 1; }
-    /// @brief Number of displacements and velocities. @return 2 N
+    /// @brief Number of displacements and velocities.
     [[nodiscard]] slong states() const { return u.rows() - m(); }
-    /// @brief What the stretch does to a state. @return -1 where it mirrors it, else 1
+    /// @brief What the stretch does to a state: -1 where it mirrors it.
     [[nodiscard]] int sign() const { return mirrored ? -1 : 1; }
-    /// @brief Direction in a phase. @param i 0 before event 0, i before event i, m + 1 after event m
-    /// @return 1, -1 or 0
+    /// @brief Direction in the phase before event i; that of m + 1 is after event m.
     [[nodiscard]] int direction(slong i) const;
-    /// @brief Length of the stretch. @return T
     [[nodiscard]] Ball T() const;
-    /// @brief Instant of an event. @param i 0 to m @return tau
+    /// @brief Instant of event i, 0 to m.
     [[nodiscard]] Ball instant(slong i) const;
-    /// @brief Length of a phase. @param i 1 to m @return what passes from event i - 1 to event i
+    /// @brief Length of phase i, 1 to m: from event i - 1 to event i.
     [[nodiscard]] Ball length(slong i) const { return instant(i) - instant(i - 1); }
-    /// @brief The state at event 0. @return Z
+    /// @brief The state at event 0.
     [[nodiscard]] BallMatrix start() const;
 };
 
-/// @brief The unknowns where a guess puts them.
-/// @param s      the mechanics
-/// @param guess  the guess
-/// @return       the unknowns, exact
-/// @throws       Disproved where no contact has such an order of phases
+/// @brief The unknowns where a guess puts them, exact.
+/// @throws Disproved where no contact has such an order of phases
 [[nodiscard]] OrbitUnknowns unknowns_of(const ContactMechanics& s, const OrbitGuess& guess);
 
 /// @brief Terms of \f$ \mathrm e^{\mathbf B\theta}\mathbf y = \sum_k \mathbf y_k\theta^k \f$, from
 /// \f$ \mathbf y_k = \mathbf B\mathbf y_{k-1}/k \f$, for theta in [0, 1].
 class ExponentialSeries {
 public:
-    /// @param B  a square matrix; its zeros cost nothing
-    /// @param y  a column
+    /// @brief Zeros of the matrix cost nothing.
     ExponentialSeries(const BallMatrix& B, const BallMatrix& y);
 
-    /// @brief The terms. @return y_k in column k. The last one has a ball that holds the rest of the series, and whose
+    /// @brief The terms y_k, in column k. The last one has a ball that holds the rest of the series, and whose
     /// derivatives by theta, up to the second, hold those of the rest
     [[nodiscard]] const BallMatrix& terms() const { return terms_; }
-    /// @brief The sum. @param theta from 0 to 1 @return exp(B theta) y
+    /// @brief The sum, exp(B theta) y.
     [[nodiscard]] BallMatrix at(const Ball& theta) const;
-    /// @brief One number of the sum. @param row which, a row @param theta from 0 to 1 @return it times exp(B theta) y
+    /// @brief One number of the sum, given as a row.
     [[nodiscard]] Ball at(const BallMatrix& row, const Ball& theta) const;
-    /// @brief Makes every sum uncertain. @param radius by how much
+    /// @brief Makes every sum uncertain.
     void widen(const Ball& radius);
 
 private:
@@ -129,11 +117,6 @@ inline constexpr slong many_leaps = 24;
 /// @brief Leaps of all phases beyond which series are too many.
 inline constexpr slong most_leaps = 4096;
 
-/// @brief Number of leaps in which a phase is followed.
-/// @param norm  that of A times the length of the phase
-/// @return      the number
-[[nodiscard]] slong leaps_for(double norm);
-
 /// @brief What the phases make of deviations, over all unknowns of a box.
 struct Linearised {
     std::vector<Ball> lengths{};    ///< lengths of phases 1 to m in the middle of the box, at [0 .. m-1]
@@ -145,31 +128,37 @@ struct Linearised {
     BallMatrix J{};                 ///< dF/du
 };
 
-/// @brief Linearises along all motions of a box, in the bits of the moment.
-/// @param s    the mechanics
-/// @param box  the unknowns, as balls
-/// @return     balls that hold the derivatives at every point of the box
+/// @brief Linearises along all motions of a box, in the bits of the moment: balls that hold the derivatives at every point of it.
 [[nodiscard]] Linearised linearised(const ContactMechanics& s, const OrbitUnknowns& box);
 
-/// @brief A phase followed from its start.
+/// @brief The state at the end of a phase. `leap` encloses exp(A length / leaps); `series`, if wanted, gets the motion over each.
 ///
 /// The series carries the midpoint of a state. The matrix carries what the state is uncertain by, and widens it the least.
-/// @param A       matrix of the phase
-/// @param Z       state at its start
-/// @param length  its length
-/// @param leaps   in how many leaps
-/// @param leap    encloses exp(A length / leaps)
-/// @param series  gets the motion over each leap; null where it is not wanted
-/// @return        the state at the end
 [[nodiscard]] BallMatrix followed(const BallMatrix& A, const BallMatrix& Z, const Ball& length, slong leaps,
                                   const BallMatrix& leap, std::vector<ExponentialSeries>* series = nullptr);
 
-/// @brief The binary logarithm. @param x positive @return it, to a few units in its last place
+/// @brief The binary logarithm of a positive number, to a few units in its last place.
 [[nodiscard]] double binary_logarithm(double x);
 
-/// @brief What products of balls cost, in the bits of the moment.
-/// @param products  how many
-/// @return          operations, as `Effort` counts them
+/// @brief What products of balls cost in the bits of the moment, as `Effort` counts.
 [[nodiscard]] long cost_of_ball_products(double products);
+
+/// @brief A motion that is proved to obey the equations; whether it obeys the inequalities of friction is another matter.
+struct ProvedOrbit {
+    ContactMechanics s;          ///< the mechanics
+    OrbitUnknowns at;            ///< the unknowns: the box holds one solution
+    std::vector<BallMatrix> Z{}; ///< states at events 0 to m
+    Linearised along{};          ///< what the phases make of deviations, in few bits, over a larger box
+};
+
+/// @brief Proves that the equations have one solution near a guess.
+///
+/// With an approximate inverse \f$ \mathbf Y \f$ of the derivative J, Krawczyk's operator of a box U about u,
+/// \f[ \mathbf u - \mathbf Y\mathbf F(\mathbf u) + (\mathbf 1 - \mathbf Y\mathbf J(U))(U - \mathbf u) \f]
+/// holds every solution in U; if it is inside of U there is exactly one. Newton's method brings u near, with steps made shorter
+/// until they bring it nearer. A product over many phases widens balls, so that J takes as many bits as it needs.
+/// Fewer bits are certain than it computes with, as a leap may widen a ball by exp(longest_leap).
+/// @throws Disproved, Unproved
+[[nodiscard]] ProvedOrbit proved_near(const std::function<SceneInBalls()>& scene, const OrbitGuess& guess, slong bits);
 
 } // namespace denhartog::reference

@@ -1,6 +1,4 @@
-#include "denhartog/reference/orbit_multipliers.hpp"
-
-#include <acb_mat.h>
+#include "denhartog/reference/orbit_proof.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,47 +8,16 @@
 namespace denhartog::reference {
 namespace {
 
-// A matrix of complex balls.
-class ComplexBalls {
-public:
-    acb_mat_t a;
-    explicit ComplexBalls(slong n) { acb_mat_init(a, n, n); }
-    ~ComplexBalls() { acb_mat_clear(a); }
-    ComplexBalls(const ComplexBalls&) = delete;
-    ComplexBalls& operator=(const ComplexBalls&) = delete;
-};
-
-// Complex balls in a row.
-class ComplexRow {
-public:
-    acb_ptr a;
-    explicit ComplexRow(slong n) : a(_acb_vec_init(n)), n_(n) {}
-    ~ComplexRow() { _acb_vec_clear(a, n_); }
-    ComplexRow(const ComplexRow&) = delete;
-    ComplexRow& operator=(const ComplexRow&) = delete;
-
-private:
-    slong n_;
-};
-
-// Eigenvalues and vectors with few bits, for Arb to make certain.
-bool approximate(const ComplexBalls& A, ComplexRow& values, ComplexBalls& vectors) {
-    return acb_mat_approx_eig_qr(values.a, nullptr, vectors.a, A.a, nullptr, 0, 64) != 0;
-}
-
-// Balls that hold the sizes of all eigenvalues; false where they are not bounded.
-bool enclosed(const ComplexBalls& A, const ComplexRow& values, const ComplexBalls& vectors, std::vector<Ball>& sizes) {
+// Balls that hold the sizes of all eigenvalues, which Arb makes certain from approximate ones; false where they are not bounded.
+bool enclosed(const ComplexMatrix& A, slong bits_of_guess, std::vector<Ball>& sizes) {
     const slong n = acb_mat_nrows(A.a);
-    ComplexRow found(n);
-    acb_mat_eig_multiple(found.a, A.a, values.a, vectors.a, ball_bits);
-    sizes.clear();
-    for (slong i = 0; i < n; ++i) {
-        Ball size;
-        acb_abs(size.a, found.a + i, ball_bits);
-        if (!size.finite()) return false;
-        sizes.push_back(size);
-    }
-    return true;
+    ComplexMatrix near(1, n), vectors(n, n), found(1, n);
+    if (acb_mat_approx_eig_qr(near.all(), nullptr, vectors.a, A.a, nullptr, 0, bits_of_guess) == 0 && bits_of_guess < ball_bits)
+        return false;
+    acb_mat_eig_multiple(found.all(), A.a, near.all(), vectors.a, ball_bits);
+    sizes.assign(static_cast<std::size_t>(n), Ball());
+    for (slong i = 0; i < n; ++i) acb_abs(sizes[static_cast<std::size_t>(i)].a, found.all() + i, ball_bits);
+    return std::ranges::all_of(sizes, &Ball::finite);
 }
 
 // No eigenvalue is larger than the root of a norm of a power.
@@ -71,21 +38,11 @@ std::vector<Ball> sizes_of_eigenvalues(const BallMatrix& map) {
     const slong n = map.rows();
     if (n == 1) return {abs(map(0, 0))};
     QuestionEffort::pay(cost_of_ball_products(30 * static_cast<double>(n * n * n)));
-    ComplexBalls A(n), vectors(n);
-    ComplexRow values(n);
-    acb_mat_set_arb_mat(A.a, map.a);
+    ComplexMatrix A(map);
     std::vector<Ball> sizes;
-    if (approximate(A, values, vectors) && enclosed(A, values, vectors, sizes)) return sizes;
+    if (enclosed(A, 64, sizes)) return sizes;
     QuestionEffort::pay(cost_of_ball_products(200 * static_cast<double>(n * n * n)));
-    acb_mat_approx_eig_qr(values.a, nullptr, vectors.a, A.a, nullptr, 0, ball_bits);
-    return enclosed(A, values, vectors, sizes) ? sizes : bounded_sizes(map);
-}
-
-// A ball from a lower and an upper end.
-Ball between(const Ball& low, const Ball& high) {
-    Ball x;
-    arb_set_interval_arf(x.a, arb_midref(low.a), arb_midref(high.a), ball_bits);
-    return x;
+    return enclosed(A, ball_bits, sizes) ? sizes : bounded_sizes(map);
 }
 
 // The n-th largest is no less than the n-th largest lower end, and no more than the n-th largest upper end.
@@ -102,7 +59,7 @@ std::vector<Ball> descending(const std::vector<Ball>& sizes) {
     std::ranges::sort(low, larger_first);
     std::ranges::sort(high, larger_first);
     std::vector<Ball> sorted;
-    for (std::size_t k = 0; k < low.size(); ++k) sorted.push_back(low[k] == high[k] ? low[k] : between(low[k], high[k]));
+    for (std::size_t k = 0; k < low.size(); ++k) sorted.push_back(low[k] == high[k] ? low[k] : either(low[k], high[k]));
     return sorted;
 }
 

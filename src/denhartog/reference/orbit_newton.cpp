@@ -1,4 +1,4 @@
-#include "denhartog/reference/orbit_newton.hpp"
+#include "denhartog/reference/orbit_equations.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,15 +16,8 @@ constexpr slong bits_a_phase = 5; // about what a phase widens balls by, and som
 // The binary logarithm of a midpoint's size, also where a double cannot hold it.
 double size_in_bits(const Ball& x) {
     if (arf_is_zero(arb_midref(x.a))) return -1e9;
-    arf_t mantissa;
-    fmpz_t exponent;
-    arf_init(mantissa);
-    fmpz_init(exponent);
-    arf_frexp(mantissa, exponent, arb_midref(x.a));
-    const double bits = binary_logarithm(std::abs(arf_get_d(mantissa, ARF_RND_NEAR))) + fmpz_get_d(exponent);
-    arf_clear(mantissa);
-    fmpz_clear(exponent);
-    return bits;
+    const slong exponent = arf_abs_bound_lt_2exp_si(arb_midref(x.a));
+    return binary_logarithm(std::abs(static_cast<double>(x * power_of_two(-exponent)))) + static_cast<double>(exponent);
 }
 
 // The equations at one point: states at the events, and what is not zero.
@@ -173,12 +166,8 @@ private:
             keeps = larger(keeps, sum);
         }
         if (!(keeps < Ball(0.5))) return std::nullopt;
-        Ball radius = moves * Ball(2), bound; // with keeps < 1/2 the image of this box is inside of it
-        arb_set_ui(bound.a, 1);
-        arb_mul_2exp_si(bound.a, bound.a, -(ball_bits + 8));
-        radius = larger(radius, bound);
-        arb_get_ubound_arf(arb_midref(radius.a), radius.a, 64);
-        mag_zero(arb_radref(radius.a));
+        // with keeps < 1/2 the image of this box is inside of it
+        const Ball radius = upper_bound_of(larger(moves * Ball(2), power_of_two(-(ball_bits + 8))));
         for (slong k = 0; k < count; ++k) { // the box has to be within that of the slopes
             const Ball apart = abs(o_.u(k) - about(k)) / Ball(scale_[static_cast<std::size_t>(k)]) + radius;
             if (!(apart < Ball(box_))) return std::nullopt;
@@ -186,10 +175,7 @@ private:
         ProvedOrbit orbit{s_, o_, {}, along_};
         BallMatrix off(count, 1); // of the solution from u
         for (slong k = 0; k < count; ++k) {
-            const Ball left = keeps * radius * Ball(scale_[static_cast<std::size_t>(k)]);
-            Ball most(0);
-            arb_get_abs_ubound_arf(arb_midref(most.a), left.a, 64);
-            off(k) = widened(-step(k), most);
+            off(k) = widened(-step(k), upper_bound_of(keeps * radius * Ball(scale_[static_cast<std::size_t>(k)])));
             orbit.at.u(k) = o_.u(k) + off(k);
         }
         for (std::size_t i = 0; i < here.Z.size(); ++i) orbit.Z.push_back(here.Z[i] + along_.D[i] * off);

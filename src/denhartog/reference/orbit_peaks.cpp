@@ -156,13 +156,11 @@ private:
 } // namespace
 
 PeakInBalls peak_of_contact(const ProvedOrbit& orbit) {
-    const BallMatrix w = transposed(orbit.s.w);
+    const BallMatrix place = orbit.s.place();
     std::vector<PeakCandidate> candidates;
     for (slong i = 0; i < orbit.at.m(); ++i) {
         if (orbit.at.direction(i) == 0) continue;
-        Ball x(0);
-        for (slong k = 0; k < orbit.s.N; ++k) x += w(0, k) * orbit.Z[static_cast<std::size_t>(i)](k);
-        candidates.push_back(candidate(x, orbit.at.instant(i)));
+        candidates.push_back(candidate((place * orbit.Z[static_cast<std::size_t>(i)])(0), orbit.at.instant(i)));
     }
     return largest_of(candidates);
 }

@@ -1,5 +1,5 @@
 /// @file
-/// @brief What friction demands of a motion at every instant, and where the masses are farthest out.
+/// @brief What friction demands of a motion at every instant, where the masses are farthest out, and Floquet multipliers.
 ///
 /// The equations of a periodic motion say nothing of what happens between its events. A phase is cut into stretches so short that
 /// the power series of the motion converge fast; on each of them interval arithmetic with the series decides the signs.
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/reference/orbit_newton.hpp"
+#include "denhartog/reference/orbit_equations.hpp"
 
 namespace denhartog::reference {
 
@@ -20,8 +20,7 @@ struct CurveInBalls {
     Ball length{};              ///< length of that phase
 };
 
-/// @brief A derivative of a curve. @param c the curve @param order 0 to 2 @param theta where, an interval
-/// @return  a ball that holds it
+/// @brief A derivative of a curve, of order 0 to 2, over an interval of theta.
 [[nodiscard]] Ball derivative(const CurveInBalls& c, int order, const Ball& theta);
 
 /// @brief How a curve vanishes at the ends of a stretch.
@@ -31,32 +30,22 @@ struct EndsOfCurve {
 };
 
 /// @brief Requires that a curve is positive between the ends of a stretch, and at an end where it does not vanish.
-/// @param c     the curve
-/// @param ends  how it is known to vanish at the ends
-/// @param what  the message where it is not, or may not be
-/// @throws      Disproved where it is certainly negative somewhere, Unproved where that cannot be told
+/// @throws Disproved where it is certainly negative somewhere, Unproved where that cannot be told
 void require_positive(const CurveInBalls& c, const EndsOfCurve& ends, const char* what);
 
 /// @brief A phase in stretches of one length.
 class PhaseInStretches {
 public:
-    /// @param orbit  the motion
-    /// @param i      which phase, 1 to m
-    /// @param few    bits of the curves; states have those of the moment
+    /// @brief Phase i, 1 to m. Its curves have few bits, its states those of the moment.
     PhaseInStretches(const ProvedOrbit& orbit, slong i, slong few);
 
-    /// @brief Number of stretches. @return it
+    /// @brief Number of stretches.
     [[nodiscard]] slong count() const { return count_; }
-    /// @brief One number over a stretch. @param stretch from 0 to count - 1 @param row which number, a row over Z
-    /// @return its curve
+    /// @brief A number, a row over Z, over a stretch from 0 to count - 1.
     [[nodiscard]] CurveInBalls curve(slong stretch, const BallMatrix& row) const;
-    /// @brief The same in all bits of the states.
-    /// @param stretch  from 0 to count - 1
-    /// @param row      which number, a row over Z
-    /// @param theta    where, from 0 to 1
-    /// @return         the number
+    /// @brief The same at theta in all bits of the states.
     [[nodiscard]] Ball number(slong stretch, const BallMatrix& row, const Ball& theta) const;
-    /// @brief The state within the phase. @param part from 0 to 1, of its length @return Z
+    /// @brief The state Z at a part of the phase, from 0 to 1.
     [[nodiscard]] BallMatrix state(const Ball& part) const;
 
 private:
@@ -69,18 +58,13 @@ private:
     Ball length_{};
 };
 
-/// @brief A motion in stretches; states in the bits of the moment.
-/// @param orbit  the motion
-/// @param few    bits of the curves
-/// @return       phases 1 to m, at [0 .. m-1]
-/// @throws       Disproved, Unproved where a phase has no length
+/// @brief Phases 1 to m of a motion, at [0 .. m-1].
+/// @throws Disproved, Unproved where a phase has no length
 [[nodiscard]] std::vector<PhaseInStretches> in_stretches(const ProvedOrbit& orbit, slong few);
 
 /// @brief Requires that the motion is what its phases say, (2), (3), (74), (75): the contact slides in a phase of sliding, is
 /// held in a phase of sticking, and is not held where it turns.
-/// @param orbit   the motion
-/// @param phases  the same in stretches
-/// @throws        Disproved, Unproved
+/// @throws Disproved, Unproved
 void require_friction(const ProvedOrbit& orbit, const std::vector<PhaseInStretches>& phases);
 
 /// @brief Where a displacement is largest in size.
@@ -89,15 +73,35 @@ struct PeakInBalls {
     std::optional<Ball> phase{}; ///< lag behind the force in (-pi, pi], as in `MassMotion`; empty where it never moves
 };
 
-/// @brief Where the displacement of the contact is largest: where it comes to rest or turns. @param orbit the motion
-/// @return  the peak
+/// @brief Where the displacement of the contact is largest: where it comes to rest or turns.
 [[nodiscard]] PeakInBalls peak_of_contact(const ProvedOrbit& orbit);
 
 /// @brief Where the displacement of a mass is largest.
-/// @param orbit   the motion
-/// @param phases  the same in stretches
-/// @param k       the mass
-/// @return        the peak
 [[nodiscard]] PeakInBalls peak_of_mass(const ProvedOrbit& orbit, const std::vector<PhaseInStretches>& phases, slong k);
+
+/// @brief What becomes of deviations over a stretch.
+///
+/// A deviation at one instant is carried by exp(A h) over a phase. At an event that comes later by dt the two phases differ in
+/// their rates, so that it jumps by \f$ (\mathbf A_{before} - \mathbf A_{after})\mathbf Z\,dt \f$, with dt such that what
+/// ends the phase still vanishes. The product over a stretch is the map whose eigenvalues are the multipliers over the stretch.
+struct MapOfDeviations {
+    /// It starts and ends within a stop where there is one: there a deviation does not move the contact and has 2N - 1 numbers
+    /// only. Else it has 2N.
+    BallMatrix A{};
+    bool from_a_stop = false; ///< whether it starts within a stop; a further multiplier is then zero
+};
+
+/// @brief The map of deviations of a motion, from what its phases make of them in a box next to it.
+/// @throws Unproved where an event may be tangential
+[[nodiscard]] MapOfDeviations map_of_deviations(const ProvedOrbit& orbit, const Linearised& along);
+
+/// @brief Whether all deviations certainly die out: a power of the map has a norm below 1.
+[[nodiscard]] bool dies_out(const BallMatrix& map);
+
+/// @brief Sizes of the 2N multipliers over the whole period, descending; wide where the eigenvectors hardly differ.
+///
+/// Arb encloses the eigenvalues, from approximate ones: by the method of van der Hoeven and Mourrain if they are simple, else by
+/// those of Miyajima and Rump. If that fails, norms of powers of the matrix bound them.
+[[nodiscard]] std::vector<Ball> multipliers_over_period(const MapOfDeviations& map, bool mirrored);
 
 } // namespace denhartog::reference

@@ -42,6 +42,17 @@ bool SceneInBalls::is_the_contact(slong k) const {
     return true;
 }
 
+BallMatrix dynamic_stiffness(const SceneInBalls& s, slong n) {
+    BallMatrix A(2 * n, 2 * n);
+    for (slong i = 0; i < s.N(); ++i)
+        for (slong k = 0; k < s.N(); ++k) {
+            A(i, k) = A(n + i, n + k) = s.K(i, k) - s.r * s.r * s.M(i, k);
+            A(n + i, k) = s.r * s.C(i, k);
+            A(i, n + k) = -A(n + i, k);
+        }
+    return A;
+}
+
 SceneInBalls in_matrices(const Scene<Ball>& scene) {
     const System<Ball>& s = scene.system;
     SceneInBalls out{masses_of(s), stiffnesses_of(s)};

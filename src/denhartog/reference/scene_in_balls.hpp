@@ -45,16 +45,16 @@ struct SceneInBalls {
     std::size_t contact = 0;           ///< the mass in contact, j
     std::shared_ptr<KeptModes> kept{}; ///< natural modes found so far, shared by scenes of one system; null: not kept
 
-    /// @brief Number of masses. @return N
     [[nodiscard]] slong N() const { return M.rows(); }
-    /// @brief Whether the contact moves as a mass does, and with no other. @param k the mass @return false of a contact between two
+    /// @brief Whether the contact moves as mass k does, and with no other.
     [[nodiscard]] bool is_the_contact(slong k) const;
 };
 
-/// @brief The matrices of a scene.
+/// @brief \f$ \mathbf K - r^2\mathbf M + \mathrm ir\mathbf C \f$ as a real matrix of real and imaginary parts, n rows of each.
+[[nodiscard]] BallMatrix dynamic_stiffness(const SceneInBalls& scene, slong n);
+
+/// @brief The matrices of a scene with r as its author wrote it.
 /// @eq{6,7,8,73}
-/// @param scene  the scene as its author wrote it, in the bits of the moment; r must be given
-/// @return       the matrices
 [[nodiscard]] SceneInBalls in_matrices(const Scene<Ball>& scene);
 
 } // namespace denhartog::reference

@@ -51,9 +51,7 @@ SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContact
     // at most |V_dk| + beta |F_k|.
     const Ball F_throughout = r.friction.at(row, either(Ball(0), pi<Ball>())).rate(0);
     const Ball throughout = root_of_positive(squared_modulus(r.V[row])) + beta * abs(F_throughout);
-    Ball nothing = abs(contact.X_j);
-    arb_mul_2exp_si(nothing.a, nothing.a, -ball_bits / 2);
-    if (throughout < nothing) {
+    if (throughout < abs(contact.X_j) * power_of_two(-ball_bits / 2)) {
         m.amplitude = either(Ball(0), throughout);
         m.instant = m.phase = widened(Ball(0), pi<Ball>());
         return m;

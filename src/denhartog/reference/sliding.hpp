@@ -1,11 +1,12 @@
 /// @file
-/// @brief The steady state of the sliding regime, proved: (38), (39), (41), (44) to (53).
+/// @brief The steady state of the sliding regime, proved: (38), (39), (41), (44) to (53), and its boundary: (54) to (58), (67), (69).
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "denhartog/reference/friction.hpp"
+#include "denhartog/sliding/regime_at_point.hpp"
 
 namespace denhartog::reference {
 
@@ -26,59 +27,37 @@ struct SlidingContactInBalls {
     Ball phi_j{}; ///< its phase, Eq. (39); radians in (-pi, pi]
 };
 
-/// @brief The contact. @eq{38,39} @param r response functions @param beta friction ratio below the boundary @return X_j, phi_j
+/// @brief The contact, below the boundary of beta. @eq{38,39}
 [[nodiscard]] SlidingContactInBalls contact_in_balls(const ResponsesInBalls& r, const Ball& beta);
 
-/// @brief A mass at tau = 0, where the displacement of the contact is largest: `x0` and `v0`, and nothing else.
+/// @brief A mass at tau = 0, where the displacement of the contact is largest: `x0` and `v0`, and nothing else. Row N is the
+/// contact; a mass may move as the contact does.
 /// @eq{44,45}
-/// @param r        response functions
-/// @param contact  the contact
-/// @param beta     friction ratio below the boundary
-/// @param row      the mass; N for the contact, w^T x
-/// @param is_contact  whether its displacement is that of the contact
-/// @return         where it starts
 [[nodiscard]] SlidingMassInBalls start_of_mass_in_balls(const ResponsesInBalls& r, const SlidingContactInBalls& contact,
                                                         const Ball& beta, std::size_t row, bool is_contact);
 
-/// @brief The displacement of a mass and its derivatives.
+/// @brief The displacement of a mass and its derivatives at an instant in [0, pi], or over a stretch.
 /// @eq{41}
-/// @param r     response functions
-/// @param m     the mass at tau = 0
-/// @param beta  friction ratio below the boundary
-/// @param row   the mass; N for the contact, w^T x
-/// @param tau   an instant in [0, pi], or a stretch
-/// @return      its series
 [[nodiscard]] Series displacement_in_balls(const ResponsesInBalls& r, const SlidingMassInBalls& m, const Ball& beta,
                                            std::size_t row, const Ball& tau);
 
 /// @brief One mass, with the largest displacement proved.
 /// @eq{41,44,45,46,47,50,51,52,53}
-/// @param r        response functions
-/// @param contact  the contact
-/// @param beta     friction ratio below the boundary
-/// @param row      the mass; N for the contact, w^T x
-/// @param is_contact  whether its displacement is that of the contact
-/// @return         what it does
-/// @throws         Unproved where a maximum is not settled
+/// @throws Unproved where a maximum is not settled
 [[nodiscard]] SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContactInBalls& contact, const Ball& beta,
                                                std::size_t row, bool is_contact);
 
 /// @brief A harmonic motion, \f$ \mathrm{Re}(X_k\mathrm e^{\mathrm i\tau}) \f$.
-/// @param X    complex amplitudes of the masses; more are not looked at
-/// @param N    number of masses
-/// @param tau  from a maximum of the force, an instant or a ball that holds it
-/// @return     N displacements, then N velocities, 2 N x 1
+///
+/// tau counts from a maximum of the force. The state has N displacements, then N velocities, 2 N x 1.
 [[nodiscard]] BallMatrix harmonic_in_balls(const std::vector<Complex<Ball>>& X, slong N, const Ball& tau);
 
 /// @brief The motion of all masses in the sliding regime, at any instant.
 /// @eq{25,41,44,45}
 class SlidingMotionInBalls {
 public:
-    /// @param r     response functions
-    /// @param beta  friction ratio below the boundary
     SlidingMotionInBalls(ResponsesInBalls r, const Ball& beta);
-    /// @brief Displacements and velocities. @param tau from a maximum of the force, an instant or a ball that holds it
-    /// @return N displacements, then N velocities, 2 N x 1
+    /// @brief Its state, as `harmonic_in_balls` has it.
     [[nodiscard]] BallMatrix at(const Ball& tau) const;
 
 private:
@@ -87,5 +66,19 @@ private:
     SlidingContactInBalls contact_;
     std::vector<SlidingMassInBalls> start_{};
 };
+
+/// @brief The friction ratios that end the sliding regime at a frequency ratio.
+struct BoundaryInBalls {
+    Ball exact{};       ///< (69) with the maximum over tau of the sum over modes
+    Ball paper{};       ///< (69) with (56), the sum of the maxima of the modes; `exact` without damping ratios
+    Ball approximate{}; ///< (67)
+    Ball S{};           ///< the maximum over tau of the sum over modes of the function in (57)
+    BindingCondition binding = BindingCondition::both; ///< which condition of (54) ends the regime first
+};
+
+/// @brief The boundary from the response functions.
+/// @eq{54,56,57,58,67,69}
+/// @throws Unproved where a maximum is not settled
+[[nodiscard]] BoundaryInBalls boundary_in_balls(const SceneInBalls& s, const ResponsesInBalls& r);
 
 } // namespace denhartog::reference

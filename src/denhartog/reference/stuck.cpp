@@ -21,15 +21,10 @@ BallMatrix block(const BallMatrix& A, slong first, slong count) {
 std::optional<StuckInBalls> stuck_in_balls(const SceneInBalls& s) {
     // (K - M + i C) X + w f = p, w^T X = 0 in real parts and imaginary parts: unknown are X and the force f
     const slong N = s.N(), n = N + 1;
-    BallMatrix A(2 * n, 2 * n), b(2 * n, 1), x, at_rest;
+    BallMatrix A = dynamic_stiffness(s, n), b(2 * n, 1), x, at_rest;
     for (slong i = 0; i < N; ++i) {
         b(i) = s.p(i);
         A(i, N) = A(N, i) = A(n + i, n + N) = A(n + N, n + i) = s.w(i);
-        for (slong k = 0; k < N; ++k) {
-            A(i, k) = A(n + i, n + k) = s.K(i, k) - s.r * s.r * s.M(i, k);
-            A(n + i, k) = s.r * s.C(i, k);
-            A(i, n + k) = -A(n + i, k);
-        }
     }
     if (!solved(A, b, x)) return std::nullopt;
     if (!solved(s.K, s.w, at_rest)) throw Unproved("the stiffness matrix is not proved regular");

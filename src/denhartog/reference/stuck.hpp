@@ -18,23 +18,16 @@ struct StuckInBalls {
 };
 
 /// @brief The response if a force on the contact holds it: \f$ \mathbf w^T\mathbf X = 0 \f$.
+/// There is none where the system may resonate with the contact held.
 /// @eq{88}
-/// @param s  the scene with its damping matrix
-/// @return   the response; none where the system may resonate with the contact held
 [[nodiscard]] std::optional<StuckInBalls> stuck_in_balls(const SceneInBalls& s);
 
-/// @brief The friction ratio from which the contact can rest for ever. @eq{88}
-/// @param s      the scene
-/// @param stuck  the response with the contact held
-/// @return       the ratio; it is 1 / mu if the load acts on the contact alone
+/// @brief The friction ratio from which the contact can rest for ever: 1 / mu if the load acts on the contact alone. @eq{88}
 [[nodiscard]] Ball sticking_limit_in_balls(const SceneInBalls& s, const StuckInBalls& stuck);
 
 /// @brief (88) as printed, for a chain with one loaded mass and a contact on the wall.
 /// @eq{88}
-/// @param s     the scene with its damping matrix; its matrices are those of a chain
-/// @param load  the loaded mass
-/// @return      the ratio
-/// @throws      Unproved as `modes_in_balls`
+/// @throws Unproved as `modes_in_balls`
 [[nodiscard]] Ball sticking_limit_by_88(const SceneInBalls& s, std::size_t load);
 
 } // namespace denhartog::reference

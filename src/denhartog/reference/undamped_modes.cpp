@@ -1,8 +1,6 @@
-#include "denhartog/reference/undamped_modes.hpp"
+#include "denhartog/reference/invariant_points.hpp"
 
 #include <algorithm>
-
-#include "denhartog/reference/modes.hpp"
 
 namespace denhartog::reference {
 namespace {
@@ -86,40 +84,36 @@ PolynomialInBalls sum_over_modes(const WeightsInBalls& w, const std::vector<Poly
     return total;
 }
 
-UndampedModesInBalls::UndampedModesInBalls(const SceneInBalls& s, const std::vector<CoupledMasses>& parts) {
+UndampedModesInBalls::UndampedModesInBalls(const SceneInBalls& s, const std::vector<CoupledMasses>& parts)
+    : psi_(static_cast<std::size_t>(s.N()) + 2) {
     const auto N = static_cast<std::size_t>(s.N());
     for (const CoupledMasses& masses : parts) {
         const SceneInBalls part = part_of(s, masses);
         const ModesInBalls m = modes_in_balls(part);
+        const std::size_t before = psi_[N].size();
+        for (std::vector<Ball>& row : psi_) row.resize(before + m.R.size());
+        for (std::size_t row = 0; row < m.psi.size(); ++row) {
+            const std::size_t of_all = row < masses.size() ? static_cast<std::size_t>(masses[row]) : N + row - masses.size();
+            if (row < masses.size() || !acts_on_none(row == masses.size() ? part.w : part.p))
+                std::ranges::copy(m.psi[row], psi_[of_all].begin() + static_cast<std::ptrdiff_t>(before));
+        }
         for (std::size_t first = 0, last = 0; first < m.R.size(); first = last) {
             last = first + 1;
             for (const ModeCluster& c : m.clusters)
                 if (c.first == first) last = c.last;
-            std::vector<std::vector<Ball>> psi(N + 2, std::vector<Ball>(last - first));
-            for (std::size_t row = 0; row < m.psi.size(); ++row) {
-                const std::size_t of_all = row < masses.size() ? static_cast<std::size_t>(masses[row]) : N + row - masses.size();
-                const bool acts = row < masses.size() || !acts_on_none(row == masses.size() ? part.w : part.p);
-                for (std::size_t i = first; acts && i < last; ++i) psi[of_all][i - first] = m.psi[row][i];
-            }
             r_n_.push_back(1 / m.R[first]);
-            cluster_.push_back(last > first + 1);
             loaded_.push_back(!acts_on_none(part.p));
-            psi_.push_back(std::move(psi));
+            clusters_.push_back({before + first, before + last});
         }
     }
 }
 
 WeightsInBalls UndampedModesInBalls::weights(std::size_t a, std::size_t b) const {
     WeightsInBalls w;
-    for (std::size_t i = 0; i < psi_.size(); ++i) {
-        Ball sum(0), of_a(0), of_b(0);
-        for (std::size_t n = 0; n < psi_[i][a].size(); ++n) {
-            sum += psi_[i][a][n] * psi_[i][b][n];
-            of_a += psi_[i][a][n] * psi_[i][a][n];
-            of_b += psi_[i][b][n] * psi_[i][b][n];
-        }
-        w.sum.push_back(sum);
-        w.open.push_back(cluster_[i] ? root_of_positive(of_a * of_b) : Ball(0)); // Cauchy and Schwarz, as in `left_open`
+    for (const ModeCluster& c : clusters_) {
+        Ball& sum = w.sum.emplace_back(0);
+        for (std::size_t i = c.first; i < c.last; ++i) sum += psi_[a][i] * psi_[b][i];
+        w.open.push_back(c.last > c.first + 1 ? ModesInBalls::lengths_in(c, psi_[a], psi_[b]) : Ball(0));
     }
     return w;
 }

@@ -9,7 +9,6 @@
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/reference/orbit.hpp"
-#include "denhartog/reference/orbit_states.hpp"
 #include "denhartog/reference/sliding.hpp"
 #include "tests/conformance/generator/route.hpp"
 
