@@ -8,7 +8,7 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
-#include "denhartog/scene/mass_rules.hpp"
+#include "denhartog/scene/point_rules.hpp"
 #include "denhartog/scene/scene_json.hpp"
 
 namespace denhartog::conformance {

@@ -11,8 +11,8 @@
 #include <boost/multiprecision/mpfr.hpp>
 #include <limits>
 
+#include "denhartog/number/double_double.hpp"
 #include "denhartog/number/number.hpp"
-#include "denhartog/number/wider.hpp"
 
 namespace denhartog {
 

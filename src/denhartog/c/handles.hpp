@@ -11,7 +11,6 @@
 
 #include "denhartog/c/guarded.hpp"
 #include "denhartog/scene/limits.hpp"
-#include "denhartog/scene/mass_rules.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/solve.hpp"
 

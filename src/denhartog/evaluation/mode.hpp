@@ -17,7 +17,7 @@
 #include "denhartog/evaluation/overdamped.hpp"
 #include "denhartog/evaluation/special.hpp"
 #include "denhartog/formulas/mode.hpp"
-#include "denhartog/number/wider.hpp"
+#include "denhartog/number/double_double.hpp"
 
 namespace denhartog::evaluation {
 

@@ -11,7 +11,6 @@
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/parallel.hpp"
-#include "denhartog/scene/mass_rules.hpp"
 #include "denhartog/scene/point_rules.hpp"
 
 namespace denhartog {

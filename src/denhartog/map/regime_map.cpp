@@ -8,7 +8,6 @@
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/parallel.hpp"
-#include "denhartog/scene/mass_rules.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/solve_by_reference.hpp"
 

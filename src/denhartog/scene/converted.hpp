@@ -1,12 +1,10 @@
-/// @file
-/// @brief Systems in another number type. Included by sources only.
+// Numbers, matrices and systems in another type, rounded where it is narrower. Included by sources only.
 #pragma once
 
 #include "denhartog/scene/scene.hpp"
 
 namespace denhartog {
 
-/// @brief Numbers in another type. @param x the numbers @return the same, rounded where the type is narrower
 template <class To, class From>
 [[nodiscard]] std::vector<To> in_type(const std::vector<From>& x) {
     std::vector<To> out;
@@ -15,19 +13,16 @@ template <class To, class From>
     return out;
 }
 
-/// @brief A matrix in another type. @param A the matrix @return the same, rounded where the type is narrower
 template <class To, class From>
 [[nodiscard]] Matrix<To> in_type(const Matrix<From>& A) {
     return A.unaryExpr([](const From& x) { return static_cast<To>(x); });
 }
 
-/// @brief Coordinates in another type. @param c the coordinates @return the same, rounded where the type is narrower
 template <class To, class From>
 [[nodiscard]] Coordinates<To> in_type(const Coordinates<From>& c) {
     return {c.replaced, in_type<To>(c.displacements), in_type<To>(c.of_masses), c.between, in_type<To>(c.load)};
 }
 
-/// @brief A system in another type. @param s the system @return the same, rounded where the type is narrower
 template <class To, class From>
 [[nodiscard]] System<To> in_type(const System<From>& s) {
     return {in_type<To>(s.mass_ratios),

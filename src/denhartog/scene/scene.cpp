@@ -9,7 +9,7 @@
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/cholesky.hpp"
 #include "denhartog/scene/converted.hpp"
-#include "denhartog/scene/mass_rules.hpp"
+#include "denhartog/scene/point_rules.hpp"
 #include "denhartog/scene/scene_rules.hpp"
 
 namespace denhartog {

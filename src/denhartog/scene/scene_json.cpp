@@ -8,11 +8,10 @@
 
 #include "denhartog/formulas/system.hpp"
 #include "denhartog/number/ball_or_none.hpp"
+#include "denhartog/number/double_double.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/number/number_text.hpp"
-#include "denhartog/number/wider.hpp"
 #include "denhartog/scene/json_document.hpp"
-#include "denhartog/scene/scene_keys.hpp"
 #include "denhartog/scene/scene_rules.hpp"
 
 namespace denhartog {

@@ -3,7 +3,7 @@
 #include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/scene/mass_rules.hpp"
+#include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
 
 namespace denhartog {

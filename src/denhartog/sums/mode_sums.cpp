@@ -7,7 +7,6 @@
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/number/bounded.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/scene/mass_rules.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sums/left_out_coupling.hpp"
 

@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <memory>
 
-#include "denhartog/ledger/derivation_record.hpp"
 #include "denhartog/ledger/ledger.hpp"
 #include "denhartog/program/installed.hpp"
 #include "denhartog/program/output/files.hpp"

@@ -15,7 +15,7 @@
 #include "denhartog/program/interruptible.hpp"
 #include "denhartog/program/output/files.hpp"
 #include "denhartog/program/output/map_file.hpp"
-#include "denhartog/scene/mass_rules.hpp"
+#include "denhartog/scene/point_rules.hpp"
 #include "denhartog/scene/scene_json.hpp"
 #include "denhartog/scene/scene_rules.hpp"
 

@@ -10,7 +10,7 @@
 #include "denhartog/program/json/solution_json.hpp"
 #include "denhartog/program/output/motion_file.hpp"
 #include "denhartog/scene/limits.hpp"
-#include "denhartog/scene/mass_rules.hpp"
+#include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
 

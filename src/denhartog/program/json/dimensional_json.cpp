@@ -6,7 +6,7 @@
 
 #include "denhartog/program/json/solution_json.hpp"
 #include "denhartog/program/output/table.hpp"
-#include "denhartog/scene/units.hpp"
+#include "denhartog/scene/point_rules.hpp"
 
 namespace denhartog::program {
 
