@@ -27,8 +27,8 @@ using Json = nlohmann::ordered_json;
     return numbers;
 }
 
-// The number of an equation as the ledger writes it, from what people write: `46`, `(46)`, `eq:46`, `A.7`, `a.7`, `A7`, `a7`; `54a`,
-// `(54)a` and the like mean (54). Nothing where the paper has no such equation.
+// The number of an equation as the ledger writes it, from what people write: `46`, `(46)`, `eq:46`, `A.7`, `a.7`, `A7`, `a7`;
+// `54a`, `(54)a` and the like mean (54). Nothing where the paper has no such equation.
 [[nodiscard]] inline std::optional<std::string> equation_number(std::string text) {
     if (text.starts_with("eq:")) text.erase(0, 3);
     if (text.starts_with('(')) {

@@ -8,7 +8,7 @@
 
 namespace denhartog {
 
-// An angle in half turns without whole turns, where there are many: Boost counts half turns in an int. NaN where it is not finite.
+// An angle in half turns without whole turns, where there are many: Boost counts half turns in an int. NaN where not finite.
 template <class T>
 [[nodiscard]] T without_many_turns(const T& x) {
     constexpr double many = 1e9;

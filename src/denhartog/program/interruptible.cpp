@@ -1,4 +1,4 @@
-#include "denhartog/program/interruptible.hpp"
+#include "denhartog/program/exit_status.hpp"
 
 #include <csignal>
 

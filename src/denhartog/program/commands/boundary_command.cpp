@@ -7,9 +7,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
-#include "denhartog/program/json/dimensional_json.hpp"
 #include "denhartog/program/json/solution_json.hpp"
-#include "denhartog/program/output/table.hpp"
 
 namespace denhartog::program {
 namespace {
@@ -21,7 +19,7 @@ std::string boundary_table(const Json& a) {
                                 {"beta_lim exact", in_table(b.at("exact"))},
                                 {"beta_lim paper (56)", in_table(b.at("paper"))},
                                 {"beta_lim approximate (67)", in_table(b.at("approximate"))},
-                                {"permanent sticking from", b.contains("sticking") ? in_table(b.at("sticking")) : "-"},
+                                {"permanent sticking from", cell(b, "sticking")},
                                 {"binding condition", a.at("binding_condition").get<std::string>()}});
     if (a.contains("reason")) text += a.at("reason").get<std::string>() + "\n";
     return text + "\n";
@@ -60,7 +58,7 @@ Json invariant_points_json(const std::vector<InvariantPointsOfMass<Certified>>& 
 }
 
 std::string invariant_points_table(const Json& masses) {
-    std::vector<std::vector<std::string>> rows{{"mass", "invariant at r", "amplitude", "where"}};
+    Rows rows{{"mass", "invariant at r", "amplitude", "where"}};
     for (const Json& mass : masses) {
         for (const Json& p : mass.at("points"))
             rows.push_back(
@@ -75,15 +73,14 @@ std::string invariant_points_table(const Json& masses) {
 std::string bound(const SceneText& part, const BoundaryOptions& options) {
     const SceneSource source = without_friction_ratio(source_of(part, options.damping));
     const NumberWriter write{options.digits};
-    const Solution found = answer_or_reason(source, options);
+    const Solution found = off_poles([&] { return sliding_answer(source, options.digits, options.proved); });
     Json answer = boundary_json(found, write);
-    const std::optional<Units> units = source->in_double().units;
-    if (units) answer["dimensional"] = dimensional_json(found, *units);
+    add_dimensional(answer, source, found);
     if (!options.range.empty())
         answer["invariant_points"] =
             invariant_points_json(invariant_points(source, range_from(options.range), options.digits), write);
     if (options.json) return answer.dump() + "\n";
-    return boundary_table(answer) + (units ? dimensional_table(answer.at("dimensional")) + "\n" : "") +
+    return boundary_table(answer) + dimensional_table(answer) +
            (options.range.empty() ? "" : invariant_points_table(answer.at("invariant_points")));
 }
 

@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "denhartog/ledger/ledger.hpp"
-#include "denhartog/program/installed.hpp"
 #include "denhartog/program/output/files.hpp"
 
 namespace denhartog::program {

@@ -7,7 +7,6 @@
 #include "denhartog/ledger/ledger.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/program/exit_status.hpp"
-#include "denhartog/program/installed.hpp"
 #include "denhartog/program/output/files.hpp"
 
 namespace denhartog::program {

@@ -4,10 +4,7 @@
 #include <memory>
 
 #include "denhartog/program/commands/scene_command.hpp"
-#include "denhartog/program/json/damping_json.hpp"
-#include "denhartog/program/json/dimensional_json.hpp"
 #include "denhartog/program/json/solution_json.hpp"
-#include "denhartog/program/output/table.hpp"
 #include "denhartog/scene/point_rules.hpp"
 
 namespace denhartog::program {
@@ -22,32 +19,22 @@ std::string response_table(const Json& a) {
                      {"beta_lim paper (56)", cell(a.at("beta_lim"), "paper")},
                      {"beta_lim approximate (67)", cell(a.at("beta_lim"), "approximate")},
                      {"permanent sticking from", cell(a.at("beta_lim"), "sticking")}});
-    if (a.contains("masses")) {
-        const std::vector<const char*> keys{"mass", "amplitude", "phase",      "amplitude_monoharmonic", "phase_monoharmonic",
-                                            "x0",   "v0",        "error_bound"};
-        std::vector<std::vector<std::string>> rows{
-            {"mass", "amplitude", "phase", "monoharmonic", "phase", "x0", "v0", "error bound"}};
-        for (const Json& m : a.at("masses")) {
-            rows.emplace_back();
-            for (const char* key : keys) rows.back().push_back(cell(m, key));
-        }
-        text += aligned(rows) + contact_in_words(a.at("contact")) +
-                "; displacements in units of P / k_1, phases in radians behind the force\n";
-    }
-    if (a.contains("damping")) text += damping_table(a.at("damping"));
-    return text + method_in_words(a.at("method")) + "\n";
+    if (a.contains("masses"))
+        text +=
+            aligned({"mass", "amplitude", "phase", "monoharmonic", "phase", "x0", "v0", "error bound"}, a.at("masses"),
+                    {"mass", "amplitude", "phase", "amplitude_monoharmonic", "phase_monoharmonic", "x0", "v0", "error_bound"}) +
+            contact_in_words(a.at("contact")) + "; displacements in units of P / k_1, phases in radians behind the force\n";
+    return text + damping_line(a) + method_in_words(a.at("method")) + "\n";
 }
 
 std::string respond(const SceneText& part, const SceneOptions& options) {
     const SceneSource source = source_of(part, options.damping);
     (void)friction_ratio_of(source->in_double());
-    const Solution found = answer_or_reason(source, options);
+    const Solution found = off_poles([&] { return sliding_answer(source, options.digits, options.proved); });
     Json answer = response_json(found, NumberWriter{options.digits});
-    if (const std::optional<Json> damping = damping_json(source)) answer["damping"] = *damping;
-    const std::optional<Units> units = source->in_double().units;
-    if (units) answer["dimensional"] = dimensional_json(found, *units);
-    if (options.json) return answer.dump() + "\n";
-    return response_table(answer) + (units ? dimensional_table(answer.at("dimensional")) + "\n" : "");
+    add_damping(answer, source);
+    add_dimensional(answer, source, found);
+    return options.json ? answer.dump() + "\n" : response_table(answer) + dimensional_table(answer);
 }
 
 } // namespace

@@ -2,7 +2,6 @@
 #include <nlohmann/json.hpp>
 
 #include "conformance/score.hpp"
-#include "denhartog/program/conform/number.hpp"
 #include "denhartog/program/conform/report.hpp"
 
 namespace denhartog::program {

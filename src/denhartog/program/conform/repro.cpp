@@ -4,9 +4,8 @@
 #include "conformance/method.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
+#include "denhartog/program/conform/options.hpp"
 #include "denhartog/program/conform/report.hpp"
-#include "denhartog/program/conform/run.hpp"
-#include "denhartog/program/installed.hpp"
 #include "denhartog/program/output/files.hpp"
 
 namespace denhartog::program {
@@ -14,15 +13,9 @@ namespace {
 
 using conformance::Vector;
 
-const Vector& vector_named(const std::string& id, const std::vector<Vector>& all) {
-    for (const Vector& v : all)
-        if (v.question.id == id) return v;
-    throw InputError("id", "must be a vector's", legible(id));
-}
-
 std::string runner_command(const ConformOptions& options, const Vector& v) {
     std::vector<std::string> words{this_program(), "conform", "run"};
-    if (options.selection.vectors != vectors_folder()) words.insert(words.end(), {"--vectors", options.selection.vectors});
+    if (options.vectors != vectors_folder()) words.insert(words.end(), {"--vectors", options.vectors});
     if (options.method != conformance::methods().front().name) words.insert(words.end(), {"--method", options.method});
     if (is_of_systems(v)) words.emplace_back("--systems");
     words.insert(words.end(), {"--filter", "^" + options.repro + "$", "--verbose", "--"});
@@ -66,7 +59,7 @@ std::string shell_text(const std::vector<std::string>& words) {
 void conform_repro(const ConformOptions& options, ExitStatus& status) {
     const conformance::RunSettings settings = run_settings(options);
     const conformance::SolverMethod& method = conformance::method_named(options.method);
-    const std::vector<Vector> all = conformance::read_vectors(options.selection.vectors);
+    const std::vector<Vector> all = conformance::read_vectors(options.vectors);
     Vector v = vector_named(options.repro, all);
     conformance::widen(v, method);
     const conformance::WithoutBrokenPipeSignal guard;

@@ -1,4 +1,4 @@
-#include "denhartog/program/conform/run.hpp"
+#include "denhartog/program/conform/options.hpp"
 
 #include <unistd.h>
 
@@ -15,9 +15,9 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/program/conform/report.hpp"
-#include "denhartog/program/interruptible.hpp"
+#include "denhartog/program/exit_status.hpp"
+#include "denhartog/program/json/number_json.hpp"
 #include "denhartog/program/output/files.hpp"
-#include "denhartog/program/output/table.hpp"
 
 namespace denhartog::program {
 namespace {
@@ -62,7 +62,7 @@ std::optional<Verdicts> earlier_verdicts(const ConformOptions& options) {
 // All vectors, with the tolerances of the method.
 std::vector<Vector> vectors_for(const ConformOptions& options) {
     const conformance::SolverMethod& method = conformance::method_named(options.method);
-    std::vector<Vector> all = conformance::read_vectors(options.selection.vectors);
+    std::vector<Vector> all = conformance::read_vectors(options.vectors);
     for (Vector& v : all) conformance::widen(v, method);
     return all;
 }
@@ -79,11 +79,7 @@ void finish(ConformReport& report, const ConformOptions& options, const std::opt
     report.verbose = options.verbose;
     report.conforms = report.cut_short.empty() && conformance::conforms(report.judged, needed_quantities(options));
     if (earlier) report.changes = compare(*earlier, report.judged);
-    const std::string text = text_in_format(report, options.format);
-    if (options.output.empty())
-        write_standard_output(text);
-    else
-        write_file(options.output, text);
+    write_output(options.output, text_in_format(report, options.format));
     if (!options.track.empty() && report.cut_short.empty() && (!report.changes || report.changes->worse.empty()))
         write_file(options.track, tracked_text(earlier.value_or(Verdicts{}), report.judged));
     status.broken = report.broken;
@@ -96,7 +92,7 @@ void conform_run(const ConformOptions& options, ExitStatus& status) {
     const conformance::RunSettings settings = run_settings(options);
     static_cast<void>(needed_quantities(options));
     const std::vector<Vector> all = vectors_for(options);
-    const std::vector<const Vector*> chosen = selected(options.selection, all);
+    const std::vector<const Vector*> chosen = selected(options, all);
     const std::optional<Verdicts> earlier = earlier_verdicts(options);
     std::vector<const conformance::ProtocolQuestion*> questions;
     for (const Vector* v : chosen) questions.push_back(&v->question);
@@ -125,7 +121,7 @@ void conform_grade(const ConformOptions& options, ExitStatus& status) {
     std::set<std::string> ids;
     for (const Vector& v : all) ids.insert(v.question.id);
     const std::map<std::string, conformance::Answer> answers = conformance::answers_in(read_input(options.answers), ids);
-    SelectionOptions choice = options.selection;
+    SelectionOptions choice = options;
     if (choice.groups.empty()) // who answers about systems beyond the paper asks for the verdict
         choice.systems = choice.systems || std::any_of(all.begin(), all.end(), [&](const Vector& v) {
                              return is_of_systems(v) && answers.contains(v.question.id);
@@ -150,7 +146,7 @@ void conform_smoke(const ConformOptions& options, ExitStatus& status) {
         status.signal = interruptible.caught();
         return;
     }
-    std::vector<std::vector<std::string>> rows;
+    Rows rows;
     bool good = true;
     for (const conformance::SmokeCheck& check : found.checks) {
         rows.push_back({check.good ? "good" : "BAD", check.what, check.found});

@@ -1,4 +1,4 @@
-#include "denhartog/program/conform/track.hpp"
+#include "denhartog/program/conform/report.hpp"
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
