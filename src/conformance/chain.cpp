@@ -1,4 +1,4 @@
-#include "conformance/chain.hpp"
+#include "conformance/diagnosis/explanations.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,6 @@
 #include <functional>
 #include <limits>
 
-#include "conformance/curve.hpp"
 #include "conformance/plain/closed_form.hpp"
 #include "conformance/score.hpp"
 #include "denhartog/number/number.hpp"

@@ -1,4 +1,4 @@
-#include "conformance/diagnosis/in_common.hpp"
+#include "conformance/diagnosis/explanations.hpp"
 
 #include <algorithm>
 #include <map>

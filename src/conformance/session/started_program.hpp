@@ -1,5 +1,4 @@
-/// @file
-/// @brief How a program under test is started: two pipes, a group of its own, and a death that follows the runner's.
+// How a program under test is started: two pipes, a group of its own, and a death that follows the runner's.
 #pragma once
 
 #include <sys/types.h>
@@ -9,21 +8,17 @@
 
 namespace denhartog::conformance {
 
-/// @brief A program that was started. Whoever has it closes the pipes and waits for its end.
+// A program that was started. Whoever has it closes the pipes and waits for its end.
 struct StartedProgram {
-    pid_t group = -1; ///< its process, which leads a group of the same number
-    int to = -1;      ///< end of the pipe to its standard input, which does not block
-    int from = -1;    ///< end of the pipe from its standard output, which does not block
+    pid_t group = -1; // its process, which leads a group of the same number
+    int to = -1;      // end of the pipe to its standard input, which does not block
+    int from = -1;    // end of the pipe from its standard output, which does not block
 };
 
-/// @brief Starts a program.
-///
-/// Its standard error is the runner's: what it writes there is never kept. Where the system has it, the system kills the
-/// program as soon as the thread that started it ends, in whatever way: a runner that is killed leaves no program behind that
-/// computes for ever. The program's own children do not end with it; they find their standard input at its end.
-/// @param command  the program, looked for as a shell does, and its arguments
-/// @return         the program
-/// @throws         std::system_error where it cannot be started
+// Starts a program. Its standard error is the runner's: what it writes there is never kept. Where the system has it, the system
+// kills the program as soon as the thread that started it ends, in whatever way: a runner that is killed leaves no program behind
+// that computes for ever. The program's own children do not end with it; they find their standard input at its end. Throws
+// std::system_error where it cannot be started.
 [[nodiscard]] StartedProgram start(const std::vector<std::string>& command);
 
 } // namespace denhartog::conformance

@@ -11,7 +11,6 @@
 #include "conformance/grade.hpp"
 #include "conformance/method.hpp"
 #include "conformance/score.hpp"
-#include "conformance/session/smoke.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/program/conform/report.hpp"
