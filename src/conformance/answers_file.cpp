@@ -1,9 +1,8 @@
-#include "conformance/answers_file.hpp"
+#include "conformance/question.hpp"
 
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "conformance/verdict.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/scene/json_document.hpp"

@@ -1,4 +1,4 @@
-// The subcommands, one source each; how they are added to the program. Faults are noted in the status; InputError comes out of the
+// The subcommands; how they are added to the program. Faults are noted in the status; InputError comes out of the
 // callbacks.
 #pragma once
 

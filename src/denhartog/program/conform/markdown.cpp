@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "conformance/score.hpp"
+#include "conformance/verdict.hpp"
 #include "denhartog/program/conform/report.hpp"
 
 namespace denhartog::program {

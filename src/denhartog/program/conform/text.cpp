@@ -4,7 +4,7 @@
 #include <map>
 
 #include "conformance/method.hpp"
-#include "conformance/score.hpp"
+#include "conformance/verdict.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/conform/report.hpp"
 #include "denhartog/program/json/number_json.hpp"
