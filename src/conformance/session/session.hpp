@@ -1,5 +1,4 @@
-// A conversation with a program under test by the protocol: handshake, questions, answers, and what to do about crashes;
-// and whether it keeps to the protocol.
+// A conversation with a program under test: handshake, questions, answers, crashes, and whether it keeps to the protocol.
 #pragma once
 
 #include <functional>

@@ -1,8 +1,8 @@
-// A number of twice the digits of a double, as the sum of two: some 30 digits of sums, products, quotients and roots,
-// 17 of elementary functions.
+// A number of twice the digits of a double, as the sum of two.
 //
-// It is the type of differences whose terms may not be rounded to a double first (`WiderOf`). It has the range of a double,
-// and the same digits on every machine, which `long double` has not.
+// Sums, products, quotients and roots have some 30 digits, elementary functions 17. It is the type of differences whose terms may
+// not be rounded to a double first (`WiderOf`). It has the range of a double, and the same digits on every machine, which
+// `long double` has not.
 #pragma once
 
 #include <cmath>

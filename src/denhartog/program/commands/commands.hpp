@@ -1,5 +1,5 @@
-// The subcommands; how they are added to the program. Faults are noted in the status; InputError comes out of the
-// callbacks.
+// The subcommands, and how they are added to the program.
+// Faults are noted in the status; InputError comes out of the callbacks.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// Answers as JSON objects, the keys in the order of the documentation, and as tables. What means nothing in a regime, or was not
-// asked for, is absent.
+// Answers as JSON objects, the keys in the order of the documentation, and as tables.
+// What means nothing in a regime, or was not asked for, is absent.
 #pragma once
 
 #include "denhartog/answer/scene_source.hpp"

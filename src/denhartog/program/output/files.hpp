@@ -1,5 +1,5 @@
-// Files that are read and written whole, or not at all, and where those are that the program reads by default. Each function
-// throws InputError where its file cannot be read or written.
+// Files that are read and written whole, or not at all, and where those are that the program reads by default.
+// Each function throws InputError where its file cannot be read or written.
 #pragma once
 
 #include <string>
