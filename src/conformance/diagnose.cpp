@@ -133,8 +133,6 @@ Weighed weigh(std::span<Judged> judged, Evidence& evidence, const std::vector<st
     return weighed;
 }
 
-double share(std::size_t part, std::size_t whole) { return static_cast<double>(part) / static_cast<double>(whole); }
-
 bool is_accepted(const Weighed& weighed, std::size_t wrong, const Thresholds& least) {
     const Finding& finding = weighed.finding;
     if (finding.explained < std::min(least_explained, wrong) || !weighed.has_core) return false;

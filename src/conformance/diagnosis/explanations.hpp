@@ -40,6 +40,10 @@ struct Guess {
 [[nodiscard]] std::vector<double> sign_changes(const std::function<double(double)>& f, const std::vector<double>& grid,
                                                int halvings);
 
+[[nodiscard]] inline double share(std::size_t part, std::size_t whole) {
+    return static_cast<double>(part) / static_cast<double>(whole);
+}
+
 // A few elements of a list, from all over it.
 template <class T>
 [[nodiscard]] std::vector<T> spread(const std::vector<T>& all, std::size_t most) {

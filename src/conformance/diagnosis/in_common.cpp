@@ -43,8 +43,6 @@ std::size_t count_of(const std::map<std::string, std::size_t>& counts, const std
     return found == counts.end() ? 0 : found->second;
 }
 
-double share(std::size_t part, std::size_t whole) { return static_cast<double>(part) / static_cast<double>(whole); }
-
 bool larger_share_of_wrong(const InCommon& a, const InCommon& b) {
     return a.wrong * b.asked != b.wrong * a.asked ? a.wrong * b.asked > b.wrong * a.asked : a.wrong > b.wrong;
 }

@@ -15,8 +15,6 @@
 #include <optional>
 #include <sstream>
 
-#include "conformance/session/started_program.hpp"
-
 namespace denhartog::conformance {
 namespace {
 
