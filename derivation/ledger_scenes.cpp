@@ -1,6 +1,6 @@
 #include "derivation/ledger_scenes.hpp"
 
-#include "denhartog/ledger/scene_sentence.hpp"
+#include "denhartog/ledger/ledger_entry.hpp"
 
 namespace denhartog::derivation {
 

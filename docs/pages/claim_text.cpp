@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "denhartog/ledger/scene_sentence.hpp"
+#include "denhartog/ledger/ledger_entry.hpp"
 #include "denhartog/number/errors.hpp"
 #include "derivation/threshold.hpp"
 #include "text.hpp"

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 
-#include "conformance/diagnosis/guesses.hpp"
-#include "conformance/diagnosis/in_common.hpp"
+#include "conformance/diagnosis/explanations.hpp"
 #include "conformance/grade.hpp"
-#include "conformance/spread.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -134,8 +133,6 @@ Weighed weigh(std::span<Judged> judged, Evidence& evidence, const std::vector<st
     return weighed;
 }
 
-double share(std::size_t part, std::size_t whole) { return static_cast<double>(part) / static_cast<double>(whole); }
-
 bool is_accepted(const Weighed& weighed, std::size_t wrong, const Thresholds& least) {
     const Finding& finding = weighed.finding;
     if (finding.explained < std::min(least_explained, wrong) || !weighed.has_core) return false;
@@ -228,6 +225,31 @@ void call_as_printed(Judged& one, const Mistake& mistake) {
 }
 
 } // namespace
+
+FittedMistakes fitted_mistakes(std::span<const Judged> judged) {
+    FittedMistakes all = fitted_instants(judged);
+    all.merge(fitted_transient(judged));
+    return all;
+}
+
+Signatures signatures_with(FittedMistakes fitted,
+                           std::function<std::optional<Value>(std::string_view, const ProtocolQuestion&)> answer) {
+    const auto shared = std::make_shared<const FittedMistakes>(std::move(fitted));
+    const auto found = [shared](std::string_view name) { return shared->find(std::string(name)); };
+    return {mistakes(),
+            [=, answer = std::move(answer)](std::string_view name, const ProtocolQuestion& q) {
+                const auto of_name = found(name);
+                return of_name == shared->end() ? answer(name, q) : of_name->second.answer(q);
+            },
+            [=](std::string_view name) {
+                const auto of_name = found(name);
+                return of_name == shared->end() ? std::string() : of_name->second.number;
+            }};
+}
+
+Signatures known_signatures(std::span<const Judged> judged) {
+    return signatures_with(fitted_mistakes(judged), answer_with_mistake);
+}
 
 Diagnosis diagnose(std::span<Judged> judged, const Signatures& signatures, const Thresholds& least, bool guess) {
     Diagnosis diagnosis;

@@ -24,7 +24,6 @@
 #include <string_view>
 #include <vector>
 
-#include "conformance/chain.hpp"
 #include "conformance/diagnosis/fitted.hpp"
 #include "conformance/mistakes/mistake.hpp"
 #include "conformance/verdict.hpp"
@@ -33,7 +32,7 @@ namespace denhartog::conformance {
 
 /// @brief The known mistakes, or others in their place.
 struct Signatures {
-    std::span<const Mistake> mistakes;                                                           ///< the mistakes
+    std::span<const Mistake> mistakes; ///< the mistakes
     std::function<std::optional<Value>(std::string_view name, const ProtocolQuestion& question)>
         answer; ///< see `answer_with_mistake`
     /// The number that was found from the answers, in words; empty where a mistake has none of its own.
@@ -90,6 +89,13 @@ struct Simple {
     std::size_t explained = 0;           ///< number of wrong answers that it explains
     std::size_t contradicted = 0;        ///< number of answers that contradict it
     std::vector<std::string> quantities; ///< the quantities of the answers that it explains
+};
+
+/// @brief A link of the chain of quantities, each made of those before it: the first that is wrong is where to look.
+struct Link {
+    std::string name;         ///< in words, e.g. `shapes`
+    std::size_t answered = 0; ///< answers to its quantities
+    std::size_t wrong = 0;    ///< of these the wrong ones in question
 };
 
 /// @brief The diagnosis of an implementation.

@@ -2,7 +2,9 @@
 /// @brief What an implementation under test is asked, and what it answers; docs/protocol.md has the same for readers.
 #pragma once
 
+#include <map>
 #include <nlohmann/json_fwd.hpp>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -141,5 +143,15 @@ using Answer = std::variant<Value, Rejected, Skipped, Unusable>;
 /// @param text  the cell
 /// @return      the answer
 [[nodiscard]] Answer answer_from_cell(std::string_view text);
+
+/// @brief Reads answers in a file: CSV with the heading `id,value`, or JSON Lines as the protocol has them.
+///
+/// A file whose first character is `{` is JSON Lines; any other is CSV, cells in quotes where they need it, lines ended by LF or
+/// CRLF.
+/// @param text   the file
+/// @param known  the ids of all vectors
+/// @return       the answers by id
+/// @throws       InputError if the heading is missing, a line is not an answer, or an id is unknown or given twice
+[[nodiscard]] std::map<std::string, Answer> answers_in(std::string_view text, const std::set<std::string>& known);
 
 } // namespace denhartog::conformance

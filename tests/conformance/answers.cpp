@@ -1,4 +1,4 @@
-#include "conformance/answers_file.hpp"
+#include "conformance/question.hpp"
 
 #include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"

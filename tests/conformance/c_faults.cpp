@@ -11,7 +11,7 @@
 #include <limits>
 
 #include "denhartog/answer/reference.hpp"
-#include "denhartog/c/guarded.hpp"
+#include "denhartog/c/handles.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 

@@ -4,7 +4,6 @@
 #include "conformance/diagnose.hpp"
 #include "conformance/grade.hpp"
 #include "conformance/plain/closed_form.hpp"
-#include "conformance/plain/integration.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/vector_folder.hpp"
 

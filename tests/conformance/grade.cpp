@@ -4,9 +4,8 @@
 #include <functional>
 #include <limits>
 
-#include "conformance/curve.hpp"
 #include "conformance/plain/closed_form.hpp"
-#include "conformance/score.hpp"
+#include "conformance/verdict.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/sliding/boundary.hpp"
 #include "tests/catch.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "conformance/plain/systems.hpp"
+#include "conformance/plain/closed_form.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/sliding/regime.hpp"

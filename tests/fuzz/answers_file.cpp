@@ -1,5 +1,5 @@
 // Answers files: CSV and JSON Lines mean the same, and an answer is to a question that there is.
-#include "conformance/answers_file.hpp"
+#include "conformance/question.hpp"
 
 #include <nlohmann/json.hpp>
 

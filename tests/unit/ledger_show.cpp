@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "denhartog/ledger/derivation_record.hpp"
 #include "denhartog/number/errors.hpp"
 #include "derivation/ledger_join.hpp"
 #include "tests/unit/ledger_fixtures.hpp"

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "conformance/diagnosis/explanations.hpp"
 #include "conformance/mistakes/mistake_definition.hpp"
 #include "conformance/plain/closed_form.hpp"
-#include "conformance/spread.hpp"
 #include "denhartog/elementary/elementary.hpp"
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/boundary.hpp"
@@ -56,23 +56,12 @@ double printed_of_mode(const PlainModes& m, std::size_t i, double tau) {
 }
 
 // Steps from an end of the half-period at which a function that is large there has a value.
-void add_steps(std::vector<double>& steps, const std::function<double(double)>& f, double value) {
+std::vector<double> steps_at(const std::function<double(double)>& f, double value) {
     constexpr int pieces = 160;
     const double least = elementary::log(1e-9), most = elementary::log(largest_step);
-    double before = elementary::exp(least), f_before = f(before);
-    for (int n = 1; n <= pieces; ++n) {
-        const double at = elementary::exp(least + (most - least) * n / pieces), f_at = f(at);
-        if ((f_before - value) * (f_at - value) < 0) {
-            double a = before, b = at;
-            for (int halvings = 0; halvings < 60; ++halvings) {
-                const double middle = (a + b) / 2;
-                ((f_before - value) * (f(middle) - value) < 0 ? b : a) = middle;
-            }
-            steps.push_back((a + b) / 2);
-        }
-        before = at;
-        f_before = f_at;
-    }
+    std::vector<double> grid;
+    for (int n = 0; n <= pieces; ++n) grid.push_back(elementary::exp(least + (most - least) * n / pieces));
+    return sign_changes([&](double h) { return f(h) - value; }, grid, 60);
 }
 
 // The number that most of some numbers share.
@@ -191,14 +180,9 @@ EndSteps end_steps(const Observed& one) {
     const auto larger = [&](std::size_t i, double h) {
         return std::max(printed_of_mode(m, i, h), printed_of_mode(m, i, late(h)));
     };
-    EndSteps steps;
-    add_steps(
-        steps.at_start, [&](double h) { return sum([&](std::size_t i) { return printed_of_mode(m, i, h); }); }, one.S);
-    add_steps(
-        steps.at_end, [&](double h) { return sum([&](std::size_t i) { return printed_of_mode(m, i, late(h)); }); }, one.S);
-    add_steps(
-        steps.at_both, [&](double h) { return sum([&](std::size_t i) { return larger(i, h); }); }, one.S);
-    return steps;
+    return {steps_at([&](double h) { return sum([&](std::size_t i) { return printed_of_mode(m, i, h); }); }, one.S),
+            steps_at([&](double h) { return sum([&](std::size_t i) { return printed_of_mode(m, i, late(h)); }); }, one.S),
+            steps_at([&](double h) { return sum([&](std::size_t i) { return larger(i, h); }); }, one.S)};
 }
 
 void add_grids(std::vector<Grid>& shown, const std::vector<Observed>& all, const std::vector<EndSteps>& steps,

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "conformance/diagnosis/explanations.hpp"
 #include "conformance/diagnosis/fitted.hpp"
 #include "conformance/grade.hpp"
 #include "conformance/mistakes/mistake_definition.hpp"
-#include "conformance/plain/integration.hpp"
-#include "conformance/spread.hpp"
+#include "conformance/plain/closed_form.hpp"
 #include "denhartog/elementary/elementary.hpp"
 #include "denhartog/number/errors.hpp"
 

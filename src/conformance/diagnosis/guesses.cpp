@@ -1,13 +1,11 @@
-#include "conformance/diagnosis/guesses.hpp"
+#include "conformance/diagnosis/explanations.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
 
-#include "conformance/chain.hpp"
 #include "conformance/plain/closed_form.hpp"
-#include "conformance/spread.hpp"
 #include "denhartog/elementary/elementary.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/number/number_text.hpp"
@@ -133,20 +131,11 @@ void add_factors(std::vector<Guess>& all, const Input& input, std::span<const Ju
         const std::optional<Value> value = plain_answer(q, c);
         return value && !value->numbers.empty() ? value->numbers.front() - one.given.numbers.front() : std::nan("");
     };
-    double before = elementary::exp(-reach), off_before = apart(before);
-    for (int n = 1; n <= pieces; ++n) {
-        const double at = elementary::exp(reach * (2.0 * n / pieces - 1)), off = apart(at);
-        if (off_before * off < 0) {
-            double a = before, b = at;
-            for (int halvings = 0; halvings < 48; ++halvings) {
-                const double middle = (a + b) / 2;
-                (off_before * apart(middle) < 0 ? b : a) = middle;
-            }
-            Guess guess = scaled(input, (a + b) / 2);
-            if (std::abs((a + b) / 2 - 1) > fits && fits_some(guess, answers)) all.push_back(std::move(guess));
-        }
-        before = at;
-        off_before = off;
+    std::vector<double> grid;
+    for (int n = 0; n <= pieces; ++n) grid.push_back(elementary::exp(reach * (2.0 * n / pieces - 1)));
+    for (const double factor : sign_changes(apart, grid, 48)) {
+        Guess guess = scaled(input, factor);
+        if (std::abs(factor - 1) > fits && fits_some(guess, answers)) all.push_back(std::move(guess));
     }
 }
 
@@ -194,6 +183,24 @@ void add_others(std::vector<Guess>& all) {
 }
 
 } // namespace
+
+std::vector<double> sign_changes(const std::function<double(double)>& f, const std::vector<double>& grid, int halvings) {
+    std::vector<double> places;
+    double f_before = f(grid.front());
+    for (std::size_t n = 1; n < grid.size(); ++n) {
+        const double f_at = f(grid[n]);
+        if (f_before * f_at < 0) {
+            double a = grid[n - 1], b = grid[n];
+            for (int halving = 0; halving < halvings; ++halving) {
+                const double middle = (a + b) / 2;
+                (f_before * f(middle) < 0 ? b : a) = middle;
+            }
+            places.push_back((a + b) / 2);
+        }
+        f_before = f_at;
+    }
+    return places;
+}
 
 std::vector<Guess> guesses_at(std::span<const Judged* const> wrong) {
     constexpr std::size_t least = 3, most_probed = 6, probes = 2;

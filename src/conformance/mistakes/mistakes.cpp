@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "conformance/mistakes/mistake_definition.hpp"
@@ -52,16 +51,7 @@ std::optional<Value> answer_with_mistake(std::string_view name, const ProtocolQu
     const auto found = std::find_if(definitions().begin(), definitions().end(),
                                     [&](const MistakeDefinition& each) { return each.mistake.name == name; });
     if (found == definitions().end()) throw InputError("mistake", "must be one of the known ones", std::string(name));
-    try {
-        std::optional<Value> value = found->answer(q);
-        if (value && !std::all_of(value->numbers.begin(), value->numbers.end(), [](double x) { return std::isfinite(x); }))
-            return std::nullopt;
-        return value;
-    } catch (const InputError&) { // a place beyond the chain, a motion that is none: nothing is answered
-    } catch (const DomainError&) {
-    } catch (const PrecisionError&) {
-    }
-    return std::nullopt;
+    return where_finite([&] { return found->answer(q); }); // not for a place beyond the chain, or a motion that is none
 }
 
 } // namespace denhartog::conformance

@@ -1,5 +1,5 @@
 #include "conformance/mistakes/mistake_definition.hpp"
-#include "conformance/plain/integration.hpp"
+#include "conformance/plain/closed_form.hpp"
 
 namespace denhartog::conformance {
 namespace {

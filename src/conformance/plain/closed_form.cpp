@@ -4,8 +4,6 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 
-#include "conformance/plain/integration.hpp"
-#include "conformance/plain/systems.hpp"
 #include "denhartog/elementary/elementary.hpp"
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/contact.hpp"
@@ -162,8 +160,9 @@ std::optional<Value> computed(const ProtocolQuestion& q, const Choices& c) {
     return Value{of_motion(q, m, c, k), ""};
 }
 
-template <class Computed>
-std::optional<Value> where_finite(const Computed& answer) {
+} // namespace
+
+std::optional<Value> where_finite(const std::function<std::optional<Value>()>& answer) {
     try {
         std::optional<Value> value = answer();
         if (value && !std::all_of(value->numbers.begin(), value->numbers.end(), [](double x) { return std::isfinite(x); }))
@@ -175,8 +174,6 @@ std::optional<Value> where_finite(const Computed& answer) {
     }
     return std::nullopt;
 }
-
-} // namespace
 
 double wrapped_angle(double angle) {
     const double reduced = std::remainder(angle, 2 * pi<double>());

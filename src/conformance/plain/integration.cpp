@@ -1,4 +1,4 @@
-#include "conformance/plain/integration.hpp"
+#include "conformance/plain/closed_form.hpp"
 
 #include <algorithm>
 #include <cmath>

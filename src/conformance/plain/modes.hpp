@@ -1,9 +1,8 @@
-/// @file
-/// @brief The modes, sums over modes and motions of the plain closed form, with the points at which it may be varied.
-///
-/// This is the closed form as a reader of the corrected paper would code it: in double, without error bounds, and with samples in
-/// the search for a maximum. Implementations are known to differ at every point of variation. Without variation the numbers have
-/// the accuracy of double.
+// The modes, sums over modes and motions of the plain closed form, with the points at which it may be varied.
+//
+// This is the closed form as a reader of the corrected paper would code it: in double, without error bounds, and with samples in
+// the search for a maximum. Implementations are known to differ at every point of variation. Without variation the numbers have
+// the accuracy of double.
 #pragma once
 
 #include <cstddef>
@@ -16,119 +15,105 @@
 
 namespace denhartog::conformance {
 
-/// @brief How mode shapes are normalised.
+// How mode shapes are normalised.
 enum class Normalisation {
-    mass_matrix,   ///< with r^2 diag(m_i / m_1), Eq. (17)
-    without_r,     ///< with diag(m_i / m_1), without r
-    largest_entry, ///< the largest entry of each shape is 1
-    unit_length    ///< the squares of the entries of each shape add up to 1
+    mass_matrix,   // with r^2 diag(m_i / m_1), Eq. (17)
+    without_r,     // with diag(m_i / m_1), without r
+    largest_entry, // the largest entry of each shape is 1
+    unit_length    // the squares of the entries of each shape add up to 1
 };
 
-/// @brief The form of the boundary of permanent sticking, (88).
+// The form of the boundary of permanent sticking, (88).
 enum class StickingForm {
-    exact,               ///< all forces on the contact
-    as_printed,          ///< only the spring between the contact and its neighbour, with modal superposition
-    without_damping_load ///< all forces except the damping forces of the moving masses on the contact
+    exact,               // all forces on the contact
+    as_printed,          // only the spring between the contact and its neighbour, with modal superposition
+    without_damping_load // all forces except the damping forces of the moving masses on the contact
 };
 
-/// @brief Equally spaced instants in the half-period.
+// Equally spaced instants in the half-period.
 struct Instants {
-    double first = 0;       ///< the first
-    double before_end = 0;  ///< time from the last one to pi
-    std::size_t count = 14; ///< number of instants
+    double first = 0;       // the first
+    double before_end = 0;  // time from the last one to pi
+    std::size_t count = 14; // number of instants
 };
 
 struct PlainModes;
 
-/// @brief The points of variation of the plain closed form.
+// The points of variation of the plain closed form.
 struct Choices {
-    Normalisation normalisation = Normalisation::mass_matrix; ///< of the mode shapes
-    bool descending = false;                                  ///< the modes are in descending order of natural frequency
-    bool motion_as_printed = false;                           ///< the bracket of (46) as printed
-    bool initial_displacement_as_printed = false;             ///< (44) as printed
-    bool initial_velocity_as_printed = false;                 ///< (45) as printed
-    bool motion_from_start = false;                           ///< (41) and (49) in place of (46) and (50) to (52)
-    bool cosine_as_printed = false;                           ///< (50) as printed
-    bool amplitude_from_parts = false;                        ///< the monoharmonic amplitude from (50) and (51) in place of (52)
-    bool monoharmonic_as_printed = false;                     ///< (52) as printed
-    bool maximum_of_each_mode = false;                        ///< (56) in place of the maximum of the sum over modes
-    bool demand_at_start = false;                             ///< (72) in place of the maximum of the sum over modes, and of (56)
-    bool load_of_each_mode = false;                           ///< (67) from (63), required of every mode by itself
-    bool sliding_beyond_68 = false;                ///< the condition of sliding is (58) and "(67) or (68)", with (68) as printed
-    bool mu_at_high_frequency = false;             ///< (86) as printed
-    StickingForm sticking = StickingForm::exact;   ///< the boundary of permanent sticking
-    bool argument_in_half_plane = false;           ///< the argument of V_dj is the arctangent of a quotient
-    bool no_half_period_for_minima = false;        ///< (47) leaves out the half-period if the mass is at a minimum
-    bool beyond_the_boundary = false;              ///< the closed form answers in every regime
-    bool closed_form_alone = false;                ///< there is no answer for the motion beyond the sliding regime
-    double factor_in_23 = 2;                       ///< the factor of zeta R in (23)
-    double sign_of_mu = 1;                         ///< the sign of mu / (gamma_j r^2) in (67)
-    double power_of_r_in_65 = 2;                   ///< the power of r in (65)
-    bool demand_as_printed = false;                ///< (57) as printed, which needs `instants`
-    std::optional<Instants> instants;              ///< where to look for the maximum of (57); none: everywhere
-    bool without_load_condition = false;           ///< (69) from the maximum alone, without the load condition (67)
-    bool hysteretic = false;                       ///< 2 zeta in place of 2 zeta R in (23)
-    int harmonics = 0;                             ///< the highest harmonic of friction that is kept; 0: all
-    std::function<void(PlainModes&)> change_modes; ///< changes the modes before the sums; empty: no change
-    std::function<void(PlainModes&)> change_sums;  ///< changes the sums over the modes; empty: no change
+    Normalisation normalisation = Normalisation::mass_matrix; // of the mode shapes
+    bool descending = false;                                  // the modes are in descending order of natural frequency
+    bool motion_as_printed = false;                           // the bracket of (46) as printed
+    bool initial_displacement_as_printed = false;             // (44) as printed
+    bool initial_velocity_as_printed = false;                 // (45) as printed
+    bool motion_from_start = false;                           // (41) and (49) in place of (46) and (50) to (52)
+    bool cosine_as_printed = false;                           // (50) as printed
+    bool amplitude_from_parts = false;                        // the monoharmonic amplitude from (50) and (51) in place of (52)
+    bool monoharmonic_as_printed = false;                     // (52) as printed
+    bool maximum_of_each_mode = false;                        // (56) in place of the maximum of the sum over modes
+    bool demand_at_start = false;                             // (72) in place of the maximum of the sum over modes, and of (56)
+    bool load_of_each_mode = false;                           // (67) from (63), required of every mode by itself
+    bool sliding_beyond_68 = false;                // the condition of sliding is (58) and "(67) or (68)", with (68) as printed
+    bool mu_at_high_frequency = false;             // (86) as printed
+    StickingForm sticking = StickingForm::exact;   // the boundary of permanent sticking
+    bool argument_in_half_plane = false;           // the argument of V_dj is the arctangent of a quotient
+    bool no_half_period_for_minima = false;        // (47) leaves out the half-period if the mass is at a minimum
+    bool beyond_the_boundary = false;              // the closed form answers in every regime
+    bool closed_form_alone = false;                // there is no answer for the motion beyond the sliding regime
+    double factor_in_23 = 2;                       // the factor of zeta R in (23)
+    double sign_of_mu = 1;                         // the sign of mu / (gamma_j r^2) in (67)
+    double power_of_r_in_65 = 2;                   // the power of r in (65)
+    bool demand_as_printed = false;                // (57) as printed, which needs `instants`
+    std::optional<Instants> instants;              // where to look for the maximum of (57); none: everywhere
+    bool without_load_condition = false;           // (69) from the maximum alone, without the load condition (67)
+    bool hysteretic = false;                       // 2 zeta in place of 2 zeta R in (23)
+    int harmonics = 0;                             // the highest harmonic of friction that is kept; 0: all
+    std::function<void(PlainModes&)> change_modes; // changes the modes before the sums; empty: no change
+    std::function<void(PlainModes&)> change_sums;  // changes the sums over the modes; empty: no change
 };
 
-/// @brief Modes and sums over modes of a question's scene.
+// Modes and sums over modes of a question's scene.
 struct PlainModes {
-    std::size_t j = 0;                    ///< the mass in contact, counted from 0
-    std::size_t l = 0;                    ///< the loaded mass, counted from 0
-    double r = 0;                         ///< frequency ratio
-    double beta = 0;                      ///< friction ratio
-    double mu = 1;                        ///< static over kinetic friction
-    std::vector<double> r_n;              ///< natural frequency ratios, ascending
-    std::vector<double> R;                ///< modal frequency ratios, Eq. (22)
-    std::vector<double> zeta;             ///< modal damping ratios
-    std::vector<std::vector<double>> psi; ///< mode shapes, one row for each mass
-    std::vector<double> u;                ///< first damping functions of the modes, Eq. (28)
-    std::vector<double> g;                ///< second damping functions of the modes, Eq. (29)
-    std::vector<Complex<double>> v;       ///< complex response functions of the modes, Eq. (23)
-    std::vector<Complex<double>> V;       ///< complex response functions of the masses, Eq. (33)
-    std::vector<double> U;                ///< first damping functions of the masses, Eq. (34)
-    std::vector<double> G;                ///< second damping functions of the masses, Eq. (35)
-    Complex<double> Y_jj{0, 0};           ///< (33) with the load on the contact
-    double H_j = 0;                       ///< Eq. (64)
-    double sum_of_squares = 0;            ///< Eq. (65)
+    std::size_t j = 0;                    // the mass in contact, counted from 0
+    std::size_t l = 0;                    // the loaded mass, counted from 0
+    double r = 0;                         // frequency ratio
+    double beta = 0;                      // friction ratio
+    double mu = 1;                        // static over kinetic friction
+    std::vector<double> r_n;              // natural frequency ratios, ascending
+    std::vector<double> R;                // modal frequency ratios, Eq. (22)
+    std::vector<double> zeta;             // modal damping ratios
+    std::vector<std::vector<double>> psi; // mode shapes, one row for each mass
+    std::vector<double> u;                // first damping functions of the modes, Eq. (28)
+    std::vector<double> g;                // second damping functions of the modes, Eq. (29)
+    std::vector<Complex<double>> v;       // complex response functions of the modes, Eq. (23)
+    std::vector<Complex<double>> V;       // complex response functions of the masses, Eq. (33)
+    std::vector<double> U;                // first damping functions of the masses, Eq. (34)
+    std::vector<double> G;                // second damping functions of the masses, Eq. (35)
+    Complex<double> Y_jj{0, 0};           // (33) with the load on the contact
+    double H_j = 0;                       // Eq. (64)
+    double sum_of_squares = 0;            // Eq. (65)
 };
 
-/// @brief Modes and sums of a question.
-/// @param q  the question; places from 1 to N, positive ratios
-/// @param c  the points of variation
-/// @return   modes and sums; not finite at a pole of a mode without damping
-/// @throws   InputError if there is no such mass, or if the matrices have no modes
+// Modes and sums of a question. Not finite at a pole of a mode without damping. Throws InputError if there is no such mass, or if the matrices have no modes.
 [[nodiscard]] PlainModes plain_modes(const ProtocolQuestion& q, const Choices& c);
 
-/// @brief A displacement and its rate.
+// A displacement and its rate.
 struct PlainMotion {
-    double x = 0; ///< displacement, units of P / k_1
-    double v = 0; ///< its derivative in tau
+    double x = 0; // displacement, units of P / k_1
+    double v = 0; // its derivative in tau
 };
 
-/// @brief Motion of a mass in the sliding regime at any instant, (46), or (41) from (44) and (45).
-/// @param m    modes
-/// @param c    the points of variation
-/// @param k    the mass, counted from 0
-/// @param tau  non-dimensional time, zero at the maximum of the contact
-/// @return     the motion; after the half-period it is mirrored
+// Motion of a mass in the sliding regime at any instant, (46), or (41) from (44) and (45). The mass counts
+// from 0; after the half-period the motion is mirrored.
 [[nodiscard]] PlainMotion plain_motion(const PlainModes& m, const Choices& c, std::size_t k, double tau);
 
-/// @brief Phase of the mass in contact, (39). @param m modes @param c the points of variation @return phi_j, not wrapped
+// Phase of the mass in contact, (39), not wrapped.
 [[nodiscard]] double plain_phase(const PlainModes& m, const Choices& c);
 
-/// @brief Displacement and velocity of a mass at the maximum of the contact, (44), (45).
-/// @param m  modes
-/// @param c  the points of variation
-/// @param k  the mass, counted from 0
-/// @return   x_k0 and x'_k0
+// Displacement and velocity of a mass at the maximum of the contact, (44), (45). The mass counts from 0.
 [[nodiscard]] PlainMotion plain_start(const PlainModes& m, const Choices& c, std::size_t k);
 
-/// @brief Number of equal steps of the half-period that shows every oscillation of the modes.
-/// @param m  modes
-/// @return   their number
+// Number of equal steps of the half-period that shows every oscillation of the modes.
 [[nodiscard]] int plain_steps(const PlainModes& m);
 
 } // namespace denhartog::conformance

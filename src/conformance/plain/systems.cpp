@@ -1,4 +1,4 @@
-#include "conformance/plain/systems.hpp"
+#include "conformance/plain/closed_form.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,8 @@
-/// @file
-/// @brief A program under test behind two pipes: one line to it, one line back, whatever the program does instead.
-///
-/// Nothing here waits without an end: reads and writes do not block, a clock ends them. The program runs in a process group of
-/// its own, which is killed as a whole. A process that leaves the group is not followed. Where the runner itself is killed, the
-/// system kills the program.
+// A program under test behind two pipes: one line to it, one line back, whatever the program does instead.
+//
+// Nothing here waits without an end: reads and writes do not block, a clock ends them. The program runs in a process group of
+// its own, which is killed as a whole. A process that leaves the group is not followed. Where the runner itself is killed, the
+// system kills the program.
 #pragma once
 
 #include <sys/types.h>
@@ -16,35 +15,35 @@
 
 namespace denhartog::conformance {
 
-/// @brief Longest line that is read from a program, in bytes; also the most that it may write without being asked.
+// Longest line that is read from a program, in bytes; also the most that it may write without being asked.
 inline constexpr std::size_t longest_line = 1'000'000;
 
-/// @brief What came of a line that was sent.
+// What came of a line that was sent.
 enum class Heard {
-    line,       ///< a line
-    timeout,    ///< nothing in time while the program was computing
-    stall,      ///< nothing in time, and the program was waiting
-    broken,     ///< the program ended, closed its output or wrote too much
-    interrupted ///< the runner itself is to end
+    line,       // a line
+    timeout,    // nothing in time while the program was computing
+    stall,      // nothing in time, and the program was waiting
+    broken,     // the program ended, closed its output or wrote too much
+    interrupted // the runner itself is to end
 };
 
-/// @brief The reply to a line.
+// The reply to a line.
 struct Reply {
-    Heard heard = Heard::broken; ///< what came of it
-    std::string line;            ///< the line without its end
-    std::string told;            ///< what happened where there is no line, as a phrase: `it ended with status 1`
+    Heard heard = Heard::broken; // what came of it
+    std::string line;            // the line without its end
+    std::string told;            // what happened where there is no line, as a phrase: `it ended with status 1`
 };
 
-/// @brief What a program wrote that it was not asked for.
+// What a program wrote that it was not asked for.
 struct Unasked {
-    std::size_t lines = 0; ///< number of lines, a piece without an end counted as one
-    std::string first;     ///< the first of them
+    std::size_t lines = 0; // number of lines, a piece without an end counted as one
+    std::string first;     // the first of them
 };
 
-/// @brief Set to end all waiting; a handler of signals may do so. @return the flag
+// Set to end all waiting; a handler of signals may do so.
 [[nodiscard]] std::atomic<bool>& interruption();
 
-/// @brief Writing to a program that is gone is a fault of that program, not the runner's death: no SIGPIPE while this lives.
+// Writing to a program that is gone is a fault of that program, not the runner's death: no SIGPIPE while this lives.
 class WithoutBrokenPipeSignal {
 public:
     WithoutBrokenPipeSignal();
@@ -56,33 +55,26 @@ private:
     void (*earlier)(int);
 };
 
-/// @brief A running program; killed with all its group where this ends.
+// A running program; killed with all its group where this ends.
 class Process {
 public:
-    /// @brief Starts a program.
-    /// @param command  the program, looked for as a shell does, and its arguments
-    /// @throws         std::system_error where it cannot be started
+    // Starts a program. Throws std::system_error where it cannot be started.
     explicit Process(const std::vector<std::string>& command);
     ~Process();
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
 
-    /// @brief Sends a line and waits for one.
-    ///
-    /// What the program wrote since the last line was read is set aside as unasked; before the first line is sent nothing is.
-    /// A program that was silent all the time is told apart by the processor time of its group in the second half of the wait:
-    /// with less than a fiftieth of that half it was waiting (`stall`), else computing. Where /proc does not tell, `timeout`.
-    /// @param line     what to send, without its end
-    /// @param seconds  how long to wait
-    /// @return         the reply
+    // Sends a line and waits for one. What the program wrote since the last line was read is set aside as unasked; before the
+    // first line is sent nothing is. A program that was silent all the time is told apart by the processor time of its group in
+    // the second half of the wait: with less than a fiftieth of that half it was waiting (`stall`), else computing. Where /proc
+    // does not tell, `timeout`.
     [[nodiscard]] Reply ask(std::string_view line, double seconds);
 
-    /// @brief Closes the program's standard input and waits for its end; kills it where that does not come.
-    /// @param seconds  how long to wait
-    /// @return         empty where it ended with status 0; else what it did, as a phrase
+    // Closes the program's standard input and waits for its end; kills it where that does not come. Empty where it ended with
+    // status 0; else what it did, as a phrase.
     [[nodiscard]] std::string finish(double seconds);
 
-    /// @brief What the program wrote without being asked so far. @return the lines
+    // What the program wrote without being asked so far.
     [[nodiscard]] const Unasked& unasked() const { return extra; }
 
 private:
@@ -100,5 +92,18 @@ private:
     [[nodiscard]] std::string how_it_ended(double seconds);
     void kill_group();
 };
+
+// A program that was started. Whoever has it closes the pipes and waits for its end.
+struct StartedProgram {
+    pid_t group = -1; // its process, which leads a group of the same number
+    int to = -1;      // end of the pipe to its standard input, which does not block
+    int from = -1;    // end of the pipe from its standard output, which does not block
+};
+
+// Starts a program. Its standard error is the runner's: what it writes there is never kept. Where the system has it, the system
+// kills the program as soon as the thread that started it ends, in whatever way: a runner that is killed leaves no program behind
+// that computes for ever. The program's own children do not end with it; they find their standard input at its end. Throws
+// std::system_error where it cannot be started.
+[[nodiscard]] StartedProgram start(const std::vector<std::string>& command);
 
 } // namespace denhartog::conformance

@@ -1,5 +1,4 @@
-/// @file
-/// @brief A conversation with a program under test by the protocol: handshake, questions, answers, and what to do about crashes.
+// A conversation with a program under test: handshake, questions, answers, crashes, and whether it keeps to the protocol.
 #pragma once
 
 #include <functional>
@@ -15,72 +14,84 @@
 
 namespace denhartog::conformance {
 
-/// @brief The program cannot be started, or does not answer the handshake as the protocol has it.
+// The program cannot be started, or does not answer the handshake as the protocol has it.
 struct BrokenProgram : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// @brief How often a program that breaks is started again without an answer in between, before the rest is skipped.
+// How often a program that breaks is started again without an answer in between, before the rest is skipped.
 inline constexpr int most_restarts = 5;
 
-/// @brief The handshake may take this many times as long as an answer: interpreters start slowly.
+// The handshake may take this many times as long as an answer: interpreters start slowly.
 inline constexpr double patience_at_start = 3;
 
-/// @brief How a program is run.
+// How a program is run.
 struct RunSettings {
-    std::vector<std::string> command; ///< the program and its arguments
-    double seconds = 10;              ///< time for an answer
-    unsigned jobs = 1;                ///< processes side by side
-    double total_seconds = 0;         ///< time for all answers, after which nothing more is asked; 0: no end
+    std::vector<std::string> command; // the program and its arguments
+    double seconds = 10;              // time for an answer
+    unsigned jobs = 1;                // processes side by side
+    double total_seconds = 0;         // time for all answers, after which nothing more is asked; 0: no end
 };
 
-/// @brief A program that answered the handshake.
+// A program that answered the handshake.
 struct Partner {
-    std::unique_ptr<Process> process; ///< the program
-    bool plain = false;               ///< its dialect
-    std::string name;                 ///< its name
+    std::unique_ptr<Process> process; // the program
+    bool plain = false;               // its dialect
+    std::string name;                 // its name
 };
 
-/// @brief Starts a program and shakes hands.
-/// @param settings  how it is run
-/// @return          the program, ready for questions
-/// @throws          BrokenProgram
+// Starts a program and shakes hands. Throws BrokenProgram.
 [[nodiscard]] Partner shake_hands(const RunSettings& settings);
 
-/// @brief A question in the dialect of a program. @param partner the program @param q the question @return the line
+// A question in the dialect of a program.
 [[nodiscard]] std::string line_for(const Partner& partner, const ProtocolQuestion& q);
 
-/// @brief The answer in a line of a program. @param partner the program @param line the line @param id the question's
-/// @return the answer
+// The answer in a line of a program.
 [[nodiscard]] Answer answer_in(const Partner& partner, std::string_view line, std::string_view id);
 
-/// @brief What came of a question.
+// What came of a question.
 struct Exchange {
-    Answer answer = Skipped{"it was not asked"}; ///< the answer
-    std::optional<Verdict> trouble;              ///< `crash`, `timeout` or `stall` in place of an answer
-    std::string told;                            ///< what happened
+    Answer answer = Skipped{"it was not asked"}; // the answer
+    std::optional<Verdict> trouble;              // `crash`, `timeout` or `stall` in place of an answer
+    std::string told;                            // what happened
 };
 
-/// @brief A whole conversation.
+// A whole conversation.
 struct Conversation {
-    std::vector<Exchange> exchanges; ///< one a question, in their order
-    std::string name;                ///< of the program
-    std::string dialect;             ///< `json` or `plain`
-    std::vector<std::string> notes;  ///< breaches of the protocol that decide no verdict
-    bool broken = false;             ///< the program broke at every question, or too often in a row
-    std::string cut_short;           ///< why not every question was asked, and how many were; empty where all were
+    std::vector<Exchange> exchanges; // one a question, in their order
+    std::string name;                // of the program
+    std::string dialect;             // `json` or `plain`
+    std::vector<std::string> notes;  // breaches of the protocol that decide no verdict
+    bool broken = false;             // the program broke at every question, or too often in a row
+    std::string cut_short;           // why not every question was asked, and how many were; empty where all were
 };
 
-/// @brief Asks a program all questions.
-/// @param settings   how it is run
-/// @param questions  the questions; those of one process come in their order
-/// @param progress   told how many questions are done, from any thread but never twice at a time
-/// @return           the conversation, the same for any number of jobs if the program answers each question by itself
-/// @throws           BrokenProgram where it cannot be started in the first place
+// Asks a program all questions. Those of one process come in their order. `progress` is told how many are done, from any
+// thread but never twice at a time. The conversation is the same for any number of jobs if the program answers each question by
+// itself. Throws BrokenProgram where it cannot be started in the first place.
 [[nodiscard]] Conversation converse(const RunSettings& settings, std::span<const ProtocolQuestion* const> questions,
                                     const std::function<void(std::size_t)>& progress);
 
-/// @brief The verdict on what came of a question. @param v the vector @param exchange what came of it @return the verdict
+// The verdict on what came of a question.
 [[nodiscard]] Judged judge(const Vector& v, const Exchange& exchange);
+
+// One thing looked at.
+struct SmokeCheck {
+    std::string what;  // e.g. `amplitude`
+    std::string found; // what the program did, in words
+    bool good = false; // whether the protocol allows it
+};
+
+// What a look at the protocol found.
+struct Smoke {
+    std::string name;               // of the program
+    std::string dialect;            // `json` or `plain`
+    std::vector<SmokeCheck> checks; // in the order in which they were made
+    bool broken = false;            // the program broke
+};
+
+// Shakes hands, asks for every quantity once, for one that there is not, and one question that breaks a rule. Throws
+// BrokenProgram where it cannot be started or does not shake hands.
+[[nodiscard]] Smoke smoke(const RunSettings& settings);
 
 } // namespace denhartog::conformance

@@ -1,4 +1,4 @@
-#include "conformance/session/smoke.hpp"
+#include "conformance/session/session.hpp"
 
 #include <string_view>
 

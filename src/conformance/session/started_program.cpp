@@ -1,4 +1,4 @@
-#include "conformance/session/started_program.hpp"
+#include "conformance/session/process.hpp"
 
 #include <fcntl.h>
 #include <sys/wait.h>

@@ -1,57 +1,164 @@
-/// @file
-/// @brief What the handles of the C interface hold.
+// What every function of the C interface runs in, where exceptions become codes, and what its handles hold.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <memory>
+#include <new>
+#include <optional>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
-#include "denhartog/c/guarded.hpp"
+#include "denhartog/c/denhartog.h"
+#include "denhartog/number/effort.hpp"
+#include "denhartog/number/errors.hpp"
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/solve.hpp"
 
-/// @brief A system prepared for every regime at mu = 1, with its modes. Nothing in it changes.
+// A system prepared for every regime at mu = 1, with its modes. Nothing in it changes.
 struct dh_system {
-    denhartog::PreparedSystem prepared;                                               ///< for `solve`
-    std::shared_ptr<const denhartog::ModalBasis<denhartog::Bounded<double>>> modes{}; ///< its modes, their digits certain
+    denhartog::PreparedSystem prepared;                                               // for `solve`
+    std::shared_ptr<const denhartog::ModalBasis<denhartog::Bounded<double>>> modes{}; // its modes, their digits certain
 };
 
-/// @brief An answer with the scene it answers. Nothing in it changes.
+// An answer with the scene it answers. Nothing in it changes.
 struct dh_solution {
-    denhartog::SceneSource source; ///< the scene, with r, beta and mu
-    denhartog::Solution solution;  ///< the answer, the motion asked for
+    denhartog::SceneSource source; // the scene, with r, beta and mu
+    denhartog::Solution solution;  // the answer, the motion asked for
 };
 
 namespace denhartog::c_interface {
 
+// A pointer that is needed is null, or a size is not what it must be.
+struct CallError : std::invalid_argument {
+    CallError(dh_status status_, const std::string& text) : std::invalid_argument(text), status(status_) {}
+    dh_status status; // what the function returns
+};
+
+// The longest message, with its ending zero; longer ones are cut.
+inline constexpr std::size_t message_size = 1300;
+
+// Where the text of the calling thread's last fault stands.
+inline char* message() noexcept {
+    static thread_local char text[message_size] = "";
+    return text;
+}
+
+// Keeps the text of a fault, and gives the status.
+inline int fault(dh_status status, const char* text) noexcept {
+    std::snprintf(message(), message_size, "%s", text);
+    return status;
+}
+
+// What the questions of a thread may cost, as dh_set_effort() was told.
+struct Allowance {
+    std::optional<long> operations;   // none for the default
+    dh_cancelled cancelled = nullptr; // null where nobody cancels
+    void* context = nullptr;          // what it is called with
+};
+
+// That of the calling thread, to be read or set.
+inline Allowance& allowance() noexcept {
+    static thread_local Allowance of_thread;
+    return of_thread;
+}
+
+// Runs the body of a function that asks many questions, each with an effort of its own. Gives DH_OK, or
+// the code of what was thrown, whose text is kept.
+template <class Body>
+int guarded_without_effort(Body&& body) noexcept {
+    try {
+        body();
+        return DH_OK;
+    } catch (const CallError& e) {
+        return fault(e.status, e.what());
+    } catch (const InputError& e) {
+        return fault(DH_ERROR_INPUT, e.what());
+    } catch (const DomainError& e) {
+        return fault(DH_ERROR_DOMAIN, e.what());
+    } catch (const PrecisionError& e) {
+        return fault(DH_ERROR_PRECISION, e.what());
+    } catch (const std::length_error& e) {
+        return fault(DH_ERROR_SIZE, in_own_words(e));
+    } catch (const std::bad_alloc& e) {
+        return fault(DH_ERROR_MEMORY, in_own_words(e));
+    } catch (const std::exception& e) {
+        return fault(is_beyond_range(e) ? DH_ERROR_PRECISION : DH_ERROR_INTERNAL, in_own_words(e));
+    } catch (...) {
+        return fault(DH_ERROR_INTERNAL, in_own_words(std::exception()));
+    }
+}
+
+// Runs the body of a function, within the effort that the calling thread allows.
+template <class Body>
+int guarded(Body&& body) noexcept {
+    return guarded_without_effort([&body] {
+        const Allowance& allowed = allowance();
+        std::optional<QuestionEffort> effort;
+        if (allowed.cancelled != nullptr)
+            effort.emplace(0, allowed.operations, [&allowed] { return allowed.cancelled(allowed.context) != 0; });
+        else if (allowed.operations)
+            effort.emplace(0, allowed.operations);
+        body();
+    });
+}
+
+// Checks of arguments, each with its name in the header: a pointer, the length of an array, a length against a limit.
+inline void need(const void* pointer, const char* name) {
+    if (pointer == nullptr) throw CallError(DH_ERROR_NULL, std::string(name) + " must not be null");
+}
+
+inline void need_count(std::size_t count, std::size_t right) {
+    if (count == right) return;
+    throw CallError(DH_ERROR_SIZE, "count must be " + std::to_string(right) + ", but is " + std::to_string(count));
+}
+
+inline void need_length(std::size_t length, std::size_t most, const std::string& name) {
+    if (length >= 1 && length <= most) return;
+    throw CallError(DH_ERROR_SIZE, name + " must be from 1 to " + std::to_string(most) + ", but is " + std::to_string(length));
+}
+
+// Checks that numbers are fit to be handed out. Throws PrecisionError where one is not finite.
+inline void need_finite(std::span<const double> numbers) {
+    for (const double x : numbers)
+        if (!std::isfinite(x)) throw PrecisionError("a result is beyond the range of double");
+}
+
+// An array of the caller.
+struct Output {
+    double* numbers;  // where it is
+    const char* name; // what the header calls it
+};
+
+// Hands out numbers, all of them finite, to an array as long, or to nobody.
+inline void hand_out(std::span<const double> numbers, double* output) noexcept {
+    for (std::size_t i = 0; output != nullptr && i < numbers.size(); ++i) output[i] = numbers[i];
+}
+
 static_assert(DH_MOST_MASSES == most_masses && DH_MOST_SAMPLES == most_samples && DH_MOST_DISPLACEMENTS == most_displacements);
 
-/// @brief Digits from C. @param digits as a caller gives them @return none for 0 @throws InputError for more than a double has
+// Digits from C; none for 0. Throws InputError for more than a double has.
 [[nodiscard]] inline std::optional<int> digits_from(int digits) {
     if (digits < 0 || digits > most_digits_of_a_double)
         throw InputError("digits", "must be from 0 to " + std::to_string(most_digits_of_a_double), std::to_string(digits));
     return digits > 0 ? std::optional(digits) : std::nullopt;
 }
 
-/// @brief Significant digits of the sums over modes and of the closed form.
+// Significant digits of the sums over modes and of the closed form.
 inline constexpr int digits_of_formulas = 10;
 
-/// @brief Number of masses. @param system a handle @return N @throws CallError for null
 [[nodiscard]] inline std::size_t masses_of(const dh_system* system) {
     need(system, "system");
     return number_of_masses(system->prepared.scene().system);
 }
 
-/// @brief A system at a point, in every number type.
-/// @param system  a handle
-/// @param r       frequency ratio
-/// @param beta    friction ratio
-/// @param mu      static over kinetic friction
-/// @return        its scene @throws InputError where one of them breaks a rule
+// A system at a point, in every number type.
 [[nodiscard]] inline SceneSource point_of(const dh_system* system, double r, double beta, double mu) {
     check_frequency_ratio(r);
     check_friction_ratio(beta);
@@ -59,31 +166,28 @@ inline constexpr int digits_of_formulas = 10;
     return at_point(with_static_friction(system->prepared.source, mu), r, beta);
 }
 
-/// @brief Which part of a number is handed out.
+// Which part of a number is handed out.
 enum class ValueOrError : std::uint8_t { value, error };
 
-/// @brief A bound that C gets: where there is none, the largest double. @param error a bound @return it, finite
+// A bound that C gets: where there is none, the largest double.
 [[nodiscard]] inline double finite_bound(double error) { return std::min(error, std::numeric_limits<double>::max()); }
 
-/// @brief A part of a number. @param x the number @param part which @return it
+// A part of a number, or of each of several.
 [[nodiscard]] inline double part_of(const Bounded<double>& x, ValueOrError part) {
     return part == ValueOrError::value ? x.x : finite_bound(x.e);
 }
 
-/// @brief A part of a number. @param x the number @param part which @return it
 [[nodiscard]] inline double part_of(const Certified& x, ValueOrError part) {
     return part == ValueOrError::value ? x.value : finite_bound(x.error);
 }
 
-/// @brief A part of each of several numbers. @param numbers they @param part which @return as many
 [[nodiscard]] inline std::vector<double> parts_of(std::span<const Bounded<double>> numbers, ValueOrError part) {
     std::vector<double> parts;
     for (const Bounded<double>& x : numbers) parts.push_back(part_of(x, part));
     return parts;
 }
 
-/// @brief Checks the size that a caller has set. @param result the struct @param name its name in the header
-/// @throws CallError where it is too small
+// Checks the size that a caller has set. Throws CallError where it is too small.
 template <class Struct>
 void need_struct(const Struct* result, const char* name) {
     need(result, name);
@@ -92,7 +196,7 @@ void need_struct(const Struct* result, const char* name) {
                                            ", but is " + std::to_string(result->size));
 }
 
-/// @brief Hands out a struct, its size as the caller had it. @param from the struct @param to the caller's
+// Hands out a struct, its size as the caller had it.
 template <class Struct>
 void hand_out(Struct from, Struct* to) noexcept {
     from.size = to->size;

@@ -1,9 +1,8 @@
-#include "denhartog/ledger/derivation_record.hpp"
+#include "denhartog/ledger/ledger.hpp"
 
 #include <algorithm>
 #include <filesystem>
 
-#include "denhartog/ledger/ledger.hpp"
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog::ledger {

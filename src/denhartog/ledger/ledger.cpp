@@ -5,7 +5,6 @@
 #include <fstream>
 #include <iterator>
 
-#include "denhartog/ledger/scene_sentence.hpp"
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog::ledger {

@@ -1,7 +1,6 @@
-/// @file
-/// @brief The form of the equation ledger: the numbers of the equations and the keys of an entry.
-///
-/// The derivation writes entries of this form and the program shows them. The hand-written half is `docs/ledger/equations.json`.
+// The form of the equation ledger: the numbers of the equations and the keys of an entry.
+//
+// The derivation writes entries of this form and the program shows them. The hand-written half is `docs/ledger/equations.json`.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +9,14 @@
 #include <string>
 #include <vector>
 
+#include "denhartog/number/number_text.hpp"
+
 namespace denhartog::ledger {
 
-/// @brief JSON that keeps the order of its keys.
+// JSON that keeps the order of its keys.
 using Json = nlohmann::ordered_json;
 
-/// @brief The numbered equations in the paper's order. @return "1" to "88", then "A.1" to "A.15"
+// The numbered equations in the paper's order: "1" to "88", then "A.1" to "A.15".
 [[nodiscard]] inline const std::vector<std::string>& equation_numbers() {
     static const std::vector<std::string> numbers = [] {
         std::vector<std::string> all;
@@ -26,9 +27,8 @@ using Json = nlohmann::ordered_json;
     return numbers;
 }
 
-/// @brief The number of an equation as the ledger writes it.
-/// @param text  as people write it: `46`, `(46)`, `eq:46`, `A.7`, `a.7`, `A7`, `a7`; `54a`, `(54)a` and the like mean (54)
-/// @return      the number, or nothing where the paper has no such equation
+// The number of an equation as the ledger writes it, from what people write: `46`, `(46)`, `eq:46`, `A.7`, `a.7`, `A7`, `a7`;
+// `54a`, `(54)a` and the like mean (54). Nothing where the paper has no such equation.
 [[nodiscard]] inline std::optional<std::string> equation_number(std::string text) {
     if (text.starts_with("eq:")) text.erase(0, 3);
     if (text.starts_with('(')) {
@@ -46,11 +46,8 @@ using Json = nlohmann::ordered_json;
     return text;
 }
 
-/// @brief An entry of the ledger before anything is computed: verdicts unknown, nothing found.
-///
-/// A slip of the scan is a fact about the text, not something a computation finds; it is the one departure that a row states.
-/// @param row  a row of `equations.json`
-/// @return     the entry with every key that the ledger has
+// An entry of the ledger before anything is computed: verdicts unknown, nothing found. A slip of the scan is a fact about the
+// text, not something a computation finds; it is the one departure that a row states.
 [[nodiscard]] inline Json entry_without_run(const Json& row) {
     Json entry;
     for (const char* key : {"equation", "section", "kind", "statement"}) entry[key] = row.at(key);
@@ -71,15 +68,13 @@ using Json = nlohmann::ordered_json;
     return entry;
 }
 
-/// @brief How a claim bears on its equations, to stand after its verdict. @param claim a claim of an entry or of the record
-/// @return  a comma and its kind; empty where none is known
+// How a claim bears on its equations, to stand after its verdict. Empty where its kind is not known.
 [[nodiscard]] inline std::string with_kind(const Json& claim) {
     const std::string kind = claim.value("kind", "");
     return kind.empty() ? "" : ", " + kind;
 }
 
-/// @brief What the kernel of a proof assistant says of a claim or an equation. @param kernel its key `kernel`, null where none
-/// @return  the status in words, and why not or what is wrong
+// What the kernel of a proof assistant says of a claim or an equation, by its key `kernel`.
 [[nodiscard]] inline std::string kernel_words(const Json& kernel) {
     const std::string status = kernel.is_object() ? kernel.value("status", "not_run") : "not_run";
     const std::string why = kernel.is_object() ? kernel.value("reason", kernel.value("message", "")) : "";
@@ -87,8 +82,7 @@ using Json = nlohmann::ordered_json;
     return words + (why.empty() ? "" : ": " + why);
 }
 
-/// @brief Where each equation is used: `rests_on` turned round.
-/// @param entries  an array of entries; their `used_by` is filled
+// Fills `used_by`, where each equation is used: `rests_on` turned round.
 inline void fill_used_by(Json& entries) {
     for (Json& entry : entries) {
         entry["used_by"] = Json::array();
@@ -98,6 +92,17 @@ inline void fill_used_by(Json& entries) {
                 entry["used_by"].push_back(other.at("equation"));
         }
     }
+}
+
+// What a scene shows of a printed equation: system, point, quantity, both values and the loss, in a sentence without a full stop.
+template <class Object>
+[[nodiscard]] std::string scene_sentence(const Object& scene) {
+    const auto text = [&scene](const char* key) { return scene.at(key).template get<std::string>(); };
+    const auto number = [&scene](const char* key) { return number_in_digits(scene.at(key).template get<double>(), 4); };
+    std::string regime = text("regime");
+    for (char& c : regime) c = c == '_' ? ' ' : c;
+    return text("where") + " (" + regime + " motion): " + text("quantity") + ", " + number("printed") + " as printed, " +
+           number("holds") + " as it is, a loss of " + number("loss");
 }
 
 } // namespace denhartog::ledger

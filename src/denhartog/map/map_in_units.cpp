@@ -9,7 +9,7 @@
 #include "denhartog/number/number.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/number/parallel.hpp"
-#include "denhartog/scene/units.hpp"
+#include "denhartog/scene/point_rules.hpp"
 
 namespace denhartog {
 namespace {

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "denhartog/formulas/system.hpp"
-#include "denhartog/number/wider.hpp"
+#include "denhartog/number/double_double.hpp"
 #include "denhartog/scene/converted.hpp"
 
 namespace denhartog {

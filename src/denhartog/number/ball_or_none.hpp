@@ -1,5 +1,4 @@
-/// @file
-/// @brief Balls where the library is built with them, and a name for the type in any case. Included by sources only.
+// Balls where the library is built with them, and a name for the type in any case. Included by sources only.
 #pragma once
 
 #include <concepts>
@@ -12,7 +11,7 @@ namespace denhartog {
 
 class Ball;
 
-/// @brief Whether a number type is that of the reference.
+// Whether a number type is that of the reference.
 template <class T>
 inline constexpr bool is_ball = std::same_as<T, Ball>;
 

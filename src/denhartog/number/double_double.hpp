@@ -1,9 +1,8 @@
-/// @file
-/// @brief A number of twice the digits of a double, as the sum of two: some 30 digits of sums, products, quotients and roots,
-/// 17 of elementary functions.
-///
-/// It is the type of differences whose terms may not be rounded to a double first (`WiderOf`). It has the range of a double,
-/// and the same digits on every machine, which `long double` has not.
+// A number of twice the digits of a double, as the sum of two.
+//
+// Sums, products, quotients and roots have some 30 digits, elementary functions 17. It is the type of differences whose terms may
+// not be rounded to a double first (`WiderOf`). It has the range of a double, and the same digits on every machine, which
+// `long double` has not.
 #pragma once
 
 #include <cmath>
@@ -16,26 +15,19 @@
 
 namespace denhartog {
 
-/// @brief The sum of two doubles, the second at most half a unit in the last place of the first.
+// The sum of two doubles, the second at most half a unit in the last place of the first.
 struct DoubleDouble {
-    double high = 0; ///< the sum, rounded
-    double low = 0;  ///< the rest
+    double high = 0; // the sum, rounded
+    double low = 0;  // the rest
 
     DoubleDouble() = default;
-    /// @brief A whole number.
     template <std::same_as<int> Whole> // a double is not cut off to a whole number on its way here
     DoubleDouble(Whole n) : high(n) {}
-    /// @brief A double.
     explicit DoubleDouble(double x) : high(x) {}
-    /// @brief The sum of two doubles, of which the second is at most as large.
     DoubleDouble(double x, double rest) : high(x + rest), low(high - high == 0 ? rest - (high - x) : 0) {}
-    /// @brief A number and its rest.
     explicit DoubleDouble(const elementary::Parts& parts) : DoubleDouble(parts.high, parts.low) {}
-    /// @brief The number rounded.
     explicit operator double() const { return high; }
 
-    /// @{
-    /// @brief Arithmetic and comparisons.
     [[nodiscard]] friend DoubleDouble operator-(const DoubleDouble& a) {
         DoubleDouble opposite(-a.high);
         opposite.low = -a.low;
@@ -71,12 +63,10 @@ struct DoubleDouble {
     [[nodiscard]] friend bool operator>=(const DoubleDouble& a, const DoubleDouble& b) { return b <= a; }
     /// @}
 
-    /// @brief Size. A function of the class, since one of the namespace would hide that of a double.
+    // Size. A function of the class, since one of the namespace would hide that of a double.
     [[nodiscard]] friend DoubleDouble abs(const DoubleDouble& a) { return a.high < 0 ? -a : a; }
 };
 
-/// @{
-/// @brief Elementary functions: the angle of (x, y) is from -pi to pi.
 [[nodiscard]] inline DoubleDouble sqrt(const DoubleDouble& a) {
     const double root = std::sqrt(a.high);
     if (!(root > 0) || !(root - root == 0)) return DoubleDouble(root);
@@ -92,31 +82,26 @@ struct DoubleDouble {
 [[nodiscard]] DoubleDouble sine_of_half_turns(const DoubleDouble& a);
 [[nodiscard]] DoubleDouble cosine_of_half_turns(const DoubleDouble& a);
 [[nodiscard]] DoubleDouble atan2(const DoubleDouble& y, const DoubleDouble& x);
-/// @}
-/// @brief 1 - n m for the whole n nearest to 1 / m, with m positive; exact where m is a double.
+// Remainder of 1 after division by m, of the least size: exact where m is a double.
 [[nodiscard]] DoubleDouble remainder_of_one(const DoubleDouble& m);
 
-/// @brief pi in two doubles.
 template <>
 struct PiOf<DoubleDouble> {
-    /// @brief pi.
     static DoubleDouble value() { return {elementary::pi_high, elementary::pi_low}; }
 };
 
-/// @brief The next wider number type, for a difference whose terms may not be rounded first; the type itself where none is wider.
+// The next wider number type, for a difference whose terms may not be rounded first; the type itself where none is wider.
 template <class T>
 struct WiderOf {
-    using type = T; ///< the wider type
+    using type = T;
 };
-/// @brief Of `float`.
 template <>
 struct WiderOf<float> {
-    using type = double; ///< the wider type
+    using type = double;
 };
-/// @brief Of `double`.
 template <>
 struct WiderOf<double> {
-    using type = DoubleDouble; ///< the wider type
+    using type = DoubleDouble;
 };
 template <>
 struct WiderOf<long double>; // who uses it defines it
@@ -125,18 +110,14 @@ struct WiderOf<long double>; // who uses it defines it
 
 namespace std {
 
-/// @brief The limits: those of a double but for the unit in the last place.
+// The limits: those of a double but for the unit in the last place.
 template <>
 class numeric_limits<denhartog::DoubleDouble> : public numeric_limits<double> {
 public:
-    static constexpr int digits = 104; ///< binary
-    /// @brief The unit in the last place of 1.
+    static constexpr int digits = 104; // binary
     static denhartog::DoubleDouble epsilon() { return denhartog::DoubleDouble(0x1p-103); }
-    /// @brief The least positive normal number.
     static denhartog::DoubleDouble min() { return denhartog::DoubleDouble(numeric_limits<double>::min()); }
-    /// @brief The largest finite number.
     static denhartog::DoubleDouble max() { return denhartog::DoubleDouble(numeric_limits<double>::max()); }
-    /// @brief Infinity.
     static denhartog::DoubleDouble infinity() { return denhartog::DoubleDouble(numeric_limits<double>::infinity()); }
 };
 

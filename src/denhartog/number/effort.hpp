@@ -1,5 +1,4 @@
-/// @file
-/// @brief A budget of work, counted in operations: no search runs on without end, and none looks at a clock.
+// A budget of work, counted in operations: no search runs on without end, and none looks at a clock.
 #pragma once
 
 #include <algorithm>
@@ -14,45 +13,42 @@
 
 namespace denhartog {
 
-/// @brief Work allowed and spent.
-///
-/// One operation is the evaluation of one mode at one instant in double: an exponential, a sine, a cosine and what goes with
-/// them, about a tenth of a microsecond. A search that finds its budget spent ends and gives what is certain until then.
+// Work allowed and spent.
+//
+// One operation is the evaluation of one mode at one instant in double: an exponential, a sine, a cosine and what goes with
+// them, about a tenth of a microsecond. A search that finds its budget spent ends and gives what is certain until then.
 struct Effort {
-    long allowed = std::numeric_limits<long>::max();  ///< operations allowed
-    long spent = 0;                                   ///< operations spent
-    const std::function<bool()>* cancelled = nullptr; ///< ends the search from outside once it gives true; null: nobody does
+    long allowed = std::numeric_limits<long>::max();  // operations allowed
+    long spent = 0;                                   // operations spent
+    const std::function<bool()>* cancelled = nullptr; // ends the search from outside once it gives true; null: nobody does
 
-    /// @brief Counts operations.
     void spend(long operations) { spent += operations; }
-    /// @brief Operations still allowed, zero at the least.
+    // Operations still allowed, not negative.
     [[nodiscard]] long left() const { return std::max(0L, allowed - spent); }
-    /// @brief Whether a search has to end: the budget is spent, or somebody cancelled.
+    // Whether a search has to end: the budget is spent, or somebody cancelled.
     [[nodiscard]] bool exhausted() const { return spent >= allowed || is_cancelled(); }
-    /// @brief Whether somebody cancelled.
     [[nodiscard]] bool is_cancelled() const { return cancelled != nullptr && (*cancelled)(); }
-    /// @brief Why a search ended that has exhausted it, as a clause.
+    // Why a search ended that has exhausted it.
     [[nodiscard]] std::string ending() const {
         return is_cancelled() ? "cancelled" : "the work allowed is spent, " + std::to_string(spent) + " operations";
     }
 };
 
-/// @brief Operations that products of matrices cost: many are done at a time.
+// Operations that products of matrices cost, by the multiplications in them: many are done at a time.
 [[nodiscard]] constexpr long cost_of_products(long multiplications) { return multiplications / 512; }
 
-/// @brief The budget of a question where none is asked for: about two seconds for twelve modes and fewer, half a minute for a
-/// hundred. Up to there it grows as products of matrices do that a motion with stops takes.
+// The budget of a question where none is asked for: about two seconds for twelve modes and fewer, half a minute for a hundred. Up
+// to there it grows as products of matrices do that a motion with stops takes.
 [[nodiscard]] constexpr long default_effort(std::size_t modes) {
     const auto N = static_cast<long>(std::max<std::size_t>(modes, 12)), of_modes = 10'000'000 / 12 * N;
     return std::max(of_modes, std::min(of_modes * (8 + N) / 20, 450'000'000L)) + 4 * (N * N * N - 12 * 12 * 12);
 }
 
-/// @brief The budget of all that this thread does for one question, until the end of the scope. Scopes may be nested: the
-/// outermost one counts.
+// The budget of all that this thread does for one question, until the end of the scope. Scopes may be nested: the
+// outermost one counts.
 class QuestionEffort {
 public:
-    /// @brief The number of modes gives the budget where none is chosen. If the user chose one, one search may spend all of its
-    /// operations. `cancelled` is asked now and then; the question ends once it gives true.
+    // The budget is that of the modes where the user chose none; `cancelled` is asked now and then, and ends the question.
     explicit QuestionEffort(std::size_t modes, std::optional<long> chosen = {}, std::function<bool()> cancelled = {})
         : cancelled_(std::move(cancelled)), chosen_(chosen.has_value()), outermost_(current() == nullptr) {
         effort_.allowed = chosen.value_or(default_effort(modes));
@@ -62,27 +58,25 @@ public:
         else if (!current()->chosen_)
             current()->effort_.allowed = std::max(current()->effort_.allowed, effort_.allowed);
     }
-    /// @brief Ends the scope.
     ~QuestionEffort() {
         if (outermost_) current() = nullptr;
     }
     QuestionEffort(const QuestionEffort&) = delete;
     QuestionEffort& operator=(const QuestionEffort&) = delete;
 
-    /// @brief Operations spent so far, if this is the outermost scope.
+    // What was spent so far, if this is the outermost scope.
     [[nodiscard]] long spent() const { return effort_.spent; }
-    /// @brief Whether the question of this thread, if there is one, has spent its budget, or was cancelled.
+    // Whether the question of this thread has spent its budget, or was cancelled.
     [[nodiscard]] static bool exhausted() { return current() != nullptr && current()->effort_.exhausted(); }
 
-    /// @brief Spends of the budget of the question of this thread, where there is one; PrecisionError where nothing is left of
-    /// it.
+    // Spends of the budget of the question of this thread, where there is one. Throws PrecisionError where nothing is left of it.
     static void pay(long operations) {
         if (current() == nullptr) return;
         current()->effort_.spend(operations);
         if (current()->effort_.exhausted()) throw PrecisionError(current()->effort_.ending());
     }
 
-    /// @brief Spends half of what products of matrices cost of that budget.
+    // Spends half of what products of matrices cost of that budget.
     static void pay_for_products(long multiplications) { pay(cost_of_products(multiplications) / 2); }
 
 private:
@@ -99,10 +93,10 @@ private:
     bool outermost_; // and so the one that counts
 };
 
-/// @brief What one search may spend: a share of the budget of its question, from which it is taken at the end of the scope.
+// What one search may spend: a share of the budget of its question, from which it is taken at the end of the scope.
 class SearchEffort : public Effort {
 public:
-    /// @brief So many operations, where the user has not chosen the budget of the question.
+    // share: operations, where the user has not chosen the budget of the question
     explicit SearchEffort(long share) : question_(QuestionEffort::current()) {
         allowed = share;
         if (question_ == nullptr) return;
@@ -110,7 +104,7 @@ public:
         allowed = question_->chosen_ ? whole.left() : std::min(share, whole.left());
         cancelled = whole.cancelled;
     }
-    /// @brief Takes what was spent from the budget of the question.
+    // Takes what was spent from the budget of the question.
     ~SearchEffort() {
         if (question_ != nullptr) question_->effort_.spend(spent);
     }

@@ -1,5 +1,4 @@
-/// @file
-/// @brief Independent pieces of work shared among threads.
+// Independent pieces of work shared among threads.
 #pragma once
 
 #include <cstddef>
@@ -9,25 +8,23 @@
 
 namespace denhartog {
 
-/// @brief Does pieces of work that know nothing of each other, each once, on as many threads as asked for.
-///
-/// A piece that throws ends the work; the first exception thrown comes out of here once all threads are done. A piece says
-/// whether to go on.
+// Does pieces of work that know nothing of each other, each once, on as many threads as asked for. A piece that throws ends the
+// work; the first exception thrown comes out of here once all threads are done. A piece says whether to go on. Not
+// more threads are started than there are pieces.
 void parallel_for(std::size_t count, unsigned threads, const std::function<bool(std::size_t n)>& piece);
 
-/// @brief Counts what threads have done, and tells of it: one thread at a time.
+// Counts what threads have done, and tells of it: one thread at a time.
 class Progress {
 public:
-    /// @brief `told` hears how much is done; it may be empty.
+    // `told` hears how much is done; it may be empty.
     explicit Progress(std::function<void(std::size_t done)> told) : told_(std::move(told)) {}
 
-    /// @brief Counts what one thread has done.
     void add(std::size_t more) {
         const std::lock_guard<std::mutex> lock(mutex_);
         done_ += more;
         if (told_) told_(done_);
     }
-    /// @brief What is done, once no thread works any more.
+    // What is done, once no thread works any more.
     [[nodiscard]] std::size_t done() const { return done_; }
 
 private:

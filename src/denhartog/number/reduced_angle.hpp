@@ -1,5 +1,4 @@
-/// @file
-/// @brief Sines and cosines of angles in half turns, reduced exactly before they are multiplied by pi.
+// Sines and cosines of angles in half turns, reduced exactly before they are multiplied by pi.
 #pragma once
 
 #include <boost/math/special_functions/cos_pi.hpp>
@@ -9,8 +8,7 @@
 
 namespace denhartog {
 
-/// @brief An angle in half turns without whole turns, exact, where there are many: Boost counts half turns in an int. NaN where x
-/// is not finite.
+// An angle in half turns without whole turns, where there are many: Boost counts half turns in an int. NaN where not finite.
 template <class T>
 [[nodiscard]] T without_many_turns(const T& x) {
     constexpr double many = 1e9;
@@ -18,7 +16,7 @@ template <class T>
     return x > -many && x < many ? x : T(fmod(x, T(2)));
 }
 
-/// @brief \f$ \sin(\pi x) \f$; NaN where x is not finite.
+// sin(pi x); NaN where x is not finite.
 template <class T>
 [[nodiscard]] T sine_of_half_turns(const T& x) {
     if constexpr (std::same_as<T, double>) {
@@ -29,7 +27,7 @@ template <class T>
     }
 }
 
-/// @brief \f$ \cos(\pi x) \f$; NaN where x is not finite.
+// cos(pi x); NaN where x is not finite.
 template <class T>
 [[nodiscard]] T cosine_of_half_turns(const T& x) {
     if constexpr (std::same_as<T, double>) {
@@ -40,18 +38,16 @@ template <class T>
     }
 }
 
-/// @brief 1 - n m for the whole n nearest to 1 / m, with m positive: exact, whatever the quotient.
+// Remainder of 1 after division by m, of the least size: exact, whatever the quotient.
 template <class T>
 [[nodiscard]] T remainder_of_one(const T& m) {
     using std::remainder;
     return remainder(T(1), m);
 }
 
-/// @brief Sine and cosine of \f$ \pi\,[1/(2R) - y] \f$, reduced exactly: both keep their digits however small they or R are.
-///
-/// With \f$ \rho \f$ the remainder of 1 after division by 4R the first part is \f$ \rho/(2R) \f$ but for whole turns. What is
-/// left to the next multiple of a quarter turn, \f$ 2R-|\rho| \f$ or \f$ R-|\rho| \f$, is a difference without rounding; y is
-/// added to it. R is positive, and y is in half turns.
+// Sine and cosine of pi [1/(2R) - y], reduced exactly: both keep their digits however small they or R are. With rho the remainder
+// of 1 after division by 4R the first part is rho/(2R) but for whole turns. What is left to the next multiple of a quarter turn,
+// 2R - |rho| or R - |rho|, is a difference without rounding; y, in half turns, is added to it.
 template <class T>
 [[nodiscard]] SineCosine<T> sine_cosine_of_half_period(const T& R, const T& y) {
     const T rest = remainder_of_one(T(4 * R));

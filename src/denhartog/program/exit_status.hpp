@@ -1,28 +1,43 @@
-/// @file
-/// @brief The exit status of the program, and how faults get there.
+// The exit status of the program, and how faults and interruptions get there.
 #pragma once
 
-#include <stdexcept>
+#include <atomic>
 #include <string>
 
 namespace denhartog::program {
 
-/// @brief What went wrong so far.
+// What went wrong so far.
 struct ExitStatus {
-    bool bad_input = false;      ///< a scene, an option or a file: status 2
-    bool digits_missing = false; ///< an answer not to the digits asked for: status 3
-    bool failed = false;         ///< an implementation under test does not conform: status 1
-    bool broken = false;         ///< an implementation under test broke: status 3
-    int signal = 0;              ///< the signal that interrupted the program: status 128 plus its number
+    bool bad_input = false;      // a scene, an option or a file: status 2
+    bool digits_missing = false; // an answer not to the digits asked for: status 3
+    bool failed = false;         // an implementation under test does not conform: status 1
+    bool broken = false;         // an implementation under test broke: status 3
+    int signal = 0;              // the signal that interrupted the program: status 128 plus its number
 
-    /// @return the status, 0 where nothing went wrong
     [[nodiscard]] int value() const {
         return signal != 0 ? 128 + signal : bad_input ? 2 : digits_missing || broken ? 3 : failed ? 1 : 0;
     }
 };
 
-/// @brief Prints a fault as one line on standard error.
-/// @param fault  what was wrong
+// Prints a fault as one line on standard error.
 void report(const std::string& fault);
+
+// While it lives SIGINT, SIGTERM and SIGHUP set a flag, which must outlive it, so that a long computation ends in good order. One
+// at a time. A SIGHUP that the caller ignores, as `nohup` does, stays ignored.
+class Interruptible {
+public:
+    explicit Interruptible(std::atomic<bool>& stop);
+    ~Interruptible();
+    Interruptible(const Interruptible&) = delete;
+    Interruptible& operator=(const Interruptible&) = delete;
+
+    // The signal that came; 0 where none did.
+    [[nodiscard]] int caught() const;
+
+private:
+    void (*interrupt)(int);
+    void (*terminate)(int);
+    void (*hang_up)(int);
+};
 
 } // namespace denhartog::program

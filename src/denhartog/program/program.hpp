@@ -1,22 +1,17 @@
-/// @file
-/// @brief The command-line program as a function.
+// The command-line program as a function.
 #pragma once
 
 #include <string>
 
 namespace denhartog::program {
 
-/// @brief What `--version` says of the build.
+// What `--version` says of the build.
 struct Build {
-    std::string commit;   ///< the commit; empty where none is known
-    std::string compiler; ///< the compiler and its version
+    std::string commit; // empty where none is known
+    std::string compiler;
 };
 
-/// @brief Reads the arguments, and runs the subcommand that they name.
-/// @param argc   number of arguments, the program's name among them
-/// @param argv   the arguments
-/// @param build  what `--version` says
-/// @return       the exit status
+// Reads the arguments, runs the subcommand that they name, and gives the exit status.
 int run_program(int argc, char** argv, const Build& build);
 
 } // namespace denhartog::program

@@ -1,5 +1,4 @@
-/// @file
-/// @brief Cholesky factors that say where a matrix stops being positive definite. Included by source files only.
+// Cholesky factors that say where a matrix stops being positive definite. Included by source files only.
 #pragma once
 
 #include <cmath>
@@ -12,17 +11,16 @@
 
 namespace denhartog {
 
-/// @brief The factor L of A = L L^T, or the order of the leading minor at which there is none.
+// The factor L of A = L L^T, or the order of the leading minor at which there is none.
 template <class T>
 struct Cholesky {
-    Matrix<T> L;                  ///< lower triangular; complete where `failed_order` is 0
-    std::size_t failed_order = 0; ///< order of the first leading minor that is not positive, 0 where all are
-    bool singular = false;        ///< that minor is zero to working precision, not clearly negative
+    Matrix<T> L;                  // lower triangular; complete where `failed_order` is 0
+    std::size_t failed_order = 0; // order of the first leading minor that is not positive, 0 where all are
+    bool singular = false;        // that minor is zero to working precision, not clearly negative
 };
 
-/// @brief Factors a symmetric matrix.
-///
-/// A pivot that is below N eps times the diagonal entry it was left over from has lost all its digits: it counts as zero.
+// Factors a symmetric matrix. A pivot that is below N eps times the diagonal entry it was left over from has lost all its digits:
+// it counts as zero.
 template <class T>
 [[nodiscard]] Cholesky<T> cholesky(const Matrix<T>& A) {
     using std::sqrt;
@@ -45,8 +43,8 @@ template <class T>
     return result;
 }
 
-/// @brief The factor of a mass matrix that was positive definite as it was given; PrecisionError where rounding leaves it
-/// indefinite.
+// The factor of a mass matrix that was positive definite as it was given. Throws PrecisionError where rounding leaves it
+// indefinite.
 template <class T>
 [[nodiscard]] Matrix<T> factor_of_masses(const Matrix<T>& M) {
     Cholesky<T> factor = cholesky(M);

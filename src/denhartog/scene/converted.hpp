@@ -1,12 +1,10 @@
-/// @file
-/// @brief Systems in another number type. Included by sources only.
+// Numbers, matrices and systems in another type, rounded where it is narrower. Included by sources only.
 #pragma once
 
 #include "denhartog/scene/scene.hpp"
 
 namespace denhartog {
 
-/// @brief Numbers in another type, rounded where that is narrower.
 template <class To, class From>
 [[nodiscard]] std::vector<To> in_type(const std::vector<From>& x) {
     std::vector<To> out;
@@ -15,13 +13,11 @@ template <class To, class From>
     return out;
 }
 
-/// @brief A matrix in another type, rounded where that is narrower.
 template <class To, class From>
 [[nodiscard]] Matrix<To> in_type(const Matrix<From>& A) {
     return A.unaryExpr([](const From& x) { return static_cast<To>(x); });
 }
 
-/// @brief A system in another type, rounded where that is narrower.
 template <class To, class From>
 [[nodiscard]] System<To> in_type(const System<From>& s) {
     return {in_type<To>(s.mass_ratios),

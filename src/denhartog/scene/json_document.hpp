@@ -1,5 +1,4 @@
-/// @file
-/// @brief JSON text with nothing silently repaired: duplicate keys and numbers that no double holds are faults.
+// JSON text with nothing silently repaired: duplicate keys and numbers that no double holds are faults.
 #pragma once
 
 #include <cstddef>
@@ -9,30 +8,30 @@
 
 namespace denhartog {
 
-/// @brief Reads one JSON text, whose first line has the number `line`. InputError with line and column where the text is no JSON
-/// (NaN and Infinity are none) or holds a zero byte, with the JSON pointer where a key is given twice, a number is beyond a
-/// double, or values are nested deeper than a scene's.
+// Reads one JSON text. Throws InputError with line and column where the text is no JSON (NaN and Infinity are none) or holds a
+// zero byte, with the JSON pointer where a key is given twice, a number is beyond a double, or values are nested deeper than a
+// scene's.
 [[nodiscard]] nlohmann::json read_json(std::string_view text, std::size_t line = 1);
 
-/// @brief One step of a JSON pointer: `/key` with the two reserved characters escaped.
+// One step of a JSON pointer: `/key` with the two reserved characters escaped.
 [[nodiscard]] std::string pointer_step(std::string_view key);
 
-/// @brief Refuses a zero byte, by InputError with its line and column: the JSON library takes a text to end there, and what
-/// follows would be lost without a word. `quantity` says what the text is, e.g. `scene`.
+// Refuses a zero byte, at which the JSON library takes a text to end: what follows would be lost without a word. Throws
+// InputError with line and column of the first zero byte.
 void refuse_zero_byte(const std::string& quantity, std::string_view text, std::size_t line = 1);
 
-/// @brief Whether a text is JSON as a whole; false also where it holds a zero byte.
+// Whether a text is JSON as a whole; not where it holds a zero byte.
 [[nodiscard]] bool is_json(std::string_view text);
 
-/// @brief Whether brackets are nested deeper than in any text of this library, more than 16 deep: the JSON library copies and
-/// writes values by recursion, which has an end.
+// Whether brackets are nested deeper than in any text of this library: the JSON library copies and writes values by recursion,
+// which has an end.
 [[nodiscard]] bool nested_too_deeply(std::string_view text);
 
-/// @brief The value of a text of which the caller says what is wrong with it; a discarded one, which is no object, where the text
-/// is no JSON as a whole, holds a zero byte, or is nested too deeply.
+// The value of a text of which the caller says what is wrong with it. A discarded one, which is no object, where
+// the text is no JSON as a whole, holds a zero byte, or is nested too deeply.
 [[nodiscard]] nlohmann::json json_or_nothing(std::string_view text);
 
-/// @brief The most bytes of a value that a message shows.
+// The most bytes of a value that a message shows.
 inline constexpr std::size_t most_of_a_value = 43;
 
 } // namespace denhartog

@@ -10,7 +10,6 @@
 #include "denhartog/number/legible.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/json_document.hpp"
-#include "denhartog/scene/scene_keys.hpp"
 #include "denhartog/scene/scene_rules.hpp"
 
 namespace denhartog {

@@ -1,4 +1,4 @@
-#include "denhartog/scene/scene_keys.hpp"
+#include "denhartog/scene/scene_json.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,4 @@
-/// @file
-/// @brief The rules of a scene under the names that its author used.
+// The rules of a scene under the names that its author used.
 #pragma once
 
 #include <string>
@@ -10,31 +9,31 @@
 
 namespace denhartog {
 
-/// @brief Largest modal damping ratio: beyond, rates and their products leave the range of a double.
+// Largest modal damping ratio: beyond, rates and their products leave the range of a double.
 inline constexpr double largest_damping_ratio = 1e300;
 
-/// @brief Largest tolerance of a damping matrix: no distance is as large, so that it always takes the nearest classical damping.
+// Largest tolerance of a damping matrix: no distance is as large, so that it always takes the nearest classical damping.
 inline constexpr double largest_damping_tolerance = 2;
 
-/// @brief The rule of the largest number of masses, where `of` is `values` or `rows`.
+// The rule of the largest number of masses, of `values` or `rows`.
 [[nodiscard]] inline std::string most_masses_rule(const std::string& of) {
     return "must have at most " + std::to_string(most_masses) + " " + of + ", one a mass";
 }
 
-/// @brief What the author of a scene calls its quantities, and whether messages point into a JSON text.
+// What the author of a scene calls its quantities, and whether messages point into a JSON text.
 struct SceneNames {
-    std::string_view masses = "mass_ratios";                ///< `masses` in a dimensional scene
-    std::string_view stiffnesses = "stiffness_ratios";      ///< `stiffnesses` in a dimensional scene
-    std::string_view mass_matrix = "mass_matrix";           ///< `masses` in a dimensional scene
-    std::string_view stiffness_matrix = "stiffness_matrix"; ///< `stiffnesses` in a dimensional scene
-    std::string_view r = "r";                               ///< `frequency` in a dimensional scene
-    std::string_view beta = "beta";                         ///< `friction` in a dimensional scene
-    bool one_zeta = false;                             ///< one damping ratio was given for all modes
-    bool places = false;                               ///< errors carry the JSON pointer
+    std::string_view masses = "mass_ratios";                // `masses` in a dimensional scene
+    std::string_view stiffnesses = "stiffness_ratios";      // `stiffnesses` in a dimensional scene
+    std::string_view mass_matrix = "mass_matrix";           // `masses` in a dimensional scene
+    std::string_view stiffness_matrix = "stiffness_matrix"; // `stiffnesses` in a dimensional scene
+    std::string_view r = "r";                               // `frequency` in a dimensional scene
+    std::string_view beta = "beta";                         // `friction` in a dimensional scene
+    bool one_zeta = false;                             // one damping ratio was given for all modes
+    bool places = false;                               // errors carry the JSON pointer
 };
 
-/// @brief Checks every rule of a scene; InputError names quantity, rule, value and, if asked for, place of the first one that is
-/// broken.
+// Checks every rule of a scene. Throws InputError naming quantity, rule, value and, if asked for, place of the first rule that is
+// broken.
 template <class T>
 void check_under_names(const Scene<T>& scene, const SceneNames& names);
 

@@ -1,3 +1,5 @@
+/// @file
+/// @brief One scene or many from JSON text, and a scene as a JSON value.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -31,6 +33,16 @@ bool one_scene_a_line(const std::vector<SceneText>& lines) {
     if (std::count_if(lines.begin(), lines.end(), opens_object) > 1) return true;
     return std::any_of(lines.begin(), lines.end(),
                        [](const SceneText& line) { return opens_object(line) && is_json(line.text); });
+}
+
+nlohmann::json matrix_to_json(const Matrix<double>& matrix) {
+    nlohmann::json rows = nlohmann::json::array();
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+        nlohmann::json row = nlohmann::json::array();
+        for (Eigen::Index k = 0; k < matrix.cols(); ++k) row.push_back(matrix(i, k));
+        rows.push_back(std::move(row));
+    }
+    return rows;
 }
 
 } // namespace
@@ -70,6 +82,35 @@ std::vector<SceneOrError<T>> read_scenes(std::string_view text) {
     std::vector<SceneOrError<T>> scenes;
     for (const SceneText& part : split_scenes(text)) scenes.push_back(read_scene<T>(part));
     return scenes;
+}
+
+nlohmann::ordered_json write_scene(const Scene<double>& scene) {
+    check(scene);
+    const System<double>& s = scene.system;
+    nlohmann::ordered_json object;
+    const auto put = [&object](const char* ratios_key, const std::vector<double>& ratios, const char* key,
+                               const Matrix<double>& matrix) {
+        if (matrix.size() > 0)
+            object[key] = matrix_to_json(matrix);
+        else
+            object[ratios_key] = ratios;
+    };
+    put("mass_ratios", s.mass_ratios, "mass_matrix", s.mass_matrix);
+    put("stiffness_ratios", s.stiffness_ratios, "stiffness_matrix", s.stiffness_matrix);
+    put("damping_ratios", s.damping_ratios, "damping_matrix", s.damping_matrix);
+    if (s.damping_tolerance > 0) object["damping_tolerance"] = s.damping_tolerance;
+    if (s.contact_with)
+        object["contact"] = {s.contact.index + 1, s.contact_with->index + 1};
+    else
+        object["contact"] = s.contact.index + 1;
+    if (s.load_vector.empty())
+        object["load"] = s.load.index + 1;
+    else
+        object["load"] = s.load_vector;
+    object["mu"] = scene.mu;
+    if (scene.r) object["r"] = *scene.r;
+    if (scene.beta) object["beta"] = *scene.beta;
+    return object;
 }
 
 template Scene<double> read_scene(std::string_view);

@@ -4,10 +4,10 @@
 #include "denhartog/answer/reference_point.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/reference/orbit.hpp"
-#include "denhartog/reference/orbit_states.hpp"
+#include "denhartog/reference/orbit_equations.hpp"
 #include "denhartog/reference/sliding.hpp"
 #include "denhartog/reference/stuck.hpp"
-#include "denhartog/solve/orbit_guess.hpp"
+#include "denhartog/solve/solve_by_reference.hpp"
 #include "tests/benchmark/generator/motion.hpp"
 
 namespace denhartog::benchmark {

@@ -6,9 +6,7 @@
 
 #include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
-#include "denhartog/program/json/damping_json.hpp"
-#include "denhartog/program/json/number_json.hpp"
-#include "denhartog/program/output/table.hpp"
+#include "denhartog/program/json/solution_json.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/certain_modes.hpp"
 #include "denhartog/solve/quantities.hpp"
@@ -71,17 +69,17 @@ Json functions_json(const SceneSource& source) {
     all["S_j"] = {{"exact", write(q.S.x)}, {"paper", write(S_paper.x)}};
     all["error_bounds"] = {{"H_j", bound_of(q.H_j, write)},
                            {"S_j", {{"exact", bound_of(q.S, write)}, {"paper", bound_of(S_paper, write)}}}};
-    if (const std::optional<Json> damping = damping_json(source)) all["damping"] = *damping;
+    add_damping(all, source);
     return all;
 }
 
 std::string functions_table(const Json& a) {
-    std::vector<std::vector<std::string>> modes{{"mode", "r_n", "R", "zeta", "Re v", "Im v", "u", "g"}};
+    Rows modes{{"mode", "r_n", "R", "zeta", "Re v", "Im v", "u", "g"}};
     for (const Json& m : a.at("modes"))
         modes.push_back({in_table(m.at("mode")), in_table(m.at("natural_frequency_ratio")), in_table(m.at("R")),
                          in_table(m.at("zeta")), m.contains("v") ? in_table(m.at("v").at(0)) : "-",
                          m.contains("v") ? in_table(m.at("v").at(1)) : "-", cell(m, "u"), cell(m, "g")});
-    std::vector<std::vector<std::string>> masses{{"mass", "Re V", "Im V", "U", "G"}};
+    Rows masses{{"mass", "Re V", "Im V", "U", "G"}};
     for (const Json& m : a.at("masses"))
         masses.push_back({in_table(m.at("mass")), in_table(m.at("V").at(0)), in_table(m.at("V").at(1)), in_table(m.at("U")),
                           in_table(m.at("G"))});
@@ -89,16 +87,12 @@ std::string functions_table(const Json& a) {
            aligned({{"H_j", in_table(a.at("H_j"))},
                     {"S_j exact", in_table(a.at("S_j").at("exact"))},
                     {"S_j paper", in_table(a.at("S_j").at("paper"))}}) +
-           (a.contains("damping") ? damping_table(a.at("damping")) : "") + "\n";
+           damping_line(a) + "\n";
 }
 
 std::string evaluate(const SceneText& part, const SceneOptions& options) {
-    try {
-        const Json answer = functions_json(source_of(part, options.damping));
-        return options.json ? answer.dump() + "\n" : functions_table(answer);
-    } catch (const DomainError& e) {
-        throw at_a_pole(e);
-    }
+    const Json answer = off_poles([&] { return functions_json(source_of(part, options.damping)); });
+    return options.json ? answer.dump() + "\n" : functions_table(answer);
 }
 
 } // namespace

@@ -10,16 +10,13 @@
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
 #include "denhartog/paper_algorithm/regime_seen.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
-#include "denhartog/program/json/number_json.hpp"
 #include "denhartog/program/json/solution_json.hpp"
-#include "denhartog/program/output/files.hpp"
-#include "denhartog/program/output/table.hpp"
+#include "denhartog/program/output/motion_file.hpp"
 
 namespace denhartog::program {
 namespace {
 
-struct IntegrateOptions {
-    SceneOptions scene;
+struct IntegrateOptions : SceneOptions {
     std::string method = "paper";
     std::string start;
     PaperSettings settings;
@@ -79,43 +76,20 @@ Json motion_json(const PaperMotion& m, const Scene<double>& scene, const Integra
     return all;
 }
 
-std::string rows_of(const Json& objects, const std::vector<const char*>& keys) {
-    std::vector<std::vector<std::string>> rows{{keys.begin(), keys.end()}};
-    for (const Json& object : objects) {
-        rows.emplace_back();
-        for (const char* key : keys) rows.back().push_back(cell(object, key));
-    }
-    return aligned(rows);
-}
-
 std::string as_table(const Json& a) {
     std::string text = "status: " + cell(a, "status") + (a.contains("reason") ? ": " + cell(a, "reason") : "") + "\n";
     if (a.contains("masses")) {
         text += "regime over the last period: " + cell(a, "regime") + "\n";
-        text += rows_of(a.at("masses"), {"mass", "amplitude", "phase"});
+        text += aligned({"mass", "amplitude", "phase"}, a.at("masses"), {"mass", "amplitude", "phase"});
         text += contact_in_words(a.at("contact")) + "; displacements in units of P / k_1, phases in radians behind the force\n";
         if (a.contains("stops") && !a.at("stops").empty())
-            text +=
-                "stops in the last period, tau from a maximum of the force:\n" + rows_of(a.at("stops"), {"start", "end", "x"});
+            text += "stops in the last period, tau from a maximum of the force:\n" +
+                    aligned({"start", "end", "x"}, a.at("stops"), {"start", "end", "x"});
     }
     std::string counters;
     for (const auto& item : a.at("counters").items())
         counters += (counters.empty() ? "" : ", ") + item.key() + " " + in_table(item.value());
     return text + "method: " + cell(a, "method") + ", " + cell(a, "cycles") + " cycles; " + counters + "\n\n";
-}
-
-std::string as_csv(const PaperMotion& m) {
-    std::string csv = "tau";
-    for (const char* letter : {"x", "v"})
-        for (std::size_t k = 1; k <= m.masses.size(); ++k) csv += std::string(",") + letter + "_" + std::to_string(k);
-    csv += "\n";
-    for (std::size_t n = 0; n < m.samples.size(); ++n) {
-        csv += number_to_text(m.sample_times[n]);
-        for (const std::vector<double>* each : {&m.samples[n].x, &m.samples[n].x_prime})
-            for (const double x : *each) csv += "," + number_to_text(x == 0 ? 0.0 : x);
-        csv += "\n";
-    }
-    return csv;
 }
 
 State start_from(const std::string& text, std::size_t N) {
@@ -134,7 +108,7 @@ State start_from(const std::string& text, std::size_t N) {
 }
 
 std::string integrated(const SceneText& part, const IntegrateOptions& options, ExitStatus& status) {
-    const SceneSource source = source_of(part, options.scene.damping);
+    const SceneSource source = source_of(part, options.damping);
     const Scene<double>& scene = source->in_double();
     PaperSettings settings = options.settings;
     if (!options.start.empty()) settings.start = start_from(options.start, number_of_masses(scene.system));
@@ -143,18 +117,19 @@ std::string integrated(const SceneText& part, const IntegrateOptions& options, E
         status.digits_missing = true;
         report(motion.reason + (part.alone ? "" : " (line " + std::to_string(part.line) + ")"));
     }
-    if (settings.samples > 0) return motion.status == IntegrationStatus::complete ? as_csv(motion) : std::string();
+    if (settings.samples > 0)
+        return motion.status == IntegrationStatus::complete ? motion_csv({motion.sample_times, motion.samples}, {}) : "";
     const Json json = motion_json(motion, scene, options);
-    return options.scene.json ? json.dump() + "\n" : as_table(json);
+    return options.json ? json.dump() + "\n" : as_table(json);
 }
 
 void answer(const IntegrateOptions& options, ExitStatus& status) {
     if (options.method != "paper" && options.method != "exact")
         throw InputError("method", "must be paper or exact", options.method);
-    if (options.settings.samples > 0 && options.scene.json)
+    if (options.settings.samples > 0 && options.json)
         throw InputError("samples", "must not be given with --json: samples are CSV", "");
     answer_scenes(
-        options.scene,
+        options,
         [&](const SceneText& part) {
             if (options.settings.samples > 0 && !part.alone)
                 throw InputError("the input", "must be one scene where samples are asked for", "");
@@ -170,7 +145,7 @@ void add_integrate_command(CLI::App& app, ExitStatus& status) {
         app.add_subcommand("integrate", "Motion from a start over a number of periods, by the paper's algorithm or exactly");
     const auto options = std::make_shared<IntegrateOptions>();
     PaperSettings& settings = options->settings;
-    add_scene_options(*command, options->scene);
+    add_scene_options(*command, *options);
     command
         ->add_option("--method", options->method,
                      "paper: Runge-Kutta with events, Section 3.1; exact: closed form between events")

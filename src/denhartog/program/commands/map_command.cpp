@@ -5,14 +5,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <thread>
 
 #include "denhartog/map/map_in_units.hpp"
+#include "denhartog/number/number_text.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
-#include "denhartog/program/grid_option.hpp"
-#include "denhartog/program/interruptible.hpp"
 #include "denhartog/program/output/files.hpp"
 #include "denhartog/program/output/map_file.hpp"
 #include "denhartog/scene/point_rules.hpp"
@@ -22,15 +22,37 @@
 namespace denhartog::program {
 namespace {
 
-struct MapOptions {
-    std::string scene, r, beta, frequency_hz, friction, output;
+struct MapOptions : SceneOptions {
+    std::string r, beta, frequency_hz, friction, output;
     std::vector<long> masses;
     std::string start = "rest";
     bool boundaries = false;
     unsigned threads = 0;
-    std::optional<double> effort;
-    std::string damping{as_given};
 };
+
+constexpr double most_values = 10'000'000;
+
+// Equally spaced values from a text FROM:TO:COUNT, both ends included.
+std::vector<double> grid_values(const std::string& quantity, const std::string& text) {
+    const std::size_t first = text.find(':');
+    const std::size_t second = first == std::string::npos ? first : text.find(':', first + 1);
+    const auto is_number = [](const std::string& part, double& x) { return number_from_text(part, x) == NumberFault::none; };
+    double from = 0, to = 0, count = 0;
+    if (second == std::string::npos || !is_number(text.substr(0, first), from) ||
+        !is_number(text.substr(first + 1, second - first - 1), to) || !is_number(text.substr(second + 1), count))
+        throw InputError(quantity, "must be FROM:TO:COUNT, three numbers", text);
+    if (!(count >= 1 && count <= most_values) || count != std::floor(count))
+        throw InputError(quantity, "must have a whole COUNT from 1 to 10000000", text);
+    if (to < from) throw InputError(quantity, "must have TO not below FROM", text);
+    if (count == 1 && to != from) throw InputError(quantity, "must have TO equal to FROM where COUNT is 1", text);
+    const auto last = static_cast<std::int64_t>(count) - 1;
+    std::vector<double> values;
+    for (std::int64_t n = 0; n <= last; ++n) {
+        const double part = last == 0 ? 0 : static_cast<double>(n) / static_cast<double>(last);
+        values.push_back(n == last ? to : from + (to - from) * part);
+    }
+    return values;
+}
 
 std::atomic<bool> stop{false};
 
@@ -44,9 +66,7 @@ void show_columns(std::size_t done, std::size_t columns) {
 
 Scene<double> scene_of(const std::string& path, const std::string& damping) {
     const std::string text = read_input(path);
-    const std::vector<SceneText> parts = split_scenes(text);
-    if (parts.size() > 1) throw InputError("the input", "must be one scene", std::to_string(parts.size()) + " scenes");
-    const SceneOrError<double> read = read_scene<double>(parts.front());
+    const SceneOrError<double> read = read_scene<double>(only_scene(text));
     if (read.error) throw InputError(*read.error);
     Scene<double> scene = *read.scene;
     if (damping != as_given) scene.system.damping_tolerance = largest_damping_tolerance;
@@ -72,13 +92,6 @@ bool as_npy(const std::string& output) {
     throw InputError("output", "must end in .csv or .npy", output);
 }
 
-void write(const MapOptions& options, const std::string& content) {
-    if (options.output.empty())
-        write_standard_output(content);
-    else
-        write_file(options.output, content);
-}
-
 // The grid in one kind of numbers: ratios, or the units of the scene.
 bool asks_for_units(const MapOptions& options) {
     const bool ratios = !options.r.empty() || !options.beta.empty();
@@ -99,7 +112,7 @@ void answer_boundaries(const MapOptions& options, const Scene<double>& scene, bo
         axis.values = grid_values("r", options.r);
         curves = boundary_curves(scene, axis.values);
     }
-    write(options, npy ? curves_npy(axis, curves) : curves_csv(axis, curves));
+    write_output(options.output, npy ? curves_npy(axis, curves) : curves_csv(axis, curves));
 }
 
 void answer(const MapOptions& options, ExitStatus& status) {
@@ -129,7 +142,7 @@ void answer(const MapOptions& options, ExitStatus& status) {
         request.beta = grid.friction.values;
         map = regime_map(scene, request, stop, progress);
     }
-    if (map.complete) return write(options, npy ? map_npy(grid, map) : map_csv(grid, map));
+    if (map.complete) return write_output(options.output, npy ? map_npy(grid, map) : map_csv(grid, map));
     status.signal = interruptible.caught();
     report("interrupted: nothing is written");
 }
@@ -139,7 +152,7 @@ void answer(const MapOptions& options, ExitStatus& status) {
 void add_map_command(CLI::App& app, ExitStatus& status) {
     CLI::App* command = app.add_subcommand("map", "Regime, amplitudes and stops per period over a grid of (r, beta)");
     const auto options = std::make_shared<MapOptions>();
-    command->add_option("SCENE", options->scene, "file with one scene as JSON; standard input if it is - or missing");
+    add_one_scene_option(*command, *options);
     command->add_option("--r", options->r, "frequency ratios, FROM:TO:COUNT with both ends");
     command->add_option("--beta", options->beta,
                         "friction ratios, FROM:TO:COUNT with both ends; ascending values help each other");
@@ -157,8 +170,7 @@ void add_map_command(CLI::App& app, ExitStatus& status) {
                         "file to write, .csv or .npy; it appears when it is complete. Default: CSV on standard output");
     command->add_option("--threads", options->threads,
                         "number of threads, by default as many as the machine has; the map does not depend on it");
-    add_effort_option(*command, options->effort);
-    add_damping_option(*command, options->damping);
+    add_effort_and_damping(*command, *options);
     command->footer(
         "r and beta of the scene are not used. CSV with a line for each point, beta fastest: r, beta, regime (continuous,\n"
         "stick_slip, permanent_sticking), stops_per_period, periods (of the force in a period of the motion), amplitude_K of\n"
@@ -176,13 +188,7 @@ void add_map_command(CLI::App& app, ExitStatus& status) {
         "r and beta, amplitudes and boundaries as lengths and forces; the scene needs its force, or base_displacement.\n"
         "--boundaries: r, exact, paper, approximate, sticking as `boundary` has them, status; sticking is nan if no\n"
         "friction holds the contact. An interruption leaves no file; the exit status is then 128 plus the signal.");
-    command->callback([options, &status] {
-        try {
-            answer(*options, status);
-        } catch (const DomainError& e) {
-            throw InputError("r", std::string("must not be at a pole: ") + e.what(), "");
-        }
-    });
+    command->callback([options, &status] { off_poles([&] { answer(*options, status); }); });
 }
 
 } // namespace denhartog::program

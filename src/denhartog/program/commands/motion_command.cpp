@@ -16,13 +16,10 @@
 namespace denhartog::program {
 namespace {
 
-struct MotionOptions {
-    std::string scene;
+struct MotionOptions : SceneOptions {
     std::string output;
     long samples = 400;
-    int digits = 10;
-    std::optional<double> effort;
-    std::string damping{as_given};
+    int digits_of_motion = 10;
     std::string units{in_ratios};
 };
 
@@ -49,19 +46,16 @@ std::string sampled(const SceneText& part, const MotionOptions& options) {
     std::vector<double> tau;
     for (long n = 0; n < options.samples; ++n)
         tau.push_back(2 * pi<double>() * static_cast<double>(n) / static_cast<double>(options.samples));
-    try {
-        const QuantitiesAnswer found = quantities(source, tau, options.digits, PointNumbers::motion);
-        if (!found.numbers.X_j)
-            throw InputError(
-                "beta",
-                "must be below beta_lim = " + number_in_certain_digits(found.numbers.beta_lim.x, found.numbers.beta_lim.e) +
-                    ", Eq. (69), for the motion to be known",
-                number_to_text(*scene.beta), "/beta");
-        if (found.method.proved) report("computed by the reference: " + found.method.why);
-        return motion_csv(as_motion(std::move(tau), found.numbers), units);
-    } catch (const DomainError& e) {
-        throw at_a_pole(e);
-    }
+    const QuantitiesAnswer found =
+        off_poles([&] { return quantities(source, tau, options.digits_of_motion, PointNumbers::motion); });
+    if (!found.numbers.X_j)
+        throw InputError(
+            "beta",
+            "must be below beta_lim = " + number_in_certain_digits(found.numbers.beta_lim.x, found.numbers.beta_lim.e) +
+                ", Eq. (69), for the motion to be known",
+            number_to_text(*scene.beta), "/beta");
+    if (found.method.proved) report("computed by the reference: " + found.method.why);
+    return motion_csv(as_motion(std::move(tau), found.numbers), units);
 }
 
 void answer(const MotionOptions& options) {
@@ -71,13 +65,7 @@ void answer(const MotionOptions& options) {
     std::optional<QuestionEffort> effort;
     if (allowed) effort.emplace(0, allowed);
     const std::string text = read_input(options.scene);
-    const std::vector<SceneText> parts = split_scenes(text);
-    if (parts.size() > 1) throw InputError("the input", "must be one scene", std::to_string(parts.size()) + " scenes");
-    const std::string csv = sampled(parts.front(), options);
-    if (options.output.empty())
-        write_standard_output(csv);
-    else
-        write_file(options.output, csv);
+    write_output(options.output, sampled(only_scene(text), options));
 }
 
 } // namespace
@@ -85,12 +73,11 @@ void answer(const MotionOptions& options) {
 void add_motion_command(CLI::App& app, ExitStatus& status) {
     CLI::App* command = app.add_subcommand("motion", "Displacement and velocity of every mass over one period, as CSV");
     const auto options = std::make_shared<MotionOptions>();
-    command->add_option("SCENE", options->scene, "file with one scene as JSON; standard input if it is - or missing");
+    add_one_scene_option(*command, *options);
     command->add_option("--samples", options->samples, "number of instants in a period")->capture_default_str();
-    command->add_option("--digits", options->digits, "significant digits of every displacement and velocity, 1 to 15")
+    command->add_option("--digits", options->digits_of_motion, "significant digits of every displacement and velocity, 1 to 15")
         ->capture_default_str();
-    add_effort_option(*command, options->effort);
-    add_damping_option(*command, options->damping);
+    add_effort_and_damping(*command, *options);
     add_units_option(*command, options->units);
     command->add_option("--output", options->output, "file to write; it appears when it is complete");
     command->footer(

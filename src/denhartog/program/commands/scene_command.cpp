@@ -6,14 +6,12 @@
 
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/number_text.hpp"
+#include "denhartog/program/json/number_json.hpp"
 #include "denhartog/program/output/files.hpp"
 #include "denhartog/scene/scene_rules.hpp"
-#include "denhartog/solve/solve_by_reference.hpp"
 
 namespace denhartog::program {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string as_json(const InputError& e) {
     return Json{{"error",
@@ -22,7 +20,7 @@ std::string as_json(const InputError& e) {
            "\n";
 }
 
-/// A fault of a scene's key that was found after reading has its place there too.
+// A fault of a scene's key that was found after reading has its place there too.
 InputError with_place(const InputError& e) {
     const bool is_key = std::ranges::find(scene_keys(), e.quantity) != scene_keys().end();
     return e.place.empty() && is_key ? InputError(e.quantity, e.rule, e.value, "/" + e.quantity) : e;
@@ -40,22 +38,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
         "SCENE", options.scene,
         "file with one scene as JSON, or with one scene on each line (JSON Lines); standard input if it is - or missing");
     command.add_flag("--json", options.json, "one JSON object for each scene, each on a line of its own, instead of tables");
-    add_effort_option(command, options.effort);
-    add_damping_option(command, options.damping);
-}
-
-void add_damping_option(CLI::App& command, std::string& damping) {
-    command
-        .add_option("--damping", damping,
-                    "how to treat a damping matrix that couples the modes: as-given includes the coupling;\n"
-                    "nearest-classical leaves it out, as the paper does")
-        ->check(CLI::IsMember({as_given, nearest_classical}))
-        ->capture_default_str();
-}
-
-SceneSource source_of(const SceneText& part, const std::string& damping) {
-    SceneSource source = scene_source(part);
-    return damping == as_given ? source : with_damping_tolerance(source, largest_damping_tolerance);
+    add_effort_and_damping(command, options);
 }
 
 void add_digits_option(CLI::App& command, SceneOptions& options) {
@@ -67,13 +50,22 @@ void add_digits_option(CLI::App& command, SceneOptions& options) {
         "have every number proved: the reference answers, in ball arithmetic. Where it has no proof, the exit status is 3");
 }
 
-void add_effort_option(CLI::App& command, std::optional<double>& effort) {
+void add_one_scene_option(CLI::App& command, SceneOptions& options) {
+    command.add_option("SCENE", options.scene, "file with one scene as JSON; standard input if it is - or missing");
+}
+
+void add_effort_and_damping(CLI::App& command, SceneOptions& options) {
     command.add_option(
-        "--effort", effort,
+        "--effort", options.effort,
         "work that a question may cost, in operations of about a tenth of a microsecond, each of which evaluates a mode at an "
         "instant in double. If it does not suffice, the exit status is 3. Default: 1e7, and more if there are more than 12 "
-        "masses, "
-        "4.5e8 for 100");
+        "masses, 4.5e8 for 100");
+    command
+        .add_option("--damping", options.damping,
+                    "how to treat a damping matrix that couples the modes: as-given includes the coupling;\n"
+                    "nearest-classical leaves it out, as the paper does")
+        ->check(CLI::IsMember({as_given, nearest_classical}))
+        ->capture_default_str();
 }
 
 std::optional<long> allowed_operations(const std::optional<double>& effort) {
@@ -81,6 +73,17 @@ std::optional<long> allowed_operations(const std::optional<double>& effort) {
     if (!(*effort >= 1 && *effort <= 1e18))
         throw InputError("effort", "must be from 1 to 1e18 operations", number_to_text(*effort));
     return static_cast<long>(*effort);
+}
+
+SceneSource source_of(const SceneText& part, const std::string& damping) {
+    SceneSource source = scene_source(part);
+    return damping == as_given ? source : with_damping_tolerance(source, largest_damping_tolerance);
+}
+
+SceneText only_scene(const std::string& text) {
+    const std::vector<SceneText> parts = split_scenes(text);
+    if (parts.size() > 1) throw InputError("the input", "must be one scene", std::to_string(parts.size()) + " scenes");
+    return parts.front();
 }
 
 void answer_scenes(const SceneOptions& options, const std::function<std::string(const SceneText&)>& answer, ExitStatus& status) {
@@ -105,16 +108,6 @@ void answer_scenes(const SceneOptions& options, const std::function<std::string(
             if (options.json && !part.alone) output = as_json(InputError(short_of_digits ? "digits" : "the answer", why, ""));
         }
         write_standard_output(output);
-    }
-}
-
-InputError at_a_pole(const DomainError& e) { return InputError("r", std::string("must not be at a pole: ") + e.what(), ""); }
-
-Solution answer_or_reason(const SceneSource& source, const SceneOptions& options) {
-    try {
-        return sliding_answer(source, options.digits, options.proved);
-    } catch (const DomainError& e) {
-        throw at_a_pole(e);
     }
 }
 

@@ -5,8 +5,6 @@
 
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
-#include "denhartog/program/json/damping_json.hpp"
-#include "denhartog/program/json/dimensional_json.hpp"
 #include "denhartog/program/json/solution_json.hpp"
 #include "denhartog/program/output/motion_file.hpp"
 #include "denhartog/scene/limits.hpp"
@@ -17,8 +15,7 @@
 namespace denhartog::program {
 namespace {
 
-struct SolveOptions {
-    SceneOptions scene;
+struct SolveOptions : SceneOptions {
     std::string ask = "motion";
     bool all = false;
     std::optional<long> mass;
@@ -35,8 +32,8 @@ Asked asked(const std::string& text) {
 
 // The question; masses count from 1 here and from 0 there.
 Question question_of(const SolveOptions& options, std::size_t N) {
-    Question question{asked(options.ask), options.scene.digits, options.all};
-    question.proved = options.scene.proved;
+    Question question{asked(options.ask), options.digits, options.all};
+    question.proved = options.proved;
     if (options.mass) question.mass = mass_from(*options.mass, N, "mass");
     return question;
 }
@@ -49,24 +46,19 @@ std::string solved(const SceneText& part, const SolveOptions& options) {
     if (options.samples == 0 && options.units != in_ratios)
         throw InputError("units", "must be given with --samples only: an answer has both", options.units);
     if (options.samples > 0 && options.mass) throw InputError("samples", "must be given without --mass", "");
-    try {
-        const SceneSource source = source_of(part, options.scene.damping);
-        const std::size_t N = number_of_masses(source->in_double().system);
-        if (options.samples > 0) check_samples("samples", static_cast<std::size_t>(options.samples), N);
-        const Solution solution = solve(source, question_of(options, N));
-        if (options.samples > 0)
-            return motion_csv(sampled_solution(source, solution, static_cast<std::size_t>(options.samples)),
-                              motion_units(source->in_double(), options.units));
-        Json answer = solution_json(solution, NumberWriter{options.scene.digits});
-        if (const std::optional<Json> damping = damping_json(source)) answer["damping"] = *damping;
-        const std::optional<Units> units = source->in_double().units;
-        if (units) answer["dimensional"] = dimensional_json(solution, *units);
-        if (options.scene.json) return answer.dump() + "\n";
-        return solution_table(answer) + (answer.contains("damping") ? damping_table(answer.at("damping")) + "\n" : "") +
-               (units ? dimensional_table(answer.at("dimensional")) + "\n" : "");
-    } catch (const DomainError& e) {
-        throw at_a_pole(e);
-    }
+    const SceneSource source = source_of(part, options.damping);
+    const std::size_t N = number_of_masses(source->in_double().system);
+    if (options.samples > 0) check_samples("samples", static_cast<std::size_t>(options.samples), N);
+    const Solution solution = solve(source, question_of(options, N));
+    if (options.samples > 0)
+        return motion_csv(sampled_solution(source, solution, static_cast<std::size_t>(options.samples)),
+                          motion_units(source->in_double(), options.units));
+    Json answer = solution_json(solution, NumberWriter{options.digits});
+    add_damping(answer, source);
+    add_dimensional(answer, source, solution);
+    if (options.json) return answer.dump() + "\n";
+    const std::string damping = damping_line(answer);
+    return solution_table(answer) + damping + (damping.empty() ? "" : "\n") + dimensional_table(answer);
 }
 
 } // namespace
@@ -74,8 +66,8 @@ std::string solved(const SceneText& part, const SolveOptions& options) {
 void add_solve_command(CLI::App& app, ExitStatus& status) {
     CLI::App* command = app.add_subcommand("solve", "The steady motion at the point (r, beta) of a scene, in every regime");
     const auto options = std::make_shared<SolveOptions>();
-    add_scene_options(*command, options->scene);
-    add_digits_option(*command, options->scene);
+    add_scene_options(*command, *options);
+    add_digits_option(*command, *options);
     command->add_option("--ask", options->ask, "what is wanted; asking for less is cheaper")
         ->check(CLI::IsMember({"amplitude", "phase", "motion", "regime"}))
         ->capture_default_str();
@@ -106,7 +98,7 @@ void add_solve_command(CLI::App& app, ExitStatus& status) {
         "If no steady motion is found, or not to the digits asked for, the answer has a reason and the exit status is 3.");
     command->callback([options, &status] {
         answer_scenes(
-            options->scene, [&](const SceneText& part) { return solved(part, *options); }, status);
+            *options, [&](const SceneText& part) { return off_poles([&] { return solved(part, *options); }); }, status);
     });
 }
 

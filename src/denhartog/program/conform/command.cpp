@@ -12,11 +12,9 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/number/number_text.hpp"
-#include "denhartog/program/conform/number.hpp"
-#include "denhartog/program/conform/run.hpp"
-#include "denhartog/program/installed.hpp"
+#include "denhartog/program/conform/options.hpp"
+#include "denhartog/program/json/number_json.hpp"
 #include "denhartog/program/output/files.hpp"
-#include "denhartog/program/output/table.hpp"
 
 namespace denhartog::program {
 namespace {
@@ -28,7 +26,7 @@ void list(const SelectionOptions& options, bool summary) {
     SelectionOptions choice = options;
     choice.systems = options.systems || (summary && options.groups.empty()); // a summary tells what there is
     const std::vector<const Vector*> chosen = selected(choice, all);
-    std::vector<std::vector<std::string>> rows;
+    Rows rows;
     if (summary) {
         std::map<std::string, std::map<std::string, int>> groups;
         for (const Vector* v : chosen) ++groups[v->group][v->tier];
@@ -64,7 +62,7 @@ void list_csv(const SelectionOptions& options) {
 }
 
 void list_mistakes() {
-    std::vector<std::vector<std::string>> rows{{"mistake", "equation", "what it is; what to look at"}};
+    Rows rows{{"mistake", "equation", "what it is; what to look at"}};
     for (const conformance::Mistake& mistake : conformance::mistakes())
         rows.push_back(
             {mistake.name, mistake.equation.empty() ? "." : mistake.equation, mistake.told + " Look at: " + mistake.look_at});
@@ -77,8 +75,7 @@ void list_methods() {
                    ? number_in_digits(t.pass, 2) + " " + number_in_digits(t.loose, 2) + " " + number_in_digits(t.inaccurate, 2)
                    : "the vector's";
     };
-    std::vector<std::vector<std::string>> rows{
-        {"method", "displacement", "phase", "duration", "margin", "undamped", "what it is"}};
+    Rows rows{{"method", "displacement", "phase", "duration", "margin", "undamped", "what it is"}};
     for (const conformance::SolverMethod& m : conformance::methods())
         rows.push_back({std::string(m.name), three(m.displacement), three(m.phase), three(m.duration),
                         number_in_digits(m.margin, 2), m.settles ? "not judged wrong" : "judged", std::string(m.told)});
@@ -89,10 +86,9 @@ void list_methods() {
 
 void show(const SelectionOptions& options, const std::string& id) {
     const std::vector<Vector> all = conformance::read_vectors(options.vectors);
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Vector& v) { return v.question.id == id; });
-    if (found == all.end()) throw InputError("id", "must be a vector's", legible(id));
-    write_standard_output("json   " + conformance::question_json(found->question).dump() + "\nplain  " +
-                          conformance::question_plain(found->question) + "\n" + conformance::vector_json(*found).dump(1) + "\n");
+    const Vector& v = vector_named(id, all);
+    write_standard_output("json   " + conformance::question_json(v.question).dump() + "\nplain  " +
+                          conformance::question_plain(v.question) + "\n" + conformance::vector_json(v).dump(1) + "\n");
 }
 
 void add_list(CLI::App& conform) {
@@ -157,7 +153,7 @@ void add_smoke(CLI::App& conform, ExitStatus& status, const std::vector<std::str
 void add_run(CLI::App& conform, ExitStatus& status, const std::vector<std::string>& arguments) {
     CLI::App* command = conform.add_subcommand("run", "Ask a program the questions of the vectors, and judge its answers");
     const auto options = std::make_shared<ConformOptions>();
-    add_selection_options(*command, options->selection);
+    add_selection_options(*command, *options);
     add_program_options(*command, *options);
     command->add_option("--jobs", options->jobs, "how many processes of the program run at the same time")->capture_default_str();
     command
@@ -176,7 +172,7 @@ void add_run(CLI::App& conform, ExitStatus& status, const std::vector<std::strin
 void add_grade(CLI::App& conform, ExitStatus& status) {
     CLI::App* command = conform.add_subcommand("grade", "Judge answers in a file");
     const auto options = std::make_shared<ConformOptions>();
-    add_selection_options(*command, options->selection);
+    add_selection_options(*command, *options);
     command->add_option("FILE", options->answers, "CSV with the heading id,value, numbers separated by spaces; or JSON Lines")
         ->required();
     add_report_options(*command, *options);

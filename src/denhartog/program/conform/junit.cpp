@@ -1,6 +1,6 @@
 #include <map>
 
-#include "conformance/score.hpp"
+#include "conformance/verdict.hpp"
 #include "denhartog/program/conform/report.hpp"
 
 namespace denhartog::program {

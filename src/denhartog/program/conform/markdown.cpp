@@ -1,7 +1,6 @@
 #include <algorithm>
 
-#include "conformance/score.hpp"
-#include "denhartog/program/conform/number.hpp"
+#include "conformance/verdict.hpp"
 #include "denhartog/program/conform/report.hpp"
 
 namespace denhartog::program {
@@ -33,19 +32,9 @@ std::string rule(std::size_t columns) {
 }
 
 std::string score_rows(const ConformReport& report) {
-    const conformance::Counts total = conformance::counts_of(report.judged);
-    std::vector<std::string> heading{"tier", "group", "asked"};
-    for (std::size_t n = 0; n < total.size(); ++n)
-        if (total[n] > 0) heading.emplace_back(name(static_cast<Verdict>(n)));
-    heading.insert(heading.end(), {"median digits", "worst digits"});
-    std::string text = row(heading) + rule(heading.size());
-    for (const conformance::Score& score : conformance::scores(report.judged)) {
-        std::vector<std::string> cells{score.tier, score.group, std::to_string(score.asked)};
-        for (std::size_t n = 0; n < total.size(); ++n)
-            if (total[n] > 0) cells.push_back(std::to_string(score.counts[n]));
-        cells.insert(cells.end(), {digits_cell(score.median_digits), digits_cell(score.worst_digits)});
-        text += row(cells);
-    }
+    const std::vector<std::vector<std::string>> cells = score_cells(report, "worst digits", "0");
+    std::string text = row(cells.front()) + rule(cells.front().size());
+    for (std::size_t n = 1; n < cells.size(); ++n) text += row(cells[n]);
     return text;
 }
 
@@ -98,10 +87,10 @@ std::string report_markdown(const ConformReport& report) {
     for (const std::string& note : report.notes) text += "- " + markdown_cell(note) + "\n";
     if (report.changes) {
         text += "\n### Since the last run\n\n";
-        for (const Change& c : report.changes->worse)
-            text += "- worse: " + c.id + ", " + std::string(name(c.before)) + " to " + std::string(name(c.now)) + "\n";
-        for (const Change& c : report.changes->better)
-            text += "- better: " + c.id + ", " + std::string(name(c.before)) + " to " + std::string(name(c.now)) + "\n";
+        for (const auto& [way, changes] : {std::pair("worse", &report.changes->worse), {"better", &report.changes->better}})
+            for (const Change& c : *changes)
+                text += std::string("- ") + way + ": " + c.id + ", " + std::string(name(c.before)) + " to " +
+                        std::string(name(c.now)) + "\n";
         if (report.changes->worse.empty() && report.changes->better.empty()) text += "Nothing changed.\n";
     }
     if (!report.cut_short.empty()) text += "\nCut short: " + markdown_cell(report.cut_short) + ".\n";

@@ -9,7 +9,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/number/number_text.hpp"
-#include "denhartog/program/installed.hpp"
+#include "denhartog/program/output/files.hpp"
 
 namespace denhartog::program {
 namespace {
@@ -136,6 +136,12 @@ std::vector<const conformance::Vector*> selected(const SelectionOptions& options
         throw InputError("the selection", "must leave at least one vector" + hint, "0 of " + std::to_string(all.size()));
     }
     return chosen;
+}
+
+const conformance::Vector& vector_named(const std::string& id, const std::vector<conformance::Vector>& all) {
+    for (const conformance::Vector& v : all)
+        if (v.question.id == id) return v;
+    throw InputError("id", "must be a vector's", legible(id));
 }
 
 } // namespace denhartog::program

@@ -1,4 +1,4 @@
-#include "denhartog/program/conform/run.hpp"
+#include "denhartog/program/conform/options.hpp"
 
 #include <unistd.h>
 
@@ -7,17 +7,16 @@
 #include <cmath>
 #include <cstdio>
 
-#include "conformance/answers_file.hpp"
+#include "conformance/question.hpp"
 #include "conformance/grade.hpp"
 #include "conformance/method.hpp"
-#include "conformance/score.hpp"
-#include "conformance/session/smoke.hpp"
+#include "conformance/verdict.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/program/conform/report.hpp"
-#include "denhartog/program/interruptible.hpp"
+#include "denhartog/program/exit_status.hpp"
+#include "denhartog/program/json/number_json.hpp"
 #include "denhartog/program/output/files.hpp"
-#include "denhartog/program/output/table.hpp"
 
 namespace denhartog::program {
 namespace {
@@ -62,7 +61,7 @@ std::optional<Verdicts> earlier_verdicts(const ConformOptions& options) {
 // All vectors, with the tolerances of the method.
 std::vector<Vector> vectors_for(const ConformOptions& options) {
     const conformance::SolverMethod& method = conformance::method_named(options.method);
-    std::vector<Vector> all = conformance::read_vectors(options.selection.vectors);
+    std::vector<Vector> all = conformance::read_vectors(options.vectors);
     for (Vector& v : all) conformance::widen(v, method);
     return all;
 }
@@ -79,24 +78,89 @@ void finish(ConformReport& report, const ConformOptions& options, const std::opt
     report.verbose = options.verbose;
     report.conforms = report.cut_short.empty() && conformance::conforms(report.judged, needed_quantities(options));
     if (earlier) report.changes = compare(*earlier, report.judged);
-    const std::string text = text_in_format(report, options.format);
-    if (options.output.empty())
-        write_standard_output(text);
-    else
-        write_file(options.output, text);
+    write_output(options.output, text_in_format(report, options.format));
     if (!options.track.empty() && report.cut_short.empty() && (!report.changes || report.changes->worse.empty()))
         write_file(options.track, tracked_text(earlier.value_or(Verdicts{}), report.judged));
     status.broken = report.broken;
     status.failed = report.status() == 1;
 }
 
+std::string runner_command(const ConformOptions& options, const Vector& v) {
+    std::vector<std::string> words{this_program(), "conform", "run"};
+    if (options.vectors != vectors_folder()) words.insert(words.end(), {"--vectors", options.vectors});
+    if (options.method != conformance::methods().front().name) words.insert(words.end(), {"--method", options.method});
+    if (is_of_systems(v)) words.emplace_back("--systems");
+    words.insert(words.end(), {"--filter", "^" + options.repro + "$", "--verbose", "--"});
+    words.insert(words.end(), options.command.begin(), options.command.end());
+    return shell_text(words);
+}
+
+std::string pipe_command(const ConformOptions& options, const std::string& line) {
+    return "printf '%s\\n' " + shell_text({"denhartog-conform 1", line}) + " | " + shell_text(options.command);
+}
+
+std::string in_escapes(const std::string& word) {
+    std::string quoted = "$'";
+    for (const char c : word) {
+        char escaped[5] = {c, 0, 0, 0, 0};
+        if (c < ' ' || c > '~' || c == '\'' || c == '\\')
+            std::snprintf(escaped, sizeof escaped, "\\x%02X", static_cast<unsigned char>(c));
+        quoted += escaped;
+    }
+    return quoted + "'";
+}
+
 } // namespace
+
+std::string shell_text(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) {
+        if (word != legible(word, word.size() + 8)) { // bytes that a terminal would obey
+            text += (text.empty() ? "" : " ") + in_escapes(word);
+            continue;
+        }
+        const bool plain = !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                                                   "0123456789_-+=./:,@%") == std::string::npos;
+        std::string quoted;
+        for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+        text += (text.empty() ? "" : " ") + (plain ? word : "'" + quoted + "'");
+    }
+    return text;
+}
+
+void conform_repro(const ConformOptions& options, ExitStatus& status) {
+    const conformance::RunSettings settings = run_settings(options);
+    const conformance::SolverMethod& method = conformance::method_named(options.method);
+    const std::vector<Vector> all = conformance::read_vectors(options.vectors);
+    Vector v = vector_named(options.repro, all);
+    conformance::widen(v, method);
+    const conformance::WithoutBrokenPipeSignal guard;
+    const conformance::Partner partner = conformance::shake_hands(settings);
+    const std::string line = conformance::line_for(partner, v.question);
+    write_standard_output("# with the runner\n" + runner_command(options, v) + "\n\n# as a bare pipe\n" +
+                          pipe_command(options, line) + "\n\n# what came of it\n");
+    const conformance::Reply reply = partner.process->ask(line, settings.seconds);
+    const bool answered = reply.heard == conformance::Heard::line;
+    conformance::Judged judged;
+    std::string told = reply.told + "\n";
+    if (answered) {
+        judged = conformance::grade(v, conformance::answer_in(partner, reply.line, v.question.id));
+        conformance::excuse(judged, method);
+        const conformance::Diagnosis d = conformance::diagnose({&judged, 1}, conformance::known_signatures());
+        told = legible(reply.line) + "\n" + answer_text(judged, "");
+        for (const conformance::Finding& finding : d.findings)
+            told += "  it is the answer of the mistake " + finding.mistake->name + ": " + finding.mistake->told + "\n";
+    }
+    write_standard_output(told);
+    status.broken = !answered;
+    status.failed = answered && !conformance::is_right(judged.verdict) && judged.verdict != conformance::Verdict::skipped;
+}
 
 void conform_run(const ConformOptions& options, ExitStatus& status) {
     const conformance::RunSettings settings = run_settings(options);
     static_cast<void>(needed_quantities(options));
     const std::vector<Vector> all = vectors_for(options);
-    const std::vector<const Vector*> chosen = selected(options.selection, all);
+    const std::vector<const Vector*> chosen = selected(options, all);
     const std::optional<Verdicts> earlier = earlier_verdicts(options);
     std::vector<const conformance::ProtocolQuestion*> questions;
     for (const Vector* v : chosen) questions.push_back(&v->question);
@@ -125,7 +189,7 @@ void conform_grade(const ConformOptions& options, ExitStatus& status) {
     std::set<std::string> ids;
     for (const Vector& v : all) ids.insert(v.question.id);
     const std::map<std::string, conformance::Answer> answers = conformance::answers_in(read_input(options.answers), ids);
-    SelectionOptions choice = options.selection;
+    SelectionOptions choice = options;
     if (choice.groups.empty()) // who answers about systems beyond the paper asks for the verdict
         choice.systems = choice.systems || std::any_of(all.begin(), all.end(), [&](const Vector& v) {
                              return is_of_systems(v) && answers.contains(v.question.id);
@@ -150,7 +214,7 @@ void conform_smoke(const ConformOptions& options, ExitStatus& status) {
         status.signal = interruptible.caught();
         return;
     }
-    std::vector<std::vector<std::string>> rows;
+    Rows rows;
     bool good = true;
     for (const conformance::SmokeCheck& check : found.checks) {
         rows.push_back({check.good ? "good" : "BAD", check.what, check.found});

@@ -1,12 +1,13 @@
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <map>
 
 #include "conformance/method.hpp"
-#include "conformance/score.hpp"
+#include "conformance/verdict.hpp"
 #include "denhartog/number/number_text.hpp"
-#include "denhartog/program/conform/number.hpp"
 #include "denhartog/program/conform/report.hpp"
-#include "denhartog/program/output/table.hpp"
+#include "denhartog/program/json/number_json.hpp"
 
 namespace denhartog::program {
 namespace {
@@ -38,21 +39,6 @@ std::string numbers_text(const Judged& one, const std::string& indent) {
                value_text(single(v.nearest[one.worst])) + "\n";
     return (one.answered ? indent + "answer " + value_text(one.given) + "\n" : "") + indent + "true   " +
            (v.reject.empty() ? value_text(truth_of(v)) : "to be rejected: " + v.reject) + "\n";
-}
-
-std::string score_table(const ConformReport& report) {
-    const conformance::Counts total = conformance::counts_of(report.judged);
-    std::vector<std::vector<std::string>> rows{{"tier", "group", "asked"}};
-    for (std::size_t n = 0; n < total.size(); ++n)
-        if (total[n] > 0) rows.front().emplace_back(conformance::name(static_cast<Verdict>(n)));
-    rows.front().insert(rows.front().end(), {"median digits", "worst"});
-    for (const conformance::Score& score : conformance::scores(report.judged)) {
-        rows.push_back({score.tier, score.group, std::to_string(score.asked)});
-        for (std::size_t n = 0; n < total.size(); ++n)
-            if (total[n] > 0) rows.back().push_back(score.counts[n] > 0 ? std::to_string(score.counts[n]) : ".");
-        rows.back().insert(rows.back().end(), {digits_cell(score.median_digits), digits_cell(score.worst_digits)});
-    }
-    return aligned(rows);
 }
 
 // What several answers share: the reason where there is one, and what their scenes are.
@@ -177,6 +163,45 @@ std::string end_text(const ConformReport& report) {
 
 } // namespace
 
+std::string rough(double x) { return number_in_digits(x, 2); }
+
+std::string digits_cell(const std::optional<double>& digits) {
+    if (!digits) return "-";
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.1f", *digits);
+    return text.data();
+}
+
+std::string value_text(const conformance::Value& value) {
+    constexpr std::size_t most = 4;
+    if (!value.word.empty()) return value.word;
+    if (value.numbers.empty()) return "nothing";
+    if (value.numbers.size() == 1)
+        return number_to_text(value.numbers.front()) + " (" + conformance::hexadecimal_float(value.numbers.front()) + ")";
+    std::string text;
+    for (std::size_t n = 0; n < value.numbers.size() && n < most; ++n)
+        text += (n > 0 ? ", " : "") + number_to_text(value.numbers[n]);
+    const std::size_t rest = value.numbers.size() - std::min(value.numbers.size(), most);
+    return text + (rest > 0 ? " and " + std::to_string(rest) + " more" : "");
+}
+
+conformance::Value truth_of(const conformance::Vector& v) { return {v.nearest, v.word}; }
+
+Rows score_cells(const ConformReport& report, const std::string& worst, const std::string& none) {
+    const conformance::Counts total = conformance::counts_of(report.judged);
+    Rows rows{{"tier", "group", "asked"}};
+    for (std::size_t n = 0; n < total.size(); ++n)
+        if (total[n] > 0) rows.front().emplace_back(conformance::name(static_cast<Verdict>(n)));
+    rows.front().insert(rows.front().end(), {"median digits", worst});
+    for (const conformance::Score& score : conformance::scores(report.judged)) {
+        rows.push_back({score.tier, score.group, std::to_string(score.asked)});
+        for (std::size_t n = 0; n < total.size(); ++n)
+            if (total[n] > 0) rows.back().push_back(score.counts[n] > 0 ? std::to_string(score.counts[n]) : none);
+        rows.back().insert(rows.back().end(), {digits_cell(score.median_digits), digits_cell(score.worst_digits)});
+    }
+    return rows;
+}
+
 std::string contradicted_by(std::size_t answers) {
     if (answers == 0) return "no answer contradicts it";
     return answers == 1 ? "1 answer contradicts it" : std::to_string(answers) + " answers contradict it";
@@ -200,8 +225,9 @@ std::string answer_text(const Judged& one, const std::string& indent) {
 
 std::string report_text(const ConformReport& report) {
     std::string text = report.subject + (report.dialect.empty() ? "" : " (" + report.dialect + ")") + ": " +
-                       std::to_string(report.judged.size()) + " questions" + method_text(report) + "\n\n" + score_table(report) +
-                       worst_text(report) + digits_text(report) + diagnosis_text(report.diagnosis);
+                       std::to_string(report.judged.size()) + " questions" + method_text(report) + "\n\n" +
+                       aligned(score_cells(report, "worst", ".")) + worst_text(report) + digits_text(report) +
+                       diagnosis_text(report.diagnosis);
     if (report.verbose) {
         text += "\nAll other answers:\n";
         for (const Judged& one : report.judged)

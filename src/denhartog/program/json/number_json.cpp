@@ -1,5 +1,6 @@
 #include "denhartog/program/json/number_json.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -35,5 +36,30 @@ std::string in_table(const Json& x) {
 }
 
 std::string cell(const Json& object, const char* key) { return object.contains(key) ? in_table(object.at(key)) : "-"; }
+
+std::string aligned(const Rows& rows) {
+    std::vector<std::size_t> widths;
+    for (const auto& row : rows) {
+        widths.resize(std::max(widths.size(), row.size()));
+        for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
+    }
+    std::string text;
+    for (const auto& row : rows) {
+        std::string line;
+        for (std::size_t c = 0; c < row.size(); ++c) line += "  " + row[c] + std::string(widths[c] - row[c].size(), ' ');
+        line.erase(line.find_last_not_of(' ') + 1);
+        text += line + "\n";
+    }
+    return text;
+}
+
+std::string aligned(std::vector<std::string> heading, const Json& objects, const std::vector<const char*>& keys) {
+    Rows rows{std::move(heading)};
+    for (const Json& object : objects) {
+        rows.emplace_back();
+        for (const char* key : keys) rows.back().push_back(cell(object, key));
+    }
+    return aligned(rows);
+}
 
 } // namespace denhartog::program

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/program/output/table.hpp"
-
 namespace denhartog::program {
 namespace {
 
@@ -17,19 +15,16 @@ std::string name(BindingCondition binding) {
     return {};
 }
 
-Json limits_json(const Limits& b, const NumberWriter& write) {
+// Of each friction ratio what `write` makes of it, by its key.
+template <class Write>
+Json limits_json(const Limits& b, const Write& write) {
     Json all{{"exact", write(b.exact)}, {"paper", write(b.paper)}, {"approximate", write(b.approximate)}};
     if (b.sticking) all["sticking"] = write(*b.sticking);
     return all;
 }
 
-// Bounds of the errors of the friction ratios of `limits_json`, by the same keys.
 Json limit_bounds_json(const Limits& b, const NumberWriter& write) {
-    Json all{{"exact", write.bound_or_null(b.exact.error)},
-             {"paper", write.bound_or_null(b.paper.error)},
-             {"approximate", write.bound_or_null(b.approximate.error)}};
-    if (b.sticking) all["sticking"] = write.bound_or_null(b.sticking->error);
-    return all;
+    return limits_json(b, [&](const Certified& limit) { return write.bound_or_null(limit.error); });
 }
 
 Json method_json(const Method& m) {
@@ -126,25 +121,16 @@ Json contact_json(const Solution& s, const NumberWriter& write) {
 }
 
 std::string masses_table(const Json& masses) {
-    const std::vector<const char*> keys{"mass", "amplitude", "phase", "error_bound", "phase_error_bound"};
-    std::vector<std::vector<std::string>> rows{{"mass", "amplitude", "phase", "error bound", "of the phase"}};
-    for (const Json& m : masses) {
-        rows.emplace_back();
-        for (const char* key : keys) rows.back().push_back(cell(m, key));
-    }
-    return aligned(rows);
+    return aligned({"mass", "amplitude", "phase", "error bound", "of the phase"}, masses,
+                   {"mass", "amplitude", "phase", "error_bound", "phase_error_bound"});
 }
 
 std::string rest_of_motion(const Json& a) {
     std::string text;
     if (a.contains("stops_per_period")) text += "stops per period: " + cell(a, "stops_per_period") + "\n";
-    if (a.contains("stops")) {
-        std::vector<std::vector<std::string>> rows{{"stop from", "error bound", "to", "error bound", "at"}};
-        for (const Json& stop : a.at("stops"))
-            rows.push_back({cell(stop, "start"), cell(stop, "start_error_bound"), cell(stop, "end"),
-                            cell(stop, "end_error_bound"), cell(stop, "x")});
-        if (rows.size() > 1) text += aligned(rows);
-    }
+    if (a.contains("stops") && !a.at("stops").empty())
+        text += aligned({"stop from", "error bound", "to", "error bound", "at"}, a.at("stops"),
+                        {"start", "start_error_bound", "end", "end_error_bound", "x"});
     if (a.contains("rest_interval")) {
         const Json& i = a.at("rest_interval");
         text += "the contact may rest from " + cell(i, "from") + " to " + cell(i, "to");
@@ -247,7 +233,7 @@ std::string solution_table(const Json& a) {
     std::string text = "regime: " + a.at("regime").get<std::string>() + "\n" + a.at("reason").get<std::string>() + "\n";
     if (a.contains("regime_by_56")) text += "by (69) with (56) it is " + cell(a, "regime_by_56") + "\n";
     const Json& b = a.at("beta_lim");
-    std::vector<std::vector<std::string>> rows{{"r", cell(a, "r")}, {"beta", cell(a, "beta")}};
+    Rows rows{{"r", cell(a, "r")}, {"beta", cell(a, "beta")}};
     for (const auto& [key, name] : {std::pair{"exact", "beta_lim exact"},
                                     {"paper", "beta_lim paper (56)"},
                                     {"approximate", "beta_lim approximate (67)"},

@@ -1,40 +1,37 @@
-/// @file
-/// @brief Answers as JSON objects, the keys in the order of the documentation, and as tables.
+// Answers as JSON objects, the keys in the order of the documentation, and as tables.
+// What means nothing in a regime, or was not asked for, is absent.
 #pragma once
 
+#include "denhartog/answer/scene_source.hpp"
 #include "denhartog/answer/solution.hpp"
 #include "denhartog/program/json/number_json.hpp"
 
 namespace denhartog::program {
 
-/// @brief An answer to `response`: regime, boundary, method and, in the sliding regime, every mass.
-/// @param solution  the answer, with beta
-/// @param write     how numbers are written
-/// @return          the object; fields that mean nothing in the regime are absent
+// An answer to `response`, with beta: regime, boundary, method and, in the sliding regime, every mass.
 [[nodiscard]] Json response_json(const Solution& solution, const NumberWriter& write);
 
-/// @brief An answer to `boundary`: the friction ratios that bound the regimes, and the condition that binds.
-/// @param solution  the answer, without beta
-/// @param write     how numbers are written
-/// @return          the object
+// An answer to `boundary`, without beta: the friction ratios that bound the regimes, and the condition that binds.
 [[nodiscard]] Json boundary_json(const Solution& solution, const NumberWriter& write);
 
-/// @brief An answer of `solve`: the object of `response` in every regime, with what is known besides.
-/// @param solution  the answer
-/// @param write     how numbers are written
-/// @return          the object; fields that mean nothing in the regime, or were not asked for, are absent
+// An answer of `solve`: the object of `response` in every regime, with what is known besides; and the same for reading.
 [[nodiscard]] Json solution_json(const Solution& solution, const NumberWriter& write);
+[[nodiscard]] std::string solution_table(const Json& answer);
 
-/// @brief How an answer was computed, as a line. @param method the method as JSON
-/// @return model, precision, whether it is proved, and why
+// How an answer was computed, as a line: model, precision, whether it is proved, and why.
 [[nodiscard]] std::string method_in_words(const Json& method);
 
-/// @brief Where the contact is, in words. @param contact the object `contact` of an answer @return a line without its end
+// Where the contact is, in words, from the object `contact` of an answer; a line without its end.
 [[nodiscard]] std::string contact_in_words(const Json& contact);
 
-/// @brief The same for reading.
-/// @param answer  the object
-/// @return        lines of text
-[[nodiscard]] std::string solution_table(const Json& answer);
+// Adds `damping` where a damping matrix couples the modes: whether the coupling was taken in or left out, how large it is, and the
+// damping ratios without it; and the same as a line, empty where there is none.
+void add_damping(Json& answer, const SceneSource& source);
+[[nodiscard]] std::string damping_line(const Json& answer);
+
+// Adds `dimensional` to the answer to a scene in physical units: frequencies, forces, displacements and times in these units, in
+// double. Without its force no displacement and no force is known. And the same as lines, empty where there is none.
+void add_dimensional(Json& answer, const SceneSource& source, const Solution& solution);
+[[nodiscard]] std::string dimensional_table(const Json& answer);
 
 } // namespace denhartog::program

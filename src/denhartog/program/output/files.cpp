@@ -168,6 +168,14 @@ void NewFile::take_place() {
     own_name.clear();
 }
 
+// A path of the build or, where there is none of that name, what was installed with the program.
+std::string found(const std::string& built, const std::string& installed) {
+    std::error_code fault;
+    if (fs::exists(built, fault)) return built;
+    const fs::path beside = fs::path(this_program()).parent_path() / "../share/denhartog" / installed;
+    return fs::exists(beside, fault) ? beside.lexically_normal().string() : built;
+}
+
 } // namespace
 
 void report(const std::string& fault) {
@@ -209,5 +217,21 @@ void write_file(const std::string& path, const std::string& text) {
     file.write(text);
     file.take_place();
 }
+
+void write_output(const std::string& path, const std::string& text) {
+    path.empty() ? write_standard_output(text) : write_file(path, text);
+}
+
+std::string this_program() {
+    std::error_code fault;
+    const fs::path path = fs::read_symlink("/proc/self/exe", fault);
+    return fault ? "denhartog" : path.string();
+}
+
+std::string vectors_folder() { return found(DENHARTOG_VECTORS, "vectors"); }
+
+std::string equations_file() { return found(DENHARTOG_EQUATIONS_FILE, "equations.json"); }
+
+std::string derivation_file(const std::string& name) { return found(DENHARTOG_DERIVATION_FOLDER "/" + name, name); }
 
 } // namespace denhartog::program

@@ -1,12 +1,49 @@
 #include "denhartog/program/output/map_file.hpp"
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <type_traits>
 
 #include "denhartog/number/number_text.hpp"
-#include "denhartog/program/output/npy.hpp"
 
 namespace denhartog::program {
 namespace {
+
+// A field of a record: its name, and its type without byte order, `f8`, `i4` or `i1`.
+struct NpyField {
+    std::string name, type;
+};
+
+// Appends a number to the records, least significant byte first.
+template <class T>
+void append(std::string& records, T x) {
+    using Bits =
+        std::conditional_t<sizeof(T) == 8, std::uint64_t, std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint8_t>>;
+    static_assert(sizeof(T) == sizeof(Bits));
+    const Bits bits = std::bit_cast<Bits>(x);
+    for (std::size_t byte = 0; byte < sizeof(T); ++byte) records += static_cast<char>((bits >> (8 * byte)) & 0xff);
+}
+
+// The beginning of an array of records in NumPy's file format, version 1.0: magic string, version, length and a dictionary padded to a
+// multiple of 64 bytes. The last of the axes runs fastest.
+std::string npy_header(const std::vector<NpyField>& fields, const std::vector<std::size_t>& shape) {
+    std::string dictionary = "{'descr': [";
+    for (const NpyField& field : fields)
+        dictionary += "('" + field.name + "', '" + (field.type.back() == '1' ? "|" : "<") + field.type + "'), ";
+    dictionary += "], 'fortran_order': False, 'shape': (";
+    for (const std::size_t length : shape) dictionary += std::to_string(length) + ", ";
+    dictionary += "), }";
+    const std::size_t before = 10; // magic string, version, length
+    dictionary.append(63 - (before + dictionary.size()) % 64, ' ');
+    dictionary += '\n';
+    std::string header = "\x93NUMPY";
+    append(header, std::uint8_t(1));
+    append(header, std::uint8_t(0));
+    append(header, static_cast<std::uint8_t>(dictionary.size() % 256));
+    append(header, static_cast<std::uint8_t>(dictionary.size() / 256));
+    return header + dictionary;
+}
 
 std::string csv_cell(double x) { return std::isnan(x) ? "nan" : number_to_text(x == 0 ? 0.0 : x); }
 

@@ -6,7 +6,6 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/point_rules.hpp"
-#include "denhartog/scene/units.hpp"
 
 namespace denhartog::program {
 

@@ -1,14 +1,14 @@
-#include "denhartog/program/json/dimensional_json.hpp"
+#include "denhartog/program/json/solution_json.hpp"
 
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "denhartog/program/json/solution_json.hpp"
-#include "denhartog/program/output/table.hpp"
-#include "denhartog/scene/units.hpp"
+#include "denhartog/answer/modes_in_double.hpp"
+#include "denhartog/scene/point_rules.hpp"
 
 namespace denhartog::program {
+namespace {
 
 Json dimensional_json(const Solution& s, const Units& units) {
     const NumberWriter write;
@@ -52,8 +52,37 @@ Json dimensional_json(const Solution& s, const Units& units) {
     return all;
 }
 
-std::string dimensional_table(const Json& a) {
-    std::vector<std::vector<std::string>> rows;
+} // namespace
+
+void add_damping(Json& answer, const SceneSource& source) {
+    const std::optional<CoupledDamping> damping = coupled_damping(source);
+    if (!damping) return;
+    const NumberWriter write;
+    answer["damping"] = {{"coupling", damping->taken_in ? "taken_in" : "left_out"},
+                         {"distance_from_classical", write(damping->distance_from_classical)},
+                         {"largest_coupling", write(damping->largest_coupling)},
+                         {"damping_ratios", Json::array()}};
+    for (const double zeta : damping->damping_ratios) answer["damping"]["damping_ratios"].push_back(write(zeta));
+}
+
+std::string damping_line(const Json& answer) {
+    if (!answer.contains("damping")) return "";
+    const Json& damping = answer.at("damping");
+    const bool taken_in = damping.at("coupling") == "taken_in";
+    return "the damping matrix couples the modes, at most by " + in_table(damping.at("largest_coupling")) +
+           " of the geometric mean of two diagonal coefficients: " +
+           (taken_in ? "taken in" : "left out, as the paper does; without it the damping ratios nearest to the matrix count") +
+           "\n";
+}
+
+void add_dimensional(Json& answer, const SceneSource& source, const Solution& solution) {
+    if (const std::optional<Units> units = source->in_double().units) answer["dimensional"] = dimensional_json(solution, *units);
+}
+
+std::string dimensional_table(const Json& answer) {
+    if (!answer.contains("dimensional")) return "";
+    const Json& a = answer.at("dimensional");
+    Rows rows;
     for (const auto& [key, name] : {std::pair{"frequency", "frequency, radians per unit of time"},
                                     {"frequency_hz", "frequency, periods per unit of time"},
                                     {"force", "force P"},
@@ -68,7 +97,7 @@ std::string dimensional_table(const Json& a) {
     if (a.contains("contact"))
         rows.push_back({contact_in_words({{"between", a.at("contact").at("between")}}), cell(a.at("contact"), "amplitude"),
                         "+- " + cell(a.at("contact"), "error_bound")});
-    return rows.empty() ? text : text + aligned(rows);
+    return text + aligned(rows) + "\n";
 }
 
 } // namespace denhartog::program
