@@ -29,8 +29,8 @@ tests::Prepared prepared(const Given& g, double r, double beta, double mu) {
     return {"", contact_system(s), {r, beta, mu}};
 }
 
-/// The state after a time by the exponential of z' = A z, z = (x, x', cos, sin, 1), in 50 digits: sliding in a direction, or stuck
-/// for 0. M, C and K are those at r = 1.
+/// The state after a time by the exponential of z' = A z, z = (x, x', cos, sin, 1), in 50 digits: sliding in a direction, or
+/// stuck for 0. M, C and K are those at r = 1.
 State by_exponential(const Matrix<Real50>& M, const Matrix<Real50>& C, const Matrix<Real50>& K, Mass contact, Mass load,
                      const Excitation& e, int direction, const State& start, double tau_0, double t) {
     const Eigen::Index N = M.rows();

@@ -1,6 +1,6 @@
 /// @file
-/// @brief Proved motions with stops: their numbers are those of the exact solver and of the physical coordinates in 50 digits, and no wrong
-/// guess is proved.
+/// @brief Proved motions with stops: their numbers are those of the exact solver and of the physical coordinates in 50 digits,
+/// and no wrong guess is proved.
 #include "denhartog/reference/orbit.hpp"
 
 #include <cmath>

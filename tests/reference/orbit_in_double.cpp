@@ -13,7 +13,7 @@ namespace {
 
 using reference::OrbitInBalls;
 
-constexpr slong bits = 192;
+constexpr slong bits = 256;
 
 // The motion near one in double, proved.
 OrbitInBalls proved(const Prepared& p, const PeriodicOrbit& orbit, bool with_multipliers = false) {

@@ -15,7 +15,7 @@
 
 namespace denhartog {
 
-/// @brief The phases of one system at one excitation, one at a time. A direction is 1 or -1 as the contact slides, 0 where it sticks.
+/// @brief The phases of one system at one excitation, one at a time. A direction is 1 or -1 as the contact slides, 0 if it sticks.
 struct ContactPhases {
     const ContactSystem* system;   ///< the system
     Excitation e{};                ///< frequency and friction

@@ -25,7 +25,7 @@ double load_of_distance(const ContactPhases& c) {
     return c.inertia * weights.norm();
 }
 
-// Whether bounds prove that no motion within a distance of the sliding motion ever sticks, over the half-period from a turning point,
+// Whether bounds prove that no motion within a distance of the sliding one ever sticks, over the half-period from a turning point,
 // where its velocity is `start`; with a load beyond `needed` the contact cannot stick, within the distance.
 bool slides_within(ContactPhases& c, int direction, const Jet<double>& start, double needed, double distance) {
     const double speed = c.system->contact_shape.norm() * distance;

@@ -1,5 +1,5 @@
 /// @file
-/// @brief What the exact solver computes with: a phase at a time, the motion so far, and the derivative with respect to its start.
+/// @brief What the exact solver computes with: a phase at a time, the motion so far, and its derivative with respect to the start.
 #pragma once
 
 #include "denhartog/stick_slip/contact_phases.hpp"
@@ -37,7 +37,7 @@ struct ExactSolver::Work : ContactPhases {
     /// @param s the system @param excitation frequency and friction
     Work(const ContactSystem& s, const Excitation& excitation) : ContactPhases(s, excitation, own) {}
 
-    /// @brief The motion from the state that stands there. @param tau_0 its instant @param tau_1 the end @param with_jacobian as asked
+    /// @brief The motion from the state x, v. @param tau_0 its instant @param tau_1 the end @param with_jacobian as asked
     void run(double tau_0, double tau_1, bool with_jacobian);
     /// @brief Takes the start of a phase of the motion into coordinates. @param phase its index
     void stand_at(std::size_t phase);
