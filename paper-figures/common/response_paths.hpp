@@ -208,26 +208,18 @@ namespace response_paths {
 }
 
 /// @brief A single mass, r = 3/4, zeta = 1/16, mu = 1, at a friction ratio that is the same in every number type.
-class SingleMassAt final : public SceneReader {
-public:
-    /// @param beta_  the friction ratio
-    explicit SingleMassAt(const Real100& beta_)
-        : beta(beta_), scene(response_paths::chain({1}, {1}, 1, 1, 0x1p-4, 0.75, static_cast<double>(beta_))) {}
-    [[nodiscard]] const Scene<double>& in_double() const override { return scene; }
+[[nodiscard]] inline SceneSource single_mass_at(const Real100& beta) {
+    const auto scene = std::make_shared<const Scene<double>>(
+        response_paths::chain({1}, {1}, 1, 1, 0x1p-4, 0.75, static_cast<double>(beta)));
+    SceneReader reader{scene, {}, {}, {}};
 #if DENHARTOG_REFERENCE
-    void in_balls(Scene<Ball>& in_balls) const override {
-        in_balls = converted<Ball>(scene);
+    reader.in_balls = [scene, beta](Scene<Ball>& in_balls) {
+        in_balls = converted<Ball>(*scene);
         in_balls.beta = Ball::of_text(beta.str(0, std::ios_base::scientific));
-    }
+    };
 #endif
-
-private:
-    Real100 beta;
-    Scene<double> scene;
-};
-
-/// @brief That mass as a source. @param beta the friction ratio @return the source
-[[nodiscard]] inline SceneSource single_mass_at(const Real100& beta) { return std::make_shared<const SingleMassAt>(beta); }
+    return std::make_shared<const SceneReader>(std::move(reader));
+}
 
 /// @brief The boundary of that mass, the amplitude there and its rate of change.
 struct AtBoundary {
