@@ -57,7 +57,7 @@ TEST_CASE("the load is what friction has to balance to hold the contact, inertia
         const ContactProblem p = contact_problem(scene);
         ContactEquations equations(p);
         const Eigen::Index N = p.matrices.M.rows(), j = static_cast<Eigen::Index>(p.contact.index);
-        const Sample s = sample_of(equations.N, equations.j);
+        const Sample s = sample_of(equations.N, equations.contact.a);
         const double tau = 2.25;
         coupled += !p.matrices.M.isDiagonal(0);
         // Unknown: accelerations of the others and the friction at the contact, whose acceleration is zero.
@@ -82,7 +82,7 @@ TEST_CASE("the load is what friction has to balance to hold the contact, inertia
             equations.set(direction);
             equations(s.y, y_prime, tau);
             const double a = (equations.load_on_contact(s.y, tau) - direction * 0.5) * equations.compliance;
-            error = std::max(error, std::abs(y_prime[equations.N + equations.j] - a) / (1 + std::abs(a)));
+            error = std::max(error, std::abs(y_prime[equations.N + equations.contact.a] - a) / (1 + std::abs(a)));
         }
         if (error > worst) {
             worst = error;
