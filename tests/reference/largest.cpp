@@ -11,6 +11,12 @@ using namespace denhartog::tests;
 
 namespace {
 
+template <class T>
+    requires std::same_as<T, Series>
+T operator/(const T& x, int n) {
+    return x * (Ball(1) / Ball(n));
+}
+
 // A function by its series, and where it is largest on [0, pi].
 struct KnownMaximum {
     const char* name;

@@ -43,7 +43,7 @@ TEST_CASE("a system prepared by the reference is that of double, where double ha
         same("D", one.basis.D, other.basis.D);
         same("momentum", one.momentum, other.momentum);
         same("load", column(one.modal_load), column(other.modal_load));
-        same("further", one.further, other.further);
+        same("contact", one.contact_shape, other.contact_shape);
         same("damping matrix", one.stuck.C, other.stuck.C);
         same("r_n held", column(one.stuck.r_n), column(other.stuck.r_n));
         same("phi held", one.stuck.phi.cwiseAbs(), other.stuck.phi.cwiseAbs());
