@@ -4,9 +4,9 @@
 # @erratum{40}        a link to what the page says of the printed form
 # @derivation{name}   a link to derivation/name.cpp, made good by `pages link`
 # @domain{...}        a paragraph; commas and all
-# What is documented stands in the headers of the library and the derivation, but for those of the reference and its drivers and
-# those whose first line is a plain comment, which no user of the library includes; of these and of all other sources nothing is
-# declared, and the site shows them as they are. No line is added or taken away: line numbers stay true.
+# What is documented stands in the headers of the library and the derivation, but for those whose first line is a plain comment;
+# of these and of all other sources nothing is declared, and the site shows them as they are. No line is added or taken away: line
+# numbers stay true.
 
 function label(number) {
     gsub(/\./, "_", number)
@@ -106,8 +106,7 @@ function page_label(file, parts, n, name) {
 FNR == 1 {
     file = index(FILENAME, ENVIRON["PWD"] "/") == 1 ? substr(FILENAME, length(ENVIRON["PWD"]) + 2) : FILENAME
     markdown = file ~ /^docs\/.*\.md$/
-    shown_only = file ~ /\.cpp$/ || file ~ /^(docs|tests|paper-figures|src\/denhartog\/reference)\/.*\.hpp$/ ||
-                 file ~ /^src\/denhartog\/answer\/reference_(point|attempts)\.hpp$/ || (file ~ /^src\// && /^\/\/ /)
+    shown_only = file ~ /\.cpp$/ || file ~ /^(docs|tests|paper-figures)\/.*\.hpp$/ || (file ~ /^src\// && /^\/\/ /)
 }
 shown_only {
     brief = FNR == 1 && /^\/\/ / ? substr($0, 4) : ""

@@ -10,7 +10,7 @@ set(unit "${SCRATCH}/${NAME}.cpp")
 list(TRANSFORM files REPLACE "(.+)" "#include \"\\1\"\n")
 list(JOIN files "" text)
 file(WRITE "${unit}" "${text}")
-execute_process(COMMAND ${COMPILER} -std=c++20 -M -I${SOURCE}/src -I${SOURCE} -isystem ${EIGEN} "${unit}"
+execute_process(COMMAND ${COMPILER} -std=c++20 -M -I${SOURCE}/src -I${SOURCE} -I${TABLES} -isystem ${EIGEN} "${unit}"
                 RESULT_VARIABLE status OUTPUT_VARIABLE dependencies ERROR_VARIABLE messages)
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "cannot be preprocessed:\n${messages}")

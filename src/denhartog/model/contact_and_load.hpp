@@ -126,7 +126,7 @@ struct HeldMatrices {
     Matrix<T> K; ///< stiffnesses in units of k_1
 };
 
-/// @brief The matrices of a system whose contact may be held. @param C its damping matrix, given or (19) at r = 1
+/// @brief The matrices of a system whose contact may be held, with its damping matrix C, given or (19) at r = 1.
 template <class T>
 [[nodiscard]] HeldMatrices<T> held_matrices(const System<T>& s, const Contact& held, const Matrix<T>& C);
 

@@ -17,14 +17,19 @@ struct ComplexBall {
     acb_t a; ///< the number as Arb has it
 
     ComplexBall() { acb_init(a); }
+    /// @brief A copy.
     ComplexBall(const ComplexBall& b) : ComplexBall() { acb_set(a, b.a); }
+    /// @brief The same number, taken from the other.
     ComplexBall(ComplexBall&& b) noexcept : ComplexBall() { acb_swap(a, b.a); }
+    /// @brief Assignment.
     ComplexBall& operator=(ComplexBall b) noexcept {
         acb_swap(a, b.a);
         return *this;
     }
     ~ComplexBall() { acb_clear(a); }
+    /// @brief Real part.
     [[nodiscard]] const Ball& re() const { return reinterpret_cast<const Ball&>(*acb_realref(a)); }
+    /// @brief Imaginary part.
     [[nodiscard]] const Ball& im() const { return reinterpret_cast<const Ball&>(*acb_imagref(a)); }
 };
 
@@ -32,7 +37,9 @@ struct ComplexBall {
 class ComplexMatrix {
 public:
     acb_mat_t a; ///< the matrix as Arb has it
+    /// @brief A matrix of zeros.
     ComplexMatrix(slong rows, slong columns) { acb_mat_init(a, rows, columns); }
+    /// @brief A real matrix as a complex one.
     explicit ComplexMatrix(const BallMatrix& A) : ComplexMatrix(A.rows(), A.columns()) { acb_mat_set_arb_mat(a, A.a); }
     ComplexMatrix(const ComplexMatrix&) = delete;
     ComplexMatrix& operator=(const ComplexMatrix&) = delete;
@@ -45,15 +52,18 @@ public:
 /// \mathbf r_i\mathrm e^{\lambda_i\tau}\mathbf l_i^{\mathrm T} \f$.
 class FreeMotions {
 public:
+    /// @brief Of the free motion z' = B z.
     explicit FreeMotions(const BallMatrix& B);
 
     /// @brief Whether every eigenvalue is proved simple.
     [[nodiscard]] bool are_simple() const { return simple_; }
+    /// @brief A rate of the free motion.
     [[nodiscard]] const ComplexBall& lambda(std::size_t i) const { return lambda_[i]; }
     /// @brief How much of each free motion is in a state: \f$ \mathbf l_i^{\mathrm T}\mathbf z \f$.
     [[nodiscard]] std::vector<ComplexBall> shares_of(const BallMatrix& z) const;
     /// @brief What the free motions add to a number, a row over states: factors of the real and the imaginary part of each in turn.
     [[nodiscard]] std::vector<Ball> weights(const BallMatrix& row, const std::vector<ComplexBall>& shares) const;
+    /// @brief The state that shares of the free motions have come to at a time.
     [[nodiscard]] BallMatrix state(std::vector<ComplexBall> shares, const Ball& t) const;
     /// @brief The free motions in time: real and imaginary part of each in turn.
     [[nodiscard]] std::shared_ptr<Remembered<std::vector<Series>>> in_time() const;

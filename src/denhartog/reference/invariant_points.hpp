@@ -20,30 +20,37 @@ namespace denhartog::reference {
 struct PolynomialInBalls {
     std::vector<Ball> c{}; ///< the coefficients
 
+    /// @brief Zero, with so many terms.
     explicit PolynomialInBalls(slong terms = 0) : c(static_cast<std::size_t>(terms)) {}
     /// @brief A linear function.
     PolynomialInBalls(slong terms, const Ball& value, const Ball& slope) : PolynomialInBalls(terms) {
         c[0] = value;
         if (terms > 1) c[1] = slope;
     }
+    /// @brief The number of terms.
     [[nodiscard]] slong terms() const { return static_cast<slong>(c.size()); }
     /// @brief Coefficients as Arb has them.
     [[nodiscard]] arb_ptr a() { return reinterpret_cast<arb_ptr>(c.data()); }
+    /// @brief The coefficients as Arb has them.
     [[nodiscard]] arb_srcptr a() const { return reinterpret_cast<arb_srcptr>(c.data()); }
 
+    /// @brief Difference.
     friend PolynomialInBalls operator-(PolynomialInBalls x, const PolynomialInBalls& y) {
         for (std::size_t n = 0; n < x.c.size(); ++n) x.c[n] -= y.c[n];
         return x;
     }
+    /// @brief A multiple.
     friend PolynomialInBalls operator*(const Ball& s, PolynomialInBalls x) {
         for (Ball& each : x.c) each *= s;
         return x;
     }
+    /// @brief Product.
     friend PolynomialInBalls operator*(const PolynomialInBalls& x, const PolynomialInBalls& y) {
         PolynomialInBalls r(x.terms());
         _arb_poly_mullow(r.a(), x.a(), x.terms(), y.a(), x.terms(), x.terms(), ball_bits);
         return r;
     }
+    /// @brief Quotient.
     friend PolynomialInBalls operator/(const PolynomialInBalls& x, const PolynomialInBalls& y) {
         PolynomialInBalls r(x.terms());
         _arb_poly_div_series(r.a(), x.a(), x.terms(), y.a(), x.terms(), x.terms(), ball_bits);
@@ -51,6 +58,7 @@ struct PolynomialInBalls {
     }
 };
 
+/// @brief Sine and cosine of a polynomial.
 [[nodiscard]] inline std::pair<PolynomialInBalls, PolynomialInBalls> sine_and_cosine(const PolynomialInBalls& x) {
     std::pair both(PolynomialInBalls(x.terms()), PolynomialInBalls(x.terms()));
     _arb_poly_sin_cos_series(both.first.a(), both.second.a(), x.a(), std::min<slong>(x.terms(), 2), x.terms(), ball_bits);
@@ -128,6 +136,7 @@ private:
     std::map<std::pair<double, double>, SeenOverX> all_{};
 };
 
+/// @brief The sum over modes of weights times functions.
 [[nodiscard]] PolynomialInBalls sum_over_modes(const WeightsInBalls& w, const std::vector<PolynomialInBalls>& f);
 
 /// @brief All invariant points of every mass within a range of frequency ratios, damping left out.

@@ -22,6 +22,7 @@ namespace denhartog::reference {
 /// @brief The mechanics of a scene with one contact, phase by phase.
 /// @eq{6}
 struct ContactMechanics {
+    /// @brief Of a scene.
     explicit ContactMechanics(const SceneInBalls& scene);
 
     slong N;                ///< number of masses
@@ -39,6 +40,7 @@ struct ContactMechanics {
     slong bits = ball_bits; ///< bits of the scene
     mutable std::optional<std::shared_ptr<FastPhases>> fast[3] = {}; ///< phases by their free motions, sought when first needed
 
+    /// @brief The length of a state, 2 N + 3.
     [[nodiscard]] slong n() const { return 2 * N + 3; }
     /// @brief The matrix A of a phase: direction 1 or -1 while the contact slides, against a constant friction, 0 while it sticks.
     [[nodiscard]] BallMatrix phase(int direction) const;
@@ -75,6 +77,7 @@ struct OrbitUnknowns {
     [[nodiscard]] int sign() const { return mirrored ? -1 : 1; }
     /// @brief Direction in the phase before event i; that of m + 1 is after event m.
     [[nodiscard]] int direction(slong i) const;
+    /// @brief The length of the stretch after which all repeats, mirrored or not.
     [[nodiscard]] Ball T() const;
     /// @brief Instant of event i, 0 to m.
     [[nodiscard]] Ball instant(slong i) const;

@@ -45,6 +45,7 @@ struct SceneInBalls {
     std::size_t contact = 0;           ///< the mass in contact, j
     std::shared_ptr<KeptModes> kept{}; ///< natural modes found so far, shared by scenes of one system; null: not kept
 
+    /// @brief The number of masses.
     [[nodiscard]] slong N() const { return M.rows(); }
     /// @brief Whether the contact moves as mass k does, and with no other.
     [[nodiscard]] bool is_the_contact(slong k) const;

@@ -23,6 +23,7 @@ struct Series {
     std::array<Ball, 5> c{}; ///< the coefficients
 
     Series() = default;
+    /// @brief A whole number.
     Series(int n) { c[0] = Ball(n); }
     /// @brief A number that does not depend on time.
     Series(const Ball& x) { c[0] = x; }
@@ -43,17 +44,21 @@ struct Series {
     /// @brief Value, slope and curvature: the derivative of order n.
     [[nodiscard]] Ball rate(int n) const { return n < 2 ? c[n] : 2 * c[2]; }
 
+    /// @brief Sum.
     friend Series operator+(const Series& x, const Series& y) {
         Series r;
         for (int n = 0; n < 5; ++n) r.c[n] = x.c[n] + y.c[n];
         return r;
     }
+    /// @brief Difference.
     friend Series operator-(const Series& x, const Series& y) {
         Series r;
         for (int n = 0; n < 5; ++n) r.c[n] = x.c[n] - y.c[n];
         return r;
     }
+    /// @brief The negative.
     friend Series operator-(const Series& x) { return Series() - x; }
+    /// @brief Product.
     friend Series operator*(const Series& x, const Series& y) {
         Series r;
         for (int n = 0; n < 5; ++n)
@@ -72,15 +77,19 @@ struct Series {
 [[nodiscard]] Series over_stretch(const Series& at_middle, const Ball& off, const Ball& constant,
                                   const std::array<Ball, 6>& most);
 
-/// @brief Sine and cosine of time, of which every derivative is one of the two.
+/// @brief Sine and cosine of a function of time.
 struct SineCosineSeries {
     Series s{}; ///< sine
     Series c{}; ///< cosine
 };
 
+/// @brief Both at once.
 [[nodiscard]] SineCosineSeries sine_cosine_series(const Series& x);
+/// @brief Sine.
 [[nodiscard]] inline Series sin(const Series& x) { return sine_cosine_series(x).s; }
+/// @brief Cosine.
 [[nodiscard]] inline Series cos(const Series& x) { return sine_cosine_series(x).c; }
+/// @brief Exponential.
 [[nodiscard]] Series exp(const Series& x);
 /// @brief A function of time with a memory of all that was asked with the few bits of a search, and of the last that was asked.
 template <class Value>
@@ -91,6 +100,7 @@ public:
     /// @brief The function over a stretch from what it is in the middle.
     using OverStretch = std::function<Value(const Value& in_the_middle, const Ball& tau)>;
 
+    /// @brief At an instant, and over a stretch.
     Remembered(AtInstant at, OverStretch over) : at_(std::move(at)), over_(std::move(over)) {}
     /// @brief Its value at an instant or over a stretch, which lasts until the next call.
     const Value& operator()(const Ball& tau) {
