@@ -134,7 +134,7 @@ TEST_CASE("the stuck response is that of 100 digits, and so is (88)", "[stuck][e
             CHECK(apart(truth.point.stuck->X[k].re, ball_of(held.X[k].re)) <= 1e-60);
             CHECK(apart(truth.point.stuck->X[k].im, ball_of(held.X[k].im)) <= 1e-60);
         }
-        CHECK(apart(-truth.point.stuck->load.re, ball_of(held.load.re)) <= 1e-60); // friction holds against it
+        CHECK(apart(truth.point.stuck->load.re, ball_of(held.load.re)) <= 1e-60); // what holds the contact
         const std::optional<Certified> by_88 = sticking_by_88(s.source->in_double());
         if (!by_88) continue;
         const Ball in_balls = sticking_limit_by_88(truth.point.scene, scene.system.load.index);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/sliding/regime.hpp"
 #include "denhartog/sliding/steady_state.hpp"
@@ -42,7 +43,7 @@ template <class T>
 [[nodiscard]] Response<T> response(const Scene<T>& scene, std::optional<Mass> only = std::nullopt) {
     check(scene);
     if (!scene.r) throw InputError("r", "must be given", "");
-    const ModeSums<T> sums = mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, *scene.r);
+    const ModeSums<T> sums = mode_sums(modal_basis(scene.system), contact_row(scene.system), load_row(scene.system), *scene.r);
     Response<T> all{*scene.r, scene.mu, scene.beta, scene.system.contact, boundary(sums, scene.mu), std::nullopt, std::nullopt};
     if (!scene.beta) return all;
     all.regime = regime_at(all.boundary, *scene.beta, rounding_of(all.boundary));

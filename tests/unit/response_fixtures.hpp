@@ -51,7 +51,7 @@ StuckConfiguration<T> stuck_of(const System<T>& s) {
 /// @brief Modes of a scene at its frequency ratio.
 template <class T>
 ModeSums<T> sums_of(const Scene<T>& scene) {
-    return mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, *scene.r);
+    return mode_sums(modal_basis(scene.system), contact_row(scene.system), load_row(scene.system), *scene.r);
 }
 
 /// @brief A scene at a frequency ratio in 50 digits: the same binary fractions.
