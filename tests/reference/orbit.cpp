@@ -286,6 +286,16 @@ TEST_CASE("a mass that no force reaches has no phase", "[reference][orbit]") {
     CHECK(proved.phase[0]);
 }
 
+TEST_CASE("where a mass is as far out at several instants its phase may be that of any", "[reference][orbit]") {
+    const Scene<double> scene = at_point(chain_of({1, 1}, {1, 1}, {0, 0}, 2, 2), 0.1, 0.9);
+    const OrbitInBalls proved = proved_orbit(in_bits(scene), guess_for(scene), bits);
+    CHECK(proved.amplitude[0].radius() < 1e-15);
+    REQUIRE(proved.phase[0]);
+    CHECK(proved.phase[0]->radius() > 1); // mass 1 swings freely while the contact rests, and twice comes as far
+    REQUIRE(proved.phase[1]);
+    CHECK(proved.phase[1]->radius() < 1e-15);
+}
+
 TEST_CASE("only the masses asked for are given", "[reference][orbit]") {
     const Scene<double> scene = at_point(two_masses(), 0.3125, 0.25);
     const OrbitInBalls proved = proved_orbit(in_bits(scene), guess_for(scene), 128, {0}, false);

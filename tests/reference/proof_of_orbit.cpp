@@ -88,6 +88,9 @@ TEST_CASE("a turn where the contact has to stop is refused", "[reference][proof]
     bool certain = false;
     CHECK(refusal(orbit, phases, &certain) == "it stops where it is said to turn");
     CHECK(certain);
+    orbit.s.holds = widened(orbit.s.holds, orbit.s.holds); // from nothing on
+    CHECK(refusal(orbit, phases, &certain) == "it may stop where it is said to turn");
+    CHECK(!certain);
 }
 
 TEST_CASE("a slip that is said to jump where it does not is refused", "[reference][proof]") {
@@ -128,6 +131,8 @@ TEST_CASE("a curve is found positive exactly where it is", "[reference][proof]")
     CHECK_THROWS_AS(require_positive(polynomial({1, -1}), {}, "x"), Unproved);                 // zero where it ends
     CHECK_THROWS_AS(require_positive(polynomial({1, -4, 3}), {0, true}, "x"), Disproved);
     CHECK_THROWS_AS(require_positive(polynomial({-1, 3}), {}, "x"), Disproved);
+    // 1 - 216 s^4 (1 - 4 s^2), s from the middle: 1 there and at the ends, flat in the middle, and negative on either side of it
+    CHECK_THROWS_AS(require_positive(polynomial({1, -54, 486, -1728, 3024, -2592, 864}), {}, "x"), Disproved);
     CHECK_THROWS_AS(require_positive(polynomial({0, -1, 2}), {1, false}, "x"), Disproved);
 }
 
