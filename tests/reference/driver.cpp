@@ -310,6 +310,15 @@ TEST_CASE("a load on the contact alone never moves it from rest where static fri
     CHECK(regime("0.83333333333333333333333333333333334") == Regime::permanent_sticking); // 1 / mu, and a little more
 }
 
+TEST_CASE("a load that does not reach the contact leaves it at rest, of modes of one frequency too", "[driver][eq:69]") {
+    for (const char* zeta : {"0", "0.05"}) {
+        const Solution s = proved(std::string(R"({"contact": 1, "mass_ratios": [1, 1], "stiffness_matrix": [[1, 0], [0, 1]],
+                                                 "load": 2, "r": 0.2111, "beta": 0.05, "damping_ratios": )") + zeta + "}", 6);
+        CHECK(s.regime.regime == Regime::permanent_sticking);
+        CHECK(s.limits->exact.value == 0);
+    }
+}
+
 TEST_CASE("stops that rounding makes next to the boundary are none in a proof, of the motion and of its regime",
           "[driver][eq:69]") {
     for (const Asked asked : {Asked::motion, Asked::regime}) {

@@ -516,6 +516,23 @@ TEST_CASE("a contact between two masses takes the place of the lighter one", "[s
     }
 }
 
+TEST_CASE("two masses that are pressed apart and together slide below the same friction", "[solve][vectors]") {
+    for (const std::string contact : {"[1, 2]", "[2, 1]"})
+        for (const double mu : {1.0, 1.3}) {
+            const auto limits = [&](const std::string& load) {
+                const SceneSource source = scene_source(SceneText{
+                    R"({"mass_ratios": [1, 0.75], "stiffness_ratios": [1, 2], "damping_ratios": 0.02, "r": 0.7, "beta": 0.01, "mu": )" +
+                    std::to_string(mu) + R"(, "contact": )" + contact + R"(, "load": )" + load + "}"});
+                Question question;
+                question.asked = Asked::regime;
+                return *solve(source, question).limits;
+            };
+            const Limits apart = limits("[1, -1]"), together = limits("[-1, 1]");
+            CHECK(apart.exact.value == Approx(together.exact.value).epsilon(1e-10));
+            CHECK(apart.sticking->value == Approx(together.sticking->value).epsilon(1e-10));
+        }
+}
+
 TEST_CASE("a load on nothing but the contact may have any size and sign", "[solve]") {
     const std::string of_both = R"("damping_ratios": 0, "contact": 1, "base_motion": "alone", "base_displacement": 0.001,
         "frequency": 20, "friction": 0.1})";

@@ -22,6 +22,19 @@ bool failed(const ExactMotion& run, PaperMotion& motion) {
     return true;
 }
 
+// Between two masses the contact moves by the difference of their displacements, of which double has to have some digits.
+void require_digits_of_contact(const ContactSystem& s) {
+    if (!s.stuck.contact.b) return;
+    double compliance = 0; // of one of the masses
+    for (std::size_t i = 0; i < s.basis.r_n.size(); ++i) {
+        const double part =
+            s.basis.phi(static_cast<Eigen::Index>(s.stuck.contact.a), static_cast<Eigen::Index>(i)) / s.basis.r_n[i];
+        compliance += part * part;
+    }
+    if (unit_of<double>() * compliance * s.stuck.k_contact > 3e-7)
+        throw PrecisionError("the two masses in contact are tied so stiffly that double does not tell their displacements apart");
+}
+
 // Nothing bounds the errors of the motion: its modes are those of the reference where double does not have nine digits of their
 // frequencies.
 ContactSystem system_of(const SceneSource& source) {
@@ -44,6 +57,7 @@ PaperMotion exact_cycles(const SceneSource& source, const PaperSettings& setting
     (void)friction_ratio_of(scene);
     const std::size_t N = number_of_masses(scene.system);
     const ContactSystem system = system_of(source);
+    require_digits_of_contact(system);
     ExactSolver solver(system, {*scene.r, *scene.beta, scene.mu});
     const double period = 2 * pi<double>(), last = settings.tau_0 + period * (settings.cycles - 1);
     State state = settings.start.value_or(at_rest(N));

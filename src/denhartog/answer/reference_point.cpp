@@ -144,6 +144,9 @@ PointInBalls point_in_balls(const SceneSource& source, bool needs_boundary) {
     if (p.stuck) p.sticking = sticking_limit_in_balls(p.scene, *p.stuck);
     try {
         ResponsesInBalls r = modal ? responses_of_modes(p.scene, modes) : responses_of_state(p.scene);
+        const Complex<Ball>& V_j = r.V[r.contact()];
+        if (modal && !modes.clusters.empty() && V_j.re.may_vanish() && V_j.im.may_vanish())
+            r = responses_of_state(p.scene); // where the load does not reach the contact it is zero, and not next to it
         r.modes = std::move(modes);
         const Complex<Ball>& V = r.V[r.contact()];
         if (!(V.re.finite() && V.im.finite())) throw Unproved("the load may excite the resonance of a mode without damping");

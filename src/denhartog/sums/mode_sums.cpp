@@ -79,7 +79,7 @@ ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const
     s.load = load;
     s.zeta = basis.zeta;
     const auto rows = static_cast<std::size_t>(basis.phi.rows());
-    const std::size_t masses = number_of_displacements(basis, load);
+    const std::size_t masses = load == contact ? rows : number_of_displacements(basis, load);
     s.psi.reserve(rows * N);
     for (std::size_t k = 0; k < rows; ++k)
         for (std::size_t i = 0; i < N; ++i) s.psi.push_back(basis.phi(k, i) / r);
