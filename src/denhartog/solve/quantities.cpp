@@ -97,9 +97,10 @@ Quantities<Bounded<double>> quantities_in_double(const Scene<double>& scene, con
 void take_contact_between(const System<double>& s, Quantities<Bounded<double>>& q) {
     if (!s.contact_with) return;
     const std::size_t count = q.V.size();
-    for (std::vector<Bounded<double>>* motion : {&q.x, &q.x_prime})
-        for (std::size_t n = motion->size(); n > 0; n -= count)
-            motion->erase(motion->begin() + static_cast<std::ptrdiff_t>(n - 1));
+    for (std::vector<Bounded<double>>* motion : {&q.x, &q.x_prime}) {
+        std::size_t n = 0;
+        std::erase_if(*motion, [&](const Bounded<double>&) { return ++n % count == 0; });
+    }
     q.V.pop_back();
     q.U.pop_back();
     q.G.pop_back();
