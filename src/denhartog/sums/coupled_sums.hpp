@@ -8,6 +8,32 @@
 
 namespace denhartog {
 
+/// @brief A linear system whose solutions have bounds of their errors, by what they leave over.
+template <class T>
+class BoundedSystem {
+public:
+    /// @brief Of a matrix whose entries are off by no more than `error`, and by rounding.
+    BoundedSystem(const Matrix<T>& A, const Matrix<T>& error);
+    /// @brief Whether no pivot is rounding of the others.
+    [[nodiscard]] bool is_regular() const { return is_regular_; }
+    /// @brief The solution of \f$ Ax=b \f$.
+    [[nodiscard]] std::vector<Bounded<T>> solved(const Column<T>& b) const;
+
+private:
+    Matrix<T> A_, error_, inverse_;
+    bool is_regular_;
+};
+
+/// @brief \f$ \mathbf K - r^2\mathbf M + \mathrm ir\mathbf C \f$ as a real system of twice the size; C is off by no more than
+/// `error_of_C`.
+template <class T>
+[[nodiscard]] BoundedSystem<T> harmonic_system(const Matrix<T>& M, const Matrix<T>& C, const Matrix<T>& K,
+                                               const Matrix<T>& error_of_C, const Bounded<T>& r);
+
+/// @brief Complex responses of such a system to harmonic forces.
+template <class T>
+[[nodiscard]] std::vector<Complex<Bounded<T>>> harmonic_responses(const BoundedSystem<T>& system, const std::vector<T>& forces);
+
 /// @brief V, U, G, Y_jj, H_j of a system whose damping couples the modes; it has no modes, and their lists are empty.
 /// @eq{33,34,35,64,65}
 template <class T>
