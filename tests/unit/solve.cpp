@@ -246,6 +246,19 @@ TEST_CASE("damping made from modes far apart keeps its bound at a contact that r
     }
 }
 
+TEST_CASE("where double does not tell whether a motion is stable, the reference does", "[solve][orbit]") {
+    const Scene<double> scene = read_scene<double>(R"({"mass_ratios": [1, 0.489, 1.23], "stiffness_ratios": [1, 2.18, 1.24],
+        "damping_ratios": [0.0467, 0.000375, 0.0134], "contact": 2, "load": [0.0214, -0.823, 0.506], "mu": 1.49, "r": 0.0604,
+        "beta": 0.0293})");
+    const Solution s = asking(scene, Asked::motion);
+    CHECK(s.method.precision == "reference");
+    CHECK(s.method.why.find("double does not tell whether the motion is stable") != std::string::npos);
+    REQUIRE(s.stability);
+    CHECK(s.stability->stable);
+    CHECK(s.stability->multipliers.front().value + s.stability->multipliers.front().error < 1);
+    CHECK(asking(scene, Asked::phase).method.precision == "double");
+}
+
 TEST_CASE("with mu above 1 the answer is that of the start from rest and is not called unique", "[solve]") {
     const Scene<double> scene = with_beta(oscillator(0.05, 1, 2), 0.55);
     const Solution s = asking(scene, Asked::motion);

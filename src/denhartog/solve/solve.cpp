@@ -161,6 +161,13 @@ void keep_asked_mass(const Question& question, Solution& s) {
     for (OtherMotion& motion : s.motions) motion.masses = {motion.masses[question.mass->index]};
 }
 
+// Whether a motion with stops that dies out if the contact slides on may be stable or not, as far as double tells.
+bool is_vague(const SolveTask& task, const Solution& s) {
+    if (!s.stability || s.stops.empty() || s.stability->stable || !every_motion_is_damped(*task.known.basis)) return false;
+    const Certified& largest = s.stability->multipliers.front();
+    return !(largest.value - largest.error > 1);
+}
+
 AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, const Question& question) {
     AnswerInDouble found;
     Solution& s = found.solution;
@@ -180,6 +187,7 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
         s.digits_reached = s.relative_error <= task.aim.tolerance;
         found.open = task.open || task.unknown;
         found.is_answer = task.is_told;
+        found.vague = is_vague(task, s);
         if (question.all) {
             if (!task.moving) task.moving = moving_in_double(source, task.known);
             s.motions = other_motions(task.scene, *task.moving, task.known.basis);

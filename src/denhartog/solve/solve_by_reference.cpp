@@ -23,7 +23,7 @@ Solution in_turn(std::size_t N, std::optional<int> digits, bool proved, const By
     try {
         found = fast();
         if (found.is_settled()) return found.solution;
-        why = found.solution.method.why;
+        why = found.solution.method.why + (found.vague ? ", but double does not tell whether the motion is stable" : "");
     } catch (const DomainError& e) {
         pole = std::current_exception();
         why = e.what();

@@ -31,9 +31,10 @@ struct AnswerInDouble {
     Solution solution{};   ///< the answer
     bool open = false;     ///< whether double does not tell what the contact does
     bool is_answer = true; ///< whether the regime is certain nevertheless, so that it answers where the reference does not
+    bool vague = false;    ///< whether double does not tell if the motion is stable
 
-    /// @brief Whether it needs nothing more: it has its digits, and the regime is certain.
-    [[nodiscard]] bool is_settled() const { return solution.digits_reached && !open && !solution.regime.on_boundary; }
+    /// @brief Whether it needs nothing more: it has its digits, and regime and stability are certain.
+    [[nodiscard]] bool is_settled() const { return solution.digits_reached && !open && !vague && !solution.regime.on_boundary; }
 };
 
 /// @brief How double answers a question.
