@@ -35,10 +35,6 @@ SceneSource source_of_doubles(const std::shared_ptr<const Scene<double>>& given)
     return std::make_shared<const SceneReader>(SceneReader{given, {}, for_balls(read), no_modes_yet()});
 }
 
-// The number type of a scene.
-template <class T>
-T number_type(const Scene<T>&);
-
 template <class Change>
 SceneSource changed(const SceneSource& source, const Change& change) {
     auto scene = std::make_shared<Scene<double>>(source->in_double());
@@ -77,21 +73,20 @@ SceneSource source_of_kept(const Scene<double>& scene) {
 
 SceneSource at_point(const SceneSource& source, double r, double beta) {
     return changed(source, [r, beta](auto& scene) {
-        using Number = decltype(number_type(scene));
-        scene.r = Number(r);
-        scene.beta = Number(beta);
+        scene.r.emplace(r);
+        scene.beta.emplace(beta);
     });
 }
 
 SceneSource at_frequency(const SceneSource& source, double r) {
     return changed(source, [r](auto& scene) {
-        scene.r = decltype(number_type(scene))(r);
+        scene.r.emplace(r);
         scene.beta.reset();
     });
 }
 
 SceneSource with_static_friction(const SceneSource& source, double mu) {
-    return changed(source, [mu](auto& scene) { scene.mu = decltype(number_type(scene))(mu); });
+    return changed(source, [mu](auto& scene) { scene.mu = decltype(scene.mu)(mu); });
 }
 
 SceneSource with_damping_tolerance(const SceneSource& source, double tolerance) {
@@ -100,7 +95,7 @@ SceneSource with_damping_tolerance(const SceneSource& source, double tolerance) 
 
 SceneSource without_point(const SceneSource& source) {
     return changed(source, [](auto& scene) {
-        scene.mu = decltype(number_type(scene))(1);
+        scene.mu = decltype(scene.mu)(1);
         scene.r.reset();
         scene.beta.reset();
     });

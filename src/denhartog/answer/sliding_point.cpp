@@ -15,8 +15,6 @@ namespace {
 
 using Number = Bounded<double>;
 
-std::vector<Number> as_bounded(const std::vector<double>& numbers) { return {numbers.begin(), numbers.end()}; }
-
 Boundary<Number> boundary_with(const ModeSums<Number>& sums, const Number& mu, const std::vector<double>& demands) {
     return boundary_at(sums, mu, Number(demands.front()), std::vector<Number>(demands.begin() + 1, demands.end()));
 }
@@ -54,36 +52,13 @@ std::vector<double> errors_of_displacements(const SteadyState<Number>& state) {
     return errors;
 }
 
-// The searches for instants: on values without their bounds, which are set up when the first is asked for.
-class Searches {
-public:
-    explicit Searches(const ModeSums<Number>& sums) : sums_(sums) {}
-
-    std::vector<double> demands() {
-        if (largest_at_start(sums_)) return std::vector<double>(sums_.R.size() + 1, 0.0);
-        return instants_of_demands(motions());
-    }
-    FrictionMotions<double>& motions() {
-        if (!motions_) {
-            values_ = values_of(sums_);
-            motions_.emplace(values_);
-        }
-        return *motions_;
-    }
-
-private:
-    const ModeSums<Number>& sums_;
-    ModeSums<double> values_;
-    std::optional<FrictionMotions<double>> motions_;
-};
-
 // (56) of the modes by themselves, where the coupling by a damping matrix makes no difference to (69) that anybody could measure.
 Number paper_limit(const Scene<double>& scene, ModalBasis<Number> basis, const Boundary<Number>& coupled) {
     const Matrix<double> D = basis.D.unaryExpr([](const Number& entry) { return entry.x; });
     if (largest_coupling(D) > hardly_coupled) return coupled.paper;
     basis.D.resize(0, 0);
     const ModeSums<Number> sums = mode_sums(basis, contact_row(scene.system), load_row(scene.system), as_input(*scene.r));
-    const Boundary<Number> b = boundary_with(sums, as_input(scene.mu), Searches(sums).demands());
+    const Boundary<Number> b = boundary_with(sums, as_input(scene.mu), SearchedSums(sums).demands());
     return std::abs(b.exact.x - coupled.exact.x) <= hardly_changed * coupled.exact.x ? b.paper : coupled.paper;
 }
 
@@ -116,11 +91,36 @@ void write_point(const Scene<double>& scene, SlidingPoint& point, Asked asked, S
 
 } // namespace
 
+FrictionMotions<double>& SearchedSums::motions() {
+    constexpr std::size_t most_remembered = std::size_t(1) << 16;
+    if (!motions_ || motions_->remembered() > most_remembered) motions_.emplace(values());
+    return *motions_;
+}
+
+std::vector<double> SearchedSums::demands() {
+    if (largest_at_start(sums_)) return std::vector<double>(sums_.R.size() + 1, 0.0);
+    return instants_of_demands(motions());
+}
+
+SteadyState<Number> SearchedSums::steady_state(const Number& beta, std::optional<Mass> only, bool with_rivals) {
+    SteadyState<Number> state = steady_state_without_maxima(sums_, beta);
+    if (only ? *only == sums_.contact : state.masses.size() == 1) return state; // the contact has a closed form
+    const InstantsOfMaxima<double> maxima =
+        instants_of_maxima(motions(), beta.x, only, with_rivals ? errors_of_displacements(state) : std::vector<double>());
+    state = with_maxima(sums_, std::move(state), {maxima.instants.begin(), maxima.instants.end()}, only);
+    for (std::size_t k = 0; k < maxima.spreads.size(); ++k) {
+        MassResponse<Number>& m = state.masses[k];
+        if (!(maxima.spreads[k] > 0)) continue;
+        m.phase.e += maxima.spreads[k];
+        m.instant.e = pi<double>();
+    }
+    return state;
+}
+
 SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Number>& basis, const PointWish& wish) {
-    const ModeSums<Number> sums = bounded_sums(scene.system, basis, as_input(*scene.r));
-    Searches searches(sums);
-    SlidingPoint point{boundary_with(sums, as_input(scene.mu), searches.demands()), std::nullopt, std::nullopt};
-    if (sums.coupled) point.boundary.paper = paper_limit(scene, basis, point.boundary);
+    SearchedSums at(bounded_sums(scene.system, basis, as_input(*scene.r)));
+    SlidingPoint point{boundary_with(at.sums(), as_input(scene.mu), at.demands()), std::nullopt, std::nullopt};
+    if (at.sums().coupled) point.boundary.paper = paper_limit(scene, basis, point.boundary);
     const Boundary<Number>& b = point.boundary;
     if (!is_finite(b)) throw PrecisionError("the boundary is beyond the range of the number type, or has no bound in it");
     if (wish.limits || !scene.beta) point.attempted = errors_of_boundary(b);
@@ -128,20 +128,7 @@ SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Number>&
     point.regime = regime_at(b, *scene.beta);
     point.attempted.decided = !point.regime->on_boundary;
     if (point.regime->regime != Regime::continuous || !wish.motion) return point;
-    const Number beta = as_input(*scene.beta);
-    point.state = steady_state_without_maxima(sums, beta);
-    const std::size_t N = point.state->masses.size();
-    if (wish.only ? *wish.only != sums.contact : N != 1) { // the contact has a closed form
-        const InstantsOfMaxima<double> maxima =
-            instants_of_maxima(searches.motions(), beta.x, wish.only, errors_of_displacements(*point.state));
-        point.state = with_maxima(sums, *std::move(point.state), as_bounded(maxima.instants), wish.only);
-        for (std::size_t k = 0; k < maxima.spreads.size(); ++k) {
-            MassResponse<Number>& m = point.state->masses[k];
-            if (!(maxima.spreads[k] > 0)) continue;
-            m.phase.e += maxima.spreads[k];
-            m.instant.e = pi<double>();
-        }
-    }
+    point.state = at.steady_state(as_input(*scene.beta), wish.only, true);
     point.attempted.relative = std::max(point.attempted.relative, error_of_masses(*point.state, wish.only));
     return point;
 }

@@ -5,6 +5,8 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/answer/scene_source.hpp"
@@ -12,6 +14,7 @@
 #include "denhartog/sliding/regime.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
+#include "denhartog/sums/friction_motion.hpp"
 
 namespace denhartog {
 
@@ -21,6 +24,33 @@ namespace denhartog {
 inline constexpr double hardly_coupled = 1e-6;
 /// @brief See `hardly_coupled`: a part of (69).
 inline constexpr double hardly_changed = 1e-9;
+
+/// @brief The sums at a frequency ratio, and what searches for instants need of them, which is set up when it is first asked for:
+/// they look at values without bounds, and share many instants.
+class SearchedSums {
+public:
+    /// @brief Of sums.
+    explicit SearchedSums(ModeSums<Bounded<double>> sums) : sums_(std::move(sums)) {}
+    SearchedSums(const SearchedSums&) = delete;
+    SearchedSums& operator=(const SearchedSums&) = delete;
+    /// @brief The sums.
+    [[nodiscard]] const ModeSums<Bounded<double>>& sums() const { return sums_; }
+    /// @brief The same without bounds.
+    [[nodiscard]] const ModeSums<double>& values() { return values_ ? *values_ : values_.emplace(values_of(sums_)); }
+    /// @brief Friction's share of the motion.
+    [[nodiscard]] FrictionMotions<double>& motions();
+    /// @brief The instants of the largest demands: that of the sum over modes, then those of the modes.
+    [[nodiscard]] std::vector<double> demands();
+    /// @brief The steady state below the boundary. `with_rivals` looks for other instants at which a displacement may be largest,
+    /// which the error of its phase then holds. @eq{38,39,44,45,47,52,53}
+    [[nodiscard]] SteadyState<Bounded<double>> steady_state(const Bounded<double>& beta, std::optional<Mass> only,
+                                                            bool with_rivals);
+
+private:
+    ModeSums<Bounded<double>> sums_;
+    std::optional<ModeSums<double>> values_{};
+    std::optional<FrictionMotions<double>> motions_{};
+};
 
 /// @brief What is known of a point.
 struct SlidingPoint {

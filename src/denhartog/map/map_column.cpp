@@ -5,11 +5,11 @@
 
 #include "denhartog/answer/held_solution.hpp"
 #include "denhartog/answer/orbit_solution.hpp"
+#include "denhartog/answer/sliding_point.hpp"
 #include "denhartog/evaluation/contact.hpp"
 #include "denhartog/map/contact_arrays.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
-#include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/solve/solve_by_reference.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
@@ -74,23 +74,15 @@ public:
 private:
     static bool is_accurate(const Bounded<double>& amplitude) { return amplitude.e <= least_accuracy * amplitude.x; }
 
-    const ModeSums<Bounded<double>>& sums() {
-        if (!sums_) sums_ = bounded_sums(map.prepared.scene().system, *map.prepared.bounded, as_input(r));
-        return *sums_;
-    }
-
-    const ModeSums<double>& values() { return values_ ? *values_ : values_.emplace(values_of(sums())); }
-
-    // For all friction ratios: the searches for the largest displacements share many of their instants.
-    FrictionMotions<double>& remembered_motions() {
-        constexpr std::size_t most_remembered = std::size_t(1) << 16;
-        if (!motions || motions->remembered() > most_remembered) motions.emplace(values());
-        return *motions;
+    SearchedSums& at() {
+        if (!at_) at_.emplace(bounded_sums(map.prepared.scene().system, *map.prepared.bounded, as_input(r)));
+        return *at_;
     }
 
     ContactColumn evaluated() {
         const std::size_t j = map.system().contact.index;
-        return {sums().V[j], sums().U[j], sums().G[j], regime_boundary(sums(), as_input(map.mu))};
+        const ModeSums<Bounded<double>>& sums = at().sums();
+        return {sums.V[j], sums.U[j], sums.G[j], regime_boundary(sums, as_input(map.mu))};
     }
 
     bool slides(double beta) const { return beta < column.boundary.exact.x; }
@@ -129,12 +121,8 @@ private:
     }
 
     bool slide(std::size_t n) {
-        const Bounded<double> beta = as_input(map.beta[n]);
         const std::optional<Mass> only = map.masses.size() == 1 ? std::optional(map.masses.front()) : std::nullopt;
-        const std::vector<double> instants = instants_of_maxima(remembered_motions(), beta.x, only).instants;
-        const SteadyState<Bounded<double>> state =
-            with_maxima(sums(), steady_state_without_maxima(sums(), beta),
-                        std::vector<Bounded<double>>(instants.begin(), instants.end()), only);
+        const SteadyState<Bounded<double>> state = at().steady_state(as_input(map.beta[n]), only, false);
         if (!write(n, [&](std::size_t k) { return state.masses[k].amplitude; })) return false;
         points[n] = {PointStatus::answered, Regime::continuous, 0, 1};
         sliding = n;
@@ -162,7 +150,7 @@ private:
     // From the motion at the friction ratio before, else from rest. Newton's method starts on the line through the two before.
     bool sweep(std::size_t n) {
         if (!last && sliding) {
-            last = {sliding_at_maximum_of_force(values(), map.beta[*sliding]), map.beta[*sliding]};
+            last = {sliding_at_maximum_of_force(at().values(), map.beta[*sliding]), map.beta[*sliding]};
             before_last.reset();
         }
         const std::optional<State> near = on_line_through(before_last, last, map.beta[n]);
@@ -174,7 +162,7 @@ private:
     bool follow_rest(std::size_t n) {
         std::optional<State> near;
         if (map.mu > 1)
-            near = slides(map.beta[n]) ? sliding_at_maximum_of_force(values(), map.beta[n])
+            near = slides(map.beta[n]) ? sliding_at_maximum_of_force(at().values(), map.beta[n])
                                        : on_line_through(before_last, last, map.beta[n]);
         return follow(n, at_rest(map.system().basis.r_n.size()), near);
     }
@@ -231,10 +219,8 @@ private:
 
     const MapSystem& map;
     double r;
-    std::optional<ModeSums<Bounded<double>>> sums_; // evaluated when they are first needed
-    std::optional<ModeSums<double>> values_;        // the same without bounds
-    std::optional<FrictionMotions<double>> motions;
-    bool by_arrays; // whether `column` comes from the arrays
+    std::optional<SearchedSums> at_; // evaluated when it is first needed
+    bool by_arrays;                  // whether `column` comes from the arrays
     ContactColumn column;
     std::span<MapPoint> points;
     std::span<double> amplitudes;

@@ -9,25 +9,12 @@
 namespace denhartog {
 namespace {
 
-double relative_error(const SolveTask& task, const OrbitSolution& solution) {
-    if (task.question.asked == Asked::amplitude) return solution.relative_amplitude;
-    return std::max(solution.relative_amplitude, solution.phase_error);
-}
-
-void write_orbit(const SolveTask& task, ExactSolver& solver, const PeriodicOrbit& orbit, OrbitSolution solution, Solution& s) {
-    const auto all = [&](std::vector<double> numbers, const auto& error) {
-        std::vector<Certified> out;
-        solver.system().stuck.contact.append(numbers);
-        for (std::size_t k = 0; k < numbers.size(); ++k) out.push_back({numbers[k], error(k), {}});
-        return out;
-    };
-    s.masses = std::move(solution.masses);
-    s.stops = std::move(solution.stops);
-    s.start = SolvedState{all(orbit.start.x, [&](std::size_t) { return orbit.error_bound; }),
-                          all(orbit.start.x_prime, [&](std::size_t k) { return orbit.velocity_errors[k]; })};
-    s.periods = orbit.periods;
-    s.symmetric = orbit.symmetric;
-    if (task.question.asked == Asked::motion) s.stability = stability_of(orbit);
+// Numbers of the state of an orbit with their errors, that of the contact behind those of the masses where it has a row of its own.
+std::vector<Certified> certified_of(std::vector<double> numbers, const ExactSolver& solver, const auto& error) {
+    std::vector<Certified> out;
+    solver.system().stuck.contact.append(numbers);
+    for (std::size_t k = 0; k < numbers.size(); ++k) out.push_back({numbers[k], error(k), {}});
+    return out;
 }
 
 } // namespace
@@ -80,9 +67,16 @@ void answer_by_stuck_response(const SolveTask& task, const std::optional<Certifi
 }
 
 void answer_by_orbit(const SolveTask& task, ExactSolver& solver, const PeriodicOrbit& orbit, bool open, Solution& s) {
-    const OrbitSolution found = orbit_solution(solver, orbit, task.question.mass);
-    write_orbit(task, solver, orbit, found, s);
-    s.relative_error = relative_error(task, found);
+    OrbitSolution found = orbit_solution(solver, orbit, task.question.mass);
+    s.masses = std::move(found.masses);
+    s.stops = std::move(found.stops);
+    s.start = SolvedState{certified_of(orbit.start.x, solver, [&](std::size_t) { return orbit.error_bound; }),
+                          certified_of(orbit.start.x_prime, solver, [&](std::size_t k) { return orbit.velocity_errors[k]; })};
+    s.periods = orbit.periods;
+    s.symmetric = orbit.symmetric;
+    if (task.question.asked == Asked::motion) s.stability = stability_of(orbit);
+    s.relative_error = task.question.asked == Asked::amplitude ? found.relative_amplitude
+                                                               : std::max(found.relative_amplitude, found.phase_error);
     const Attempted attempted{s.relative_error, !open, "double does not tell whether the contact stops"};
     s.method = {"exact solver", "double", "its residual bounds the error: " + verdict(attempted, task.aim)};
 }
