@@ -319,6 +319,21 @@ TEST_CASE("a load that does not reach the contact leaves it at rest, of modes of
     }
 }
 
+TEST_CASE("a contact whose response is real and negative has a phase, and so have the masses beside it", "[driver][eq:39][eq:44]") {
+    // V_1 and V_2 have one imaginary part, so that the angle of their difference lies on the cut of the arc tangent.
+    const std::string scene = R"({"mass_ratios": [1, 1], "stiffness_ratios": [1, 1], "damping_ratios": ["0.1", "0.1"],
+        "contact": [2, 1], "load": [1, 0.5], "r": 1, "beta": "0.1"})";
+    const Solution s = proved(scene, 20);
+    CHECK(s.regime.regime == Regime::continuous);
+    const Solution narrow = solve(source_of(scene), {});
+    for (std::size_t k = 0; k < 2; ++k) {
+        CHECK(std::abs(s.masses[k].amplitude.value - narrow.masses[k].amplitude.value) <= narrow.masses[k].amplitude.error);
+        CHECK(std::abs(s.masses[k].phase->value - narrow.masses[k].phase->value) <= narrow.masses[k].phase->error);
+        CHECK(s.masses[k].phase->error < 1e-18);
+    }
+    CHECK(std::abs(s.between->phase->value - narrow.between->phase->value) <= narrow.between->phase->error);
+}
+
 TEST_CASE("stops that rounding makes next to the boundary are none in a proof, of the motion and of its regime",
           "[driver][eq:69]") {
     for (const Asked asked : {Asked::motion, Asked::regime}) {

@@ -99,7 +99,10 @@ Ball cos(const Ball& x) { return sine_cosine_of(x).c; }
 Ball sinh(const Ball& x) { return by(arb_sinh, x); }
 Ball cosh(const Ball& x) { return by(arb_cosh, x); }
 
-Ball atan2(const Ball& y, const Ball& x) { return by(arb_atan2, y, x); }
+Ball atan2(const Ball& y, const Ball& x) {
+    if (x < Ball(0) && y.may_vanish() && !y.is_zero()) return PiOf<Ball>::value() + by(arb_atan2, -y, -x);
+    return by(arb_atan2, y, x);
+}
 
 Ball wrapped_in_balls(const Ball& angle) {
     if (!angle.finite()) return angle;

@@ -130,7 +130,8 @@ struct PiOf<Ball> {
 };
 
 /// @{
-/// @brief Elementary functions: a root is NaN where the number may be negative, and the angle of (x, y) is in [-pi, pi].
+/// @brief Elementary functions: a root is NaN where the number may be negative. The angle of (x, y) is in [-pi, pi]; where it may be
+/// on either side of that, it is one about pi, so that its ball is no wider than it is uncertain.
 [[nodiscard]] Ball sqrt(const Ball& x);
 [[nodiscard]] Ball exp(const Ball& x);
 [[nodiscard]] Ball sin(const Ball& x);
