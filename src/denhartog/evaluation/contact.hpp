@@ -30,6 +30,20 @@ template <class T>
     return (x - (sum - of_y)) + (y - of_y);
 }
 
+/// @brief A sum with what its roundings took: as good as one that is rounded once.
+/// @param terms  the terms
+/// @return       the sum; as it is where it is beyond the range
+template <class T, class Terms>
+[[nodiscard]] T sum_with_rests(const Terms& terms) {
+    T sum(0), rests(0);
+    for (const T& term : terms) {
+        const T next = sum + term;
+        rests = rests + sum_error(sum, term, next);
+        sum = next;
+    }
+    return rests - rests == 0 ? T(sum + rests) : sum;
+}
+
 /// @brief What the root is made of, each number as it was rounded.
 template <class T>
 struct RootParts {

@@ -17,7 +17,6 @@
 #include "denhartog/evaluation/overdamped.hpp"
 #include "denhartog/evaluation/special.hpp"
 #include "denhartog/formulas/mode.hpp"
-#include "denhartog/number/double_double.hpp"
 
 namespace denhartog::evaluation {
 
@@ -216,21 +215,20 @@ template <class T>
     return damping_functions_half_angle(R, zeta, h);
 }
 
-/// @brief \f$ u_{di} \f$ and \f$ g_i \f$ as callers get them: in the next wider type under heavy damping, where the roundings of
-/// w, of the decay and of its square add up to four units, and in float, so that (40) keeps its digits.
+/// @brief \f$ u_{di} \f$ and \f$ g_i \f$ as callers get them: those of float in double, so that (40) keeps its digits.
 /// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0}
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio
 /// @return      u, g; not finite at the poles at zeta = 0, R = 1/n, n odd
 template <class T>
 [[nodiscard]] DampingFunctions<T> damping_functions(const T& R, const T& zeta) {
-    using Wide = typename WiderOf<T>::type;
     if (zeta == 0 && at_undamped_pole(R)) return {T(1 / zeta), T(zeta / zeta)};
-    if (!std::is_same_v<T, float> && (2 * zeta < 1 || zeta >= 1)) return selected_damping_functions(R, zeta);
-    if constexpr (std::is_same_v<T, double>) // sums of two doubles leave their range further out, where nothing adds up
-        if (!(R > 0x1p-100 && R < 0x1p100)) return selected_damping_functions(R, zeta);
-    const DampingFunctions<Wide> f = selected_damping_functions(Wide(R), Wide(zeta));
-    return {static_cast<T>(f.u), static_cast<T>(f.g)};
+    if constexpr (std::is_same_v<T, float>) {
+        const DampingFunctions<double> f = selected_damping_functions<double>(R, zeta);
+        return {static_cast<T>(f.u), static_cast<T>(f.g)};
+    } else {
+        return selected_damping_functions(R, zeta);
+    }
 }
 
 /// @brief \f$ v_{di} \f$, \f$ u_{di} \f$ and \f$ g_i \f$: the form that keeps its digits at this place.
