@@ -80,9 +80,10 @@ namespace {
 
 // The angle of the point (x, y), finite and not both zero, from -pi to pi.
 Parts angle_of(double y, double x) {
-    const bool left = x < 0, below = y < 0, steep = std::fabs(y) > std::fabs(x);
+    const bool left = x < 0, below = y < 0;
     x = std::fabs(x);
     y = std::fabs(y);
+    const bool steep = y > x;
     if (steep) std::swap(x, y);
     Parts angle{0, 0};
     if (y < x * 0x1p-60) {

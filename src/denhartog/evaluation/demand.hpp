@@ -12,8 +12,8 @@
 /// to cancel, so that next to \f$ \pi \f$ digits are lost. The number type carries its bound of the error, and where that does
 /// not suffice the reference answers.
 ///
-/// tau is the non-dimensional time (5), R the modal frequency ratio (22), zeta the modal damping ratio, f are (28), (29), sigma
-/// = pi - tau.
+/// tau is the non-dimensional time (5), R the modal frequency ratio (22), zeta the modal damping ratio, h the half angle and the
+/// exponent; u and g are (28) and (29), u_R2 is u times R^2, and sigma is pi - tau.
 #pragma once
 
 #include "denhartog/evaluation/friction_motion.hpp"
@@ -23,10 +23,6 @@ namespace denhartog::evaluation {
 /// @brief \f$ u_{di}R_i^2 \f$ where neither R^2 nor u may be formed.
 /// \f[ u_{di}R_i^2 = \frac{\pi}{2}\,\frac{\sin y}{y}\,\frac{c}{\sinh^2\frac{\delta}{2}+c^2}, \qquad y = \frac{\pi w}{2R_i} \f]
 /// @eq{28}  @derivation{evaluation_of_motion}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R of 5/4 and more}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @param h     half angle and exponent
-/// @return      u R^2
 template <class T>
 [[nodiscard]] T first_damping_function_by_R_squared(const T& R, const T& zeta, const HalfAngle<T>& h) {
     const T sinh_half = sinh(T(h.delta / 2));
@@ -53,11 +49,8 @@ template <class T>
 
 /// @brief \f$ R_iq_i'(\tau) - \cos\tau \f$ and \f$ R_iq_i(\tau) \f$, \f$ b = w\tau/R_i \f$, \f$ a = \zeta_i\tau/R_i \f$.
 /// \f[ (e^{-a}-1)\cos b + [\cos b - \cos\tau] - e^{-a}\zeta_i\frac{\sin b}{w}, \qquad e^{-a}\tau\,\frac{\sin b}{b} \f]
+/// Minus zeta gives the motion backwards in time.
 /// @eq{57}  @derivation{evaluation_of_motion}  @domain{tau > 0, R > 0, |zeta| < 1}
-/// @param tau   non-dimensional time, Eq. (5); radians
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio, or minus it for the motion backwards in time
-/// @return      the difference with R q
 template <class T>
 [[nodiscard]] HarmonicDifference<T> harmonic_difference(const T& tau, const T& R, const T& zeta) {
     const T w = oscillating_w(zeta);
@@ -94,10 +87,6 @@ struct DecayTakenOut {
 /// \f[ \frac{1-g}{E} = \frac{2\,[2c^2-(1-E)+2\frac{\zeta}{w}sc]}{(1-E)^2+4Ec^2}, \qquad
 ///     \frac{uR^2}{E} = \frac{4Rsc}{w\,[(1-E)^2+4Ec^2]} \f]
 /// @eq{28,29}  @derivation{evaluation_of_motion}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for delta of 1 and more}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @param h     half angle and exponent
-/// @return      both quotients
 template <class T>
 [[nodiscard]] DecayTakenOut<T> decay_taken_out(const T& R, const T& zeta, const HalfAngle<T>& h) {
     const T E_minus_one = exp_minus_one(T(-h.delta));

@@ -5,9 +5,10 @@
 /// free motion of what the start has more than these. Next to resonance the harmonic and the free part are large and cancel;
 /// there their sum, the response from rest, is formed as one. Every form is branch-free and proved.
 ///
-/// R is the modal frequency ratio (22), `gap` is 1 - 1/R^2 as near to resonance as it is known, and a is the decay rate zeta/R. The
-/// harmonic motion is Re{X exp(i tau)}, and `at_rest` is the displacement at rest under the constant force. The free motions (A.8)
-/// are those over the time t from the start; `cosine` and `sine` are those of tau at the instant, cos_0 and sin_0 at the start.
+/// R is the modal frequency ratio (22), `gap` is 1 - 1/R^2 as near to resonance as it is known, and a is the decay rate zeta/R.
+/// The harmonic motion is Re{X exp(i tau)}, and `at_rest` is the displacement at rest under the constant force. The free motions
+/// (A.8) are those over the time t from the start; `cosine` and `sine` are those of tau at the instant, cos_0 and sin_0 at the
+/// start.
 #pragma once
 
 #include "denhartog/evaluation/mode.hpp"

@@ -166,7 +166,8 @@ std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArr
         for (std::size_t i = start; i < start + n; ++i) {
             const bool outside = without_vectors || ratio_beyond_vectors(R[i], vector_range);
             if (outside || !finite(out, i) || (zeta == 0 && at_undamped_pole(R[i]))) {
-                if (!(R[i] > 0) || !std::isfinite(R[i])) throw InputError("R", "must be positive and finite", number_to_text(R[i]));
+                if (!(R[i] > 0) || !std::isfinite(R[i]))
+                    throw InputError("R", "must be positive and finite", number_to_text(R[i]));
                 const ModeFunctions<double> f = mode_functions(R[i], zeta);
                 out.v_re[i] = f.v.re;
                 out.v_im[i] = f.v.im;
@@ -179,10 +180,6 @@ std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArr
     }
     scalar_evaluations += static_cast<long>(scalar);
     return scalar;
-}
-
-std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArrays& out) {
-    return mode_functions(R, zeta, out, supported_vectors().back());
 }
 
 long array_mode_evaluations() { return evaluated; }

@@ -20,7 +20,8 @@ T rest_of_stiffness(const System<T>& s, const Matrix<T>& K, std::size_t k) {
     return evaluation::sum_error(s.stiffness_ratios[k], s.stiffness_ratios[k + 1], K(i, i));
 }
 
-// O^T A O, symmetric to the last bit; O has ones on its diagonal and nothing else, but for row a. The diagonal of A lacks the rests.
+// O^T A O, symmetric to the last bit; O has ones on its diagonal and nothing else, but for row a. Of A's diagonal the rests are
+// missing.
 template <class T>
 Matrix<T> with_contact(const Contact& held, Matrix<T> A, const T& rest_of_a = T(0), const T& rest_of_b = T(0)) {
     if (!held.b) return A;
