@@ -31,8 +31,9 @@ Matrix<T> with_contact(const Contact& held, Matrix<T> A, const T& rest_of_a = T(
     A.row(b) += A.row(a);
     A(a, b) = A(b, a) = evaluation::sum_with_rests<T>(std::array{aa, ab, rest_of_a});
     A(b, b) = evaluation::sum_with_rests<T>(std::array{aa, ab, ab, bb, rest_of_a, rest_of_b});
-    A.col(a) *= T(held.sign);
-    A.row(a) *= T(held.sign);
+    if (held.sign > 0) return A;
+    A.col(a) = (T(0) - A.col(a).array()).matrix(); // no zero becomes a negative one
+    A.row(a) = (T(0) - A.row(a).array()).matrix();
     return A;
 }
 
