@@ -7,7 +7,6 @@
 #include "denhartog/elementary/elementary.hpp"
 #include "denhartog/evaluation/vector_functions.hpp"
 #include "denhartog/model/product_of_doubles.hpp"
-#include "denhartog/number/double_double.hpp"
 
 using namespace denhartog;
 
@@ -42,10 +41,6 @@ struct Bits {
         all ^= all >> 29U;
         ++values;
     }
-    void take(const DoubleDouble& x) {
-        take(x.high);
-        take(x.low);
-    }
     void print(const char* name) const { std::printf("%s,%ld,%016llx\n", name, values, static_cast<unsigned long long>(all)); }
 };
 
@@ -64,18 +59,6 @@ void show_of_two(const char* name, Function f) {
     for (int n = 0; n < count; ++n) {
         const double a = argument(draw, n), b = argument(draw, n);
         bits.take(f(a, b));
-    }
-    bits.print(name);
-}
-
-template <class Function>
-void show_of_pairs(const char* name, Function f) {
-    Draw draw;
-    Bits bits;
-    for (int n = 0; n < count; ++n) {
-        const double x = 50 * (2 * draw.share() - 1), y = 50 * (2 * draw.share() - 1);
-        const double of_x = x * 0x1p-54 * draw.share(), of_y = y * 0x1p-54 * draw.share();
-        bits.take(f(DoubleDouble(x, of_x), DoubleDouble(y, of_y)));
     }
     bits.print(name);
 }
@@ -126,17 +109,6 @@ int main() {
     show("atan", elementary::atan);
     show_of_two("atan2", elementary::atan2);
     show_of_two("hypot", elementary::hypot);
-    show_of_pairs("sums of two doubles", [](const DoubleDouble& a, const DoubleDouble& b) { return a + b; });
-    show_of_pairs("products of two doubles", [](const DoubleDouble& a, const DoubleDouble& b) { return a * b; });
-    show_of_pairs("quotients of two doubles", [](const DoubleDouble& a, const DoubleDouble& b) { return a / b; });
-    show_of_pairs("angles of two doubles", [](const DoubleDouble& a, const DoubleDouble& b) { return atan2(a, b); });
-    show_of_pairs("roots of two doubles", [](const DoubleDouble& a, const DoubleDouble&) { return sqrt(abs(a)); });
-    show_of_pairs("exp of two doubles", [](const DoubleDouble& a, const DoubleDouble&) { return exp(a); });
-    show_of_pairs("expm1 of two doubles", [](const DoubleDouble& a, const DoubleDouble&) { return expm1(a); });
-    show_of_pairs("sinh of two doubles", [](const DoubleDouble& a, const DoubleDouble&) { return sinh(a); });
-    show_of_pairs("cosh of two doubles", [](const DoubleDouble& a, const DoubleDouble&) { return cosh(a); });
-    show_of_pairs("sin of two doubles", [](const DoubleDouble& a, const DoubleDouble&) { return sin(a); });
-    show_of_pairs("cos of two doubles", [](const DoubleDouble& a, const DoubleDouble&) { return cos(a); });
     show_products();
     show_arrays();
 }

@@ -52,7 +52,8 @@ Four truth_in(const Place<T>& p) {
     const std::array<Wide, 4> f = printed(Wide(p.R), Wide(p.zeta));
     Four truth;
     for (std::size_t i = 0; i < 4; ++i) truth[i] = static_cast<Real100>(f[i]);
-    if (p.zeta == 0 && remainder_of_one(p.R) == 0) truth[2] = 0; // sin(n pi), which pi rounded does not give
+    using std::remainder;
+    if (p.zeta == 0 && remainder(T(1), p.R) == 0) truth[2] = 0; // sin(n pi), which pi rounded does not give
     return truth;
 }
 

@@ -44,13 +44,10 @@ std::string hexadecimal(T x) {
 /// The expression under the maximum in (57) with (28) and (29), by the forms that ship, in more digits and rounded once.
 template <class T>
 T s_d_rounded_once(const T& tau, const T& R, const T& zeta) {
-    const auto in = [&]<class Wide>(std::type_identity<Wide>) {
-        const Wide wide_R(R), wide_zeta(zeta);
-        return static_cast<T>(evaluation::s_d_integrand_of(Wide(tau), wide_R, wide_zeta,
-                                                           evaluation::selected_damping_functions(wide_R, wide_zeta)));
-    };
-    if constexpr (std::is_same_v<T, double>) return in(std::type_identity<Real50>());
-    return in(std::type_identity<typename WiderOf<T>::type>());
+    using Wide = std::conditional_t<std::is_same_v<T, Real50>, Real100, Real50>;
+    const Wide wide_R(R), wide_zeta(zeta);
+    return static_cast<T>(
+        evaluation::s_d_integrand_of(Wide(tau), wide_R, wide_zeta, evaluation::selected_damping_functions(wide_R, wide_zeta)));
 }
 
 /// Seeded numbers, the same on every machine.
@@ -220,7 +217,8 @@ double digits_needed(const Place<T>& p) {
     const double R = std::log10(static_cast<double>(p.R)),
                  eps = std::log10(static_cast<double>(std::numeric_limits<T>::epsilon()));
     const double zeta = p.zeta > 0 ? std::max(-330.0, std::log10(static_cast<double>(p.zeta))) : eps;
-    const double near_pole = remainder_of_one(p.R) == 0 ? 2 * std::max(-zeta, -eps) : -2 * eps;
+    using std::remainder;
+    const double near_pole = remainder(T(1), p.R) == 0 ? 2 * std::max(-zeta, -eps) : -2 * eps;
     const double far = std::min(2 * R, 20 - std::numeric_limits<T>::min_exponent10 - R);
     return 25 - eps + (R < 0.5 ? near_pole : far) + std::max(0.0, -R);
 }

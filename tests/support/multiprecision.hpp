@@ -11,7 +11,6 @@
 #include <boost/multiprecision/mpfr.hpp>
 #include <limits>
 
-#include "denhartog/number/double_double.hpp"
 #include "denhartog/number/number.hpp"
 
 namespace denhartog {
@@ -27,17 +26,6 @@ using Multiprecision =
 using Real50 = Multiprecision<50>;
 /// @brief At least 100 decimal digits.
 using Real100 = Multiprecision<100>;
-
-/// @brief Of `long double`.
-template <>
-struct WiderOf<long double> {
-    using type = Real50; ///< the wider type
-};
-/// @brief Of 50 digits.
-template <>
-struct WiderOf<Real50> {
-    using type = Real100; ///< the wider type
-};
 
 /// @brief Frees, at the end of a thread, the constants that MPFR keeps for it.
 struct ConstantsOfThread {

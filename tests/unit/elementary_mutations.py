@@ -61,7 +61,6 @@ def main():
 
     parts = {"main": sources / "tests" / "main.cpp", "elementary": sources / "tests" / "unit" / "elementary.cpp"}
     parts |= {name: mutated / f"{name}.cpp" for name in ("exponential", "angle")}
-    parts["double_double"] = library / "number" / "double_double.cpp"
     read = {name: subprocess.run([*options, "-MM", source], check=True, capture_output=True, text=True).stdout.split()
             for name, source in parts.items()}
 

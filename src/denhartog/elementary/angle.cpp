@@ -58,18 +58,18 @@ ReducedAngle reduce_by_all_bits(double x) {
     return {bits >> 63U != 0 ? -n : n, sign * whole.high, sign * rest};
 }
 
-Parts beyond_multiple(double k, double first, double low) {
+Parts beyond_multiple(double k, double first) {
     const Parts third = exact_product_in_range(k, step_third), beyond = exact_sum(first, -third.high);
-    return exact_sum(beyond.high, beyond.low - (third.low + (k * step_fourth - low)));
+    return exact_sum(beyond.high, beyond.low - (third.low + k * step_fourth));
 }
 
 namespace {
 
 // The angle of (x, y), both positive, y not above x and not below 2^-60 x, within the range where products are exact.
-[[gnu::always_inline]] inline Parts angle_in_first_octant(const Parts& y, const Parts& x) {
-    const double by_x = 1 / x.high, slope = y.high * by_x;
-    const Parts back = exact_product_in_range(slope, x.high);
-    return expanded(arc_tangents, slope, (((y.high - back.high) - back.low) + (y.low - slope * x.low)) * by_x);
+[[gnu::always_inline]] inline Parts angle_in_first_octant(double y, double x) {
+    const double by_x = 1 / x, slope = y * by_x;
+    const Parts back = exact_product_in_range(slope, x);
+    return expanded(arc_tangents, slope, ((y - back.high) - back.low) * by_x);
 }
 
 // A half turn or a quarter, and an angle of at most that size, added to it or taken from it. @param turns half turns
@@ -78,41 +78,42 @@ namespace {
     return {head.high, head.low + (turns * pi_low + sign * angle.low)};
 }
 
-} // namespace
-
-Parts angle_of(Parts y, Parts x) {
-    const bool left = x.high < 0, below = y.high < 0;
-    if (left) x = {-x.high, -x.low};
-    if (below) y = {-y.high, -y.low};
-    const bool steep = y.high > x.high;
+// The angle of the point (x, y), finite and not both zero, from -pi to pi.
+Parts angle_of(double y, double x) {
+    const bool left = x < 0, below = y < 0;
+    x = std::fabs(x);
+    y = std::fabs(y);
+    const bool steep = y > x;
     if (steep) std::swap(x, y);
     Parts angle{0, 0};
-    if (y.high < x.high * 0x1p-60) {
-        angle.high = y.high / x.high;
+    if (y < x * 0x1p-60) {
+        angle.high = y / x;
     } else {
-        const double scale = x.high > 0x1p700 ? 0x1p-600 : x.high < 0x1p-700 ? 0x1p600 : 1;
-        angle = angle_in_first_octant({y.high * scale, y.low * scale}, {x.high * scale, x.low * scale});
+        const double scale = x > 0x1p700 ? 0x1p-600 : x < 0x1p-700 ? 0x1p600 : 1;
+        angle = angle_in_first_octant(y * scale, x * scale);
     }
     if (steep || left) angle = from_half_turns(steep ? 0.5 : 1, steep == left ? 1 : -1, angle);
     return below ? Parts{-angle.high, -angle.low} : angle;
 }
 
+} // namespace
+
 double sin(double x) noexcept {
     if (!is_finite(x)) return no_number;
     if (std::fabs(x) < 0x1p-30) return x;
-    const Parts s = sine(reduce(x, 0));
+    const Parts s = sine(reduce(x));
     return s.high + s.low;
 }
 
 double cos(double x) noexcept {
     if (!is_finite(x)) return no_number;
-    const Parts c = cosine(reduce(x, 0));
+    const Parts c = cosine(reduce(x));
     return c.high + c.low;
 }
 
 SineCosine<double> sine_cosine(double x) noexcept {
     if (!is_finite(x)) return {no_number, no_number};
-    const ReducedAngle angle = reduce(x, 0);
+    const ReducedAngle angle = reduce(x);
     const Parts s = sine(angle), c = cosine(angle);
     return {std::fabs(x) < 0x1p-30 ? x : s.high + s.low, c.high + c.low};
 }
@@ -125,14 +126,14 @@ double sine_of_half_turns(double x) noexcept {
         const Parts s = exact_product(x * 0x1p600, pi_high);
         return (s.high + (s.low + x * 0x1p600 * pi_low)) * 0x1p-600;
     }
-    const Parts s = sine(reduce_half_turns(x, 0));
+    const Parts s = sine(reduce_half_turns(x));
     return s.high + s.low;
 }
 
 double cosine_of_half_turns(double x) noexcept {
     x = without_many_turns(x);
     if (!is_finite(x)) return no_number;
-    const Parts c = cosine(reduce_half_turns(x, 0));
+    const Parts c = cosine(reduce_half_turns(x));
     return c.high + c.low;
 }
 
@@ -141,7 +142,7 @@ double atan2(double y, double x) noexcept {
     if (!is_finite(x) || !is_finite(y))
         return atan2(std::copysign(is_finite(y) ? 0 : 1, y), std::copysign(is_finite(x) ? 0 : 1, x));
     if (y == 0) return std::signbit(x) ? std::copysign(pi_high, y) : y;
-    const Parts angle = angle_of({y, 0}, {x, 0});
+    const Parts angle = angle_of(y, x);
     return angle.high + angle.low;
 }
 
@@ -152,7 +153,7 @@ double atan(double x) noexcept {
         return std::copysign(angle.high + angle.low, x);
     }
     if (!(size < 0x1p60)) return size == size ? std::copysign(pi_high / 2, x) : no_number;
-    const Parts angle = from_half_turns(0.5, -1, angle_in_first_octant({1, 0}, {size, 0}));
+    const Parts angle = from_half_turns(0.5, -1, angle_in_first_octant(1, size));
     return std::copysign(angle.high + angle.low, x);
 }
 

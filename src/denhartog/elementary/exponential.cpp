@@ -15,11 +15,11 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 double rounded(const Parts& parts) { return parts.high + parts.low; }
 
 // e^x 2^by where it may leave the normal range: powers of two in two steps, so that the last operation alone rounds there.
-[[gnu::noinline]] Parts exponential_far_out(double x, double low, int by) {
+[[gnu::noinline]] Parts exponential_far_out(double x, int by) {
     if (x != x) return {x, 0};
     if (x > 800) return {infinite, 0};
     if (x < -800) return {0, 0};
-    const TakenApart e = exponential(x, low);
+    const TakenApart e = exponential(x);
     const std::int64_t m = e.m + by, half = m / 2;
     const double first = power_of_two(half), second = power_of_two(m - half);
     const Parts value = ordered_sum(e.t * first, e.t * (e.r + e.s) * first);
@@ -69,16 +69,9 @@ bool is_normal(std::uint64_t bits) { return bits - least_normal < of_infinity - 
 
 } // namespace
 
-Parts scaled_exponential(double high, double low, int by) {
-    if (!(std::fabs(high) < 600)) return exponential_far_out(high, low, by);
-    const TakenApart e = exponential(high, low);
-    const double scaled = e.t * power_of_two(e.m + by);
-    return {scaled, scaled * (e.r + e.s)};
-}
-
 double exp(double x) noexcept {
     if (!(std::fabs(x) < 600)) [[unlikely]]
-        return rounded(exponential_far_out(x, 0, 0));
+        return rounded(exponential_far_out(x, 0));
     const auto [n, first, behind] = reduce_exponent(x);
     const Power power = power_at(n);
     const double r = first - behind, z = r * r;
@@ -93,7 +86,7 @@ double expm1(double x) noexcept {
         return x + z * ((0.5 + x * (1.0 / 6)) + z * ((1.0 / 24 + x * (1.0 / 120)) + z * (1.0 / 720)));
     }
     if (!(std::fabs(x) < one_is_nothing)) return x > 0 ? exp(x) : exp(x) - 1;
-    const Parts e = exponential_less_one(x, 0);
+    const Parts e = exponential_less_one(x);
     return e.high + e.low;
 }
 
@@ -104,12 +97,12 @@ double sinh(double x) noexcept {
         const double series = (1.0 / 6 + z * (1.0 / 120)) + z * z * (1.0 / 5040 + z * (1.0 / 362880));
         return x + x * z * series;
     }
-    return std::copysign(size < 600 ? hyperbolic(size, -1) : rounded(scaled_exponential(size, 0, -1)), x);
+    return std::copysign(size < 600 ? hyperbolic(size, -1) : rounded(exponential_far_out(size, -1)), x);
 }
 
 double cosh(double x) noexcept {
     const double size = std::fabs(x);
-    return size < 600 ? hyperbolic(size, 1) : rounded(scaled_exponential(size, 0, -1));
+    return size < 600 ? hyperbolic(size, 1) : rounded(exponential_far_out(size, -1));
 }
 
 double log(double x) noexcept {

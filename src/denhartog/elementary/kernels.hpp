@@ -48,14 +48,13 @@ struct TakenApart {
 };
 
 /// @brief Takes \f$ e^x \f$ apart: x less a multiple of ln 2 / 256, then a polynomial of degree 5.
-/// @param x    a number of size up to 800
-/// @param low  a small one, to be added to it
-/// @return     the parts
-[[nodiscard, gnu::always_inline]] inline TakenApart exponential(double x, double low) {
+/// @param x  a number of size up to 800
+/// @return   the parts
+[[nodiscard, gnu::always_inline]] inline TakenApart exponential(double x) {
     const ReducedExponent reduced = reduce_exponent(x);
     const auto whole = static_cast<std::int64_t>(reduced.n << 13U) >> 13U;
     const Power& power = powers[whole & 255];
-    const double first = reduced.first, behind = reduced.behind - low;
+    const double first = reduced.first, behind = reduced.behind;
     const double r = first - behind, r_low = (first - r) - behind, z = r * r;
     const double series = (0.5 + r * (1.0 / 6)) + z * (1.0 / 24 + r * (1.0 / 120));
     return {whole >> 8U, power.value, r, z * series + (r_low + (power.relative + power.relative * r))};
@@ -68,16 +67,12 @@ struct TakenApart {
     return {std::bit_cast<double>(std::bit_cast<std::uint64_t>(power.value) + (n >> 8U << 52U)), power.relative};
 }
 
-/// @brief \f$ e^x - 1 \f$. @param x a number of size up to 40 @param low a small one, to be added to it @return both parts
-[[nodiscard, gnu::always_inline]] inline Parts exponential_less_one(double x, double low) {
-    const TakenApart e = exponential(x, low);
+/// @brief \f$ e^x - 1 \f$. @param x a number of size up to 40 @return both parts
+[[nodiscard, gnu::always_inline]] inline Parts exponential_less_one(double x) {
+    const TakenApart e = exponential(x);
     const Parts less_one = exact_sum(power_of_two(e.m) * e.t, -1), head = ordered_sum(less_one.high, e.r);
     return {head.high, head.low + (less_one.low + (e.s + less_one.high * (e.r + e.s)))};
 }
-
-/// @brief \f$ 2^me^x \f$, also beyond the normal range. @param x a number @param low a small one, to be added to it @param m a power
-/// @return both parts, not yet added
-[[nodiscard]] Parts scaled_exponential(double x, double low, int m);
 
 /// @brief An angle as a multiple of pi / 64 and the rest.
 struct ReducedAngle {
@@ -93,25 +88,23 @@ struct ReducedAngle {
 /// @brief What an angle next to a multiple of pi / 64 has beyond it, all four parts of pi / 64 taken.
 /// @param k      the multiple, up to 2^29
 /// @param first  the angle less k times the first two parts
-/// @param low    a small angle, to be added
 /// @return       both parts
-[[nodiscard]] Parts beyond_multiple(double k, double first, double low);
+[[nodiscard]] Parts beyond_multiple(double k, double first);
 
 /// @brief Reduces an angle. pi / 64 is taken in three parts, whose first two have exact products with whole numbers up to 2^29.
-/// @param x    radians, finite
-/// @param low  a small angle, to be added to it
-/// @return     it reduced; the rest is good to 2^-60 of itself
-[[nodiscard, gnu::always_inline]] inline ReducedAngle reduce(double x, double low) {
+/// @param x  radians, finite
+/// @return   it reduced; the rest is good to 2^-60 of itself
+[[nodiscard, gnu::always_inline]] inline ReducedAngle reduce(double x) {
     const double shift = 0x1.8p52, shifted = x * steps_in_radian + shift, k = shifted - shift;
-    const double behind = k * step_third - low, first = (x - k * step_first) - k * step_second;
+    const double behind = k * step_third, first = (x - k * step_first) - k * step_second;
     const double d = first - behind;
     if (!(std::fabs(x) < 0x1p24)) [[unlikely]] {
-        ReducedAngle angle = reduce_by_all_bits(x);
-        const Parts sum = exact_sum(angle.d, angle.d_low + low);
+        const ReducedAngle angle = reduce_by_all_bits(x);
+        const Parts sum = exact_sum(angle.d, angle.d_low);
         return {angle.n, sum.high, sum.low};
     }
     if (std::fabs(d) < 0x1p-16 && k != 0) [[unlikely]] {
-        const Parts rest = beyond_multiple(k, first, low);
+        const Parts rest = beyond_multiple(k, first);
         return {std::bit_cast<std::uint64_t>(shifted), rest.high, rest.low};
     }
     return {std::bit_cast<std::uint64_t>(shifted), d, (first - d) - behind};
@@ -122,16 +115,11 @@ struct ReducedAngle {
     return std::fabs(x) < 0x1p43 ? x : x - 2 * std::floor(x / 2);
 }
 
-/// @brief The angle of the point (x, y). @param y ordinate @param x abscissa; finite, and not both zero
-/// @return radians from -pi to pi, both parts
-[[nodiscard]] Parts angle_of(Parts y, Parts x);
-
-/// @brief Reduces an angle in half turns. @param x half turns, of size up to 2^43 @param low a small one, to be added to it
-/// @return it reduced
-[[nodiscard, gnu::always_inline]] inline ReducedAngle reduce_half_turns(double x, double low) {
+/// @brief Reduces an angle in half turns. @param x half turns, of size up to 2^43 @return it reduced
+[[nodiscard, gnu::always_inline]] inline ReducedAngle reduce_half_turns(double x) {
     const double shift = 0x1.8p52, shifted = x * 64 + shift, t = x - (shifted - shift) * 0x1p-6;
     const Parts d = exact_product_in_range(t, pi_high);
-    const Parts sum = ordered_sum(d.high, d.low + (t * pi_low + pi_high * low));
+    const Parts sum = ordered_sum(d.high, d.low + t * pi_low);
     return {std::bit_cast<std::uint64_t>(shifted), sum.high, sum.low};
 }
 

@@ -4,6 +4,9 @@
 /// The forms are those of `mode.hpp` in the exponential, in \f$ sc \f$ and \f$ c^2 \f$ (sine and cosine of the half angle; a
 /// half turn alters neither) and with one reciprocal for (28) and (29) together. As there, each is proved equal to the paper's,
 /// in `derivation/batch_forms.cpp`, by instantiating these very templates with symbols.
+///
+/// R is the modal frequency ratio (22), x is 1/(2R), m the mode, e its decay, h the half angle, `inverse` of the denominator,
+/// and u, g are (28), (29).
 #pragma once
 
 #include "denhartog/evaluation/mode.hpp"
@@ -42,9 +45,6 @@ template <class T>
 
 /// @brief \f$ v_{di} \f$ with \f$ a = (1-R)(1+R) \f$, \f$ b = 2\zeta R \f$ and one reciprocal: \f$ (a - ib)/(a^2+b^2) \f$.
 /// @eq{23}  @derivation{batch_forms}  @domain{0 < R <= 2^200; zeta = 0 or 2^-500 <= zeta < 1}
-/// @param R  modal frequency ratio, Eq. (22)
-/// @param m  the mode
-/// @return   v_di
 template <class T>
 [[nodiscard, gnu::always_inline]] inline Complex<T> array_response(const T& R, const ArrayMode<T>& m) {
     const T a = (1 - R) * (1 + R);
@@ -55,9 +55,6 @@ template <class T>
 
 /// @brief The denominator of (28) and (29) inverted: \f$ 1/[(1-E)^2+4Ec^2] \f$.
 /// @eq{28,29}  @derivation{batch_forms}  @domain{R > 0, 0 <= zeta < 1}
-/// @param e  exponential of -delta
-/// @param h  products of the half angle
-/// @return   the inverse; dimensionless
 template <class T>
 [[nodiscard, gnu::always_inline]] inline T inverse_denominator(const Exponential<T>& e, const HalfAngleProducts<T>& h) {
     return 1 / (e.E_minus_one * e.E_minus_one + 4 * (e.head * e.tail) * h.cosine_square);
@@ -65,12 +62,6 @@ template <class T>
 
 /// @brief \f$ u_{di} = 4Esc\,/\,(R\,w\,[(1-E)^2+4Ec^2]) \f$, with the small factor of E last.
 /// @eq{28}  @derivation{batch_forms}  @domain{R > 0, 0 <= zeta < 1}
-/// @param x        1 / (2 R)
-/// @param m        the mode
-/// @param e        exponential of -delta
-/// @param h        products of the half angle
-/// @param inverse  of the denominator
-/// @return         u_di
 template <class T>
 [[nodiscard, gnu::always_inline]] inline T array_first_damping_function(const T& x, const ArrayMode<T>& m,
                                                                         const Exponential<T>& e, const HalfAngleProducts<T>& h,
@@ -80,11 +71,6 @@ template <class T>
 
 /// @brief \f$ g_i = [(1-E)(1+E) - 4E\frac{\zeta}{w}sc]\,/\,[(1-E)^2+4Ec^2] \f$.
 /// @eq{29}  @derivation{batch_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R below 5/4}
-/// @param m        the mode
-/// @param e        exponential of -delta
-/// @param h        products of the half angle
-/// @param inverse  of the denominator
-/// @return         g_i
 template <class T>
 [[nodiscard, gnu::always_inline]] inline T array_second_damping_function(const ArrayMode<T>& m, const Exponential<T>& e,
                                                                          const HalfAngleProducts<T>& h, const T& inverse) {
@@ -95,12 +81,6 @@ template <class T>
 /// @brief \f$ g_i = 2E\delta\left[\frac{\sinh\delta}{\delta}-\frac{\sin\theta}{\theta}\right]/[(1-E)^2+4Ec^2] \f$, the bracket as
 /// one series in \f$ q = \pi/R \f$, whose coefficients are the mode's.
 /// @eq{29}  @derivation{batch_forms}  @domain{R > 0, 0 < zeta < 1; keeps its digits for R of 5/4 and more}
-/// @param delta    pi zeta / R
-/// @param square   q^2
-/// @param series   the bracket over q^2
-/// @param e        exponential of -delta
-/// @param inverse  of the denominator
-/// @return         g_i
 template <class T>
 [[nodiscard, gnu::always_inline]] inline T array_second_damping_function_of_large_ratio(const T& delta, const T& square,
                                                                                         const T& series, const Exponential<T>& e,
@@ -117,8 +97,6 @@ struct AngleOfMode {
 
 /// @brief The half angle as a difference where zeta is below 1/2, so that a small zeta is not rounded away, else as a product.
 /// @eq{28,29}  @derivation{solver_selections}  @domain{0 <= zeta < 1}
-/// @param zeta  modal damping ratio
-/// @return      w and \f$ \lambda \f$
 template <class T>
 [[nodiscard]] AngleOfMode<T> angle_of_mode(const T& zeta) {
     if (2 * zeta >= 1) return {oscillating_w(zeta), T(0)};
@@ -205,11 +183,6 @@ template <class T>
 
 /// @brief A mode's term of (64), times r^2.
 /// @eq{64}  @derivation{batch_forms}
-/// @param m  weights of the mode
-/// @param R  modal frequency ratio, Eq. (22)
-/// @param u  first damping function, Eq. (28)
-/// @param g  second damping function, Eq. (29)
-/// @return   phi_j^2 (g + 2 zeta R u)
 template <class T>
 [[nodiscard, gnu::always_inline]] inline T term_of_H(const ArrayWeights<T>& m, const T& R, const T& u, const T& g) {
     return m.square * (g + m.two_zeta * R * u);
@@ -223,11 +196,6 @@ template <class T>
 /// from negative to positive once in the half-period: W is nowhere positive, and (57) is largest for tau -> 0.
 /// (`derivation/section_2_6_largest_at_start.cpp` shows that 2 R >= w suffices; this condition is stricter than it need be.)
 /// @eq{57,71}  @derivation{batch_forms}  @domain{R > 0, 0 <= zeta < 1}
-/// @param two_zeta  2 zeta
-/// @param R         modal frequency ratio, Eq. (22)
-/// @param u         first damping function, Eq. (28)
-/// @param g         second damping function, Eq. (29)
-/// @return          the expression
 template <class T>
 [[nodiscard, gnu::always_inline]] inline T excess_at_the_end(const T& two_zeta, const T& R, const T& u, const T& g) {
     return R * u * (two_zeta * two_zeta - (1 - R) * (1 + R)) - two_zeta * (1 - g);
@@ -236,11 +204,7 @@ template <class T>
 /// @brief How certain it is that (57) of a mode is largest for tau -> 0: `excess_at_the_end` less a billionth of its terms, or
 /// what R has above w / 2 where that is less.
 /// @eq{57,71}  @domain{R > 0, 0 <= zeta < 1}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @param u     first damping function, Eq. (28)
-/// @param g     second damping function, Eq. (29)
-/// @return      positive where it is certain
+/// @return positive where it is certain
 [[nodiscard, gnu::always_inline]] inline double certainty_of_start(double R, double zeta, double u, double g) {
     const double terms = (u < 0 ? -u : u) * (1 + R) * (1 + R) * R + 2 * zeta * (1 + (g < 0 ? -g : g));
     const double excess = excess_at_the_end(2 * zeta, R, u, g) - 1e-9 * terms;

@@ -4,6 +4,9 @@
 /// Where \f$ \beta|U_{dj}| \f$ comes near \f$ |V_{dj}| \f$ the squares under the root cancel: what their roundings took is all
 /// that is left. Here every product comes with what its rounding took, and is summed with it: the root is as exact as V, U and
 /// beta are. In number types without a fused multiply-add the products stand as they are; the root is proved with both.
+///
+/// V_dj, U_dj, G_j are (33)-(35) of the mass in contact, beta is the friction ratio (11), mu that of static to kinetic friction
+/// (3).
 #pragma once
 
 #include <cmath>
@@ -28,6 +31,20 @@ template <class T>
 [[nodiscard]] T sum_error(const T& x, const T& y, const T& sum) {
     const T of_y = sum - x;
     return (x - (sum - of_y)) + (y - of_y);
+}
+
+/// @brief A sum with what its roundings took: as good as one that is rounded once.
+/// @param terms  the terms
+/// @return       the sum; as it is where it is beyond the range
+template <class T, class Terms>
+[[nodiscard]] T sum_with_rests(const Terms& terms) {
+    T sum(0), rests(0);
+    for (const T& term : terms) {
+        const T next = sum + term;
+        rests = rests + sum_error(sum, term, next);
+        sum = next;
+    }
+    return rests - rests == 0 ? T(sum + rests) : sum;
 }
 
 /// @brief What the root is made of, each number as it was rounded.
@@ -79,11 +96,6 @@ template <class T, bool rests_given_back = std::floating_point<T>>
 }
 
 /// @brief (38) with the root above. @eq{38}  @derivation{evaluation_forms}  @domain{sliding regime, Eq. (69)}
-/// @param V_dj  complex response function of the mass in contact, Eq. (33)
-/// @param U_dj  first damping function of the mass in contact, Eq. (34)
-/// @param G_j   second damping function of the mass in contact, Eq. (35)
-/// @param beta  friction ratio, Eq. (11)
-/// @return      X_j, in units of P / k_1
 template <class T>
 [[nodiscard]] T displacement_transmissibility_of_contact(const Complex<T>& V_dj, const T& U_dj, const T& G_j, const T& beta) {
     return contact_root(V_dj, U_dj, beta) - beta * G_j;
@@ -92,10 +104,6 @@ template <class T>
 /// @brief (39) with the root above in place of the sine's cosine, which cancels where the sine comes near 1.
 /// \f[ \phi_j = \mathrm{atan2}\left(-\beta U_{dj},\ \sqrt{|V_{dj}|^2-(\beta U_{dj})^2}\right) - \angle V_{dj} \f]
 /// @eq{39}  @derivation{evaluation_forms}  @domain{sliding regime, Eq. (69)}
-/// @param V_dj  complex response function of the mass in contact, Eq. (33)
-/// @param U_dj  first damping function of the mass in contact, Eq. (34)
-/// @param beta  friction ratio, Eq. (11)
-/// @return      phi_j, radians
 template <class T>
 [[nodiscard]] T phase_of_contact(const Complex<T>& V_dj, const T& U_dj, const T& beta) {
     return atan2(T(-(beta * U_dj)), contact_root(V_dj, U_dj, beta)) - argument(V_dj);
@@ -105,10 +113,6 @@ template <class T>
 ///
 /// The contact can rest where a force of at most \f$ \mu\beta \f$ makes its displacement zero: \f$ V_{dj} - f\,Y_{jj} = 0 \f$.
 /// @eq{88}  @derivation{section_4_3_stuck}  @domain{Y_jj not zero}
-/// @param V_dj  complex response function of the mass in contact, Eq. (33)
-/// @param Y_jj  the same with the load on the contact
-/// @param mu    static over kinetic friction, Eq. (3)
-/// @return      the friction ratio
 template <class T>
 [[nodiscard]] T sticking_limit_by_responses(const Complex<T>& V_dj, const Complex<T>& Y_jj, const T& mu) {
     return modulus(V_dj) / modulus(Y_jj) / mu;

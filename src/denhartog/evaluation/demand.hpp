@@ -11,6 +11,9 @@
 /// From \f$ \zeta_i = 1 \f$ on there is no form from the end: both exponentials decay, and backwards in time the faster one has
 /// to cancel, so that next to \f$ \pi \f$ digits are lost. The number type carries its bound of the error, and where that does
 /// not suffice the reference answers.
+///
+/// tau is the non-dimensional time (5), R the modal frequency ratio (22), zeta the modal damping ratio, h the half angle and the
+/// exponent; u and g are (28) and (29), u_R2 is u times R^2, and sigma is pi - tau.
 #pragma once
 
 #include "denhartog/evaluation/friction_motion.hpp"
@@ -20,10 +23,6 @@ namespace denhartog::evaluation {
 /// @brief \f$ u_{di}R_i^2 \f$ where neither R^2 nor u may be formed.
 /// \f[ u_{di}R_i^2 = \frac{\pi}{2}\,\frac{\sin y}{y}\,\frac{c}{\sinh^2\frac{\delta}{2}+c^2}, \qquad y = \frac{\pi w}{2R_i} \f]
 /// @eq{28}  @derivation{evaluation_of_motion}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R of 5/4 and more}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @param h     half angle and exponent
-/// @return      u R^2
 template <class T>
 [[nodiscard]] T first_damping_function_by_R_squared(const T& R, const T& zeta, const HalfAngle<T>& h) {
     const T sinh_half = sinh(T(h.delta / 2));
@@ -40,10 +39,7 @@ struct HarmonicDifference {
 
 /// @brief \f$ \cos b - \cos\tau \f$ with \f$ b = w\tau/R_i \f$, where \f$ b - \tau = \tau\,[(1-R_i)-(1-w)]/R_i \f$.
 /// @eq{57}  @derivation{evaluation_of_motion}  @domain{tau >= 0, R > 0, |zeta| < 1}
-/// @param tau   non-dimensional time, Eq. (5); radians
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @return      the difference, as a product of two sines
+/// @return the difference, as a product of two sines
 template <class T>
 [[nodiscard]] T difference_of_cosines(const T& tau, const T& R, const T& zeta) {
     const T w = oscillating_w(zeta);
@@ -53,11 +49,8 @@ template <class T>
 
 /// @brief \f$ R_iq_i'(\tau) - \cos\tau \f$ and \f$ R_iq_i(\tau) \f$, \f$ b = w\tau/R_i \f$, \f$ a = \zeta_i\tau/R_i \f$.
 /// \f[ (e^{-a}-1)\cos b + [\cos b - \cos\tau] - e^{-a}\zeta_i\frac{\sin b}{w}, \qquad e^{-a}\tau\,\frac{\sin b}{b} \f]
+/// Minus zeta gives the motion backwards in time.
 /// @eq{57}  @derivation{evaluation_of_motion}  @domain{tau > 0, R > 0, |zeta| < 1}
-/// @param tau   non-dimensional time, Eq. (5); radians
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio, or minus it for the motion backwards in time
-/// @return      the difference with R q
 template <class T>
 [[nodiscard]] HarmonicDifference<T> harmonic_difference(const T& tau, const T& R, const T& zeta) {
     const T w = oscillating_w(zeta);
@@ -69,12 +62,6 @@ template <class T>
 
 /// @brief The expression in (57) from the start of the half-period.
 /// @eq{57}  @derivation{evaluation_of_motion}  @domain{0 < tau < pi, R > 0, 0 <= zeta < 1; keeps its digits for tau up to pi/2}
-/// @param tau  non-dimensional time, Eq. (5); radians
-/// @param R    modal frequency ratio, Eq. (22)
-/// @param zeta modal damping ratio
-/// @param u_R2 first damping function of the mode, Eq. (28), times R^2
-/// @param g    second damping function of the mode, Eq. (29)
-/// @return     the expression under the maximum
 template <class T>
 [[nodiscard]] T s_d_integrand_from_start(const T& tau, const T& R, const T& zeta, const T& u_R2, const T& g) {
     const HarmonicDifference<T> f = harmonic_difference(tau, R, zeta);
@@ -84,12 +71,6 @@ template <class T>
 /// @brief The expression in (57) from the end of the half-period, backwards in time.
 /// @eq{57}  @derivation{evaluation_of_motion}
 /// @domain{0 < sigma < pi, R > 0, 0 <= zeta < 1; keeps its digits for sigma up to pi/2, delta up to 1}
-/// @param sigma  time to the end of the half-period, pi - tau; radians
-/// @param R      modal frequency ratio, Eq. (22)
-/// @param zeta   modal damping ratio
-/// @param u_R2   first damping function of the mode, Eq. (28), times R^2
-/// @param g      second damping function of the mode, Eq. (29)
-/// @return       the expression under the maximum
 template <class T>
 [[nodiscard]] T s_d_integrand_from_end(const T& sigma, const T& R, const T& zeta, const T& u_R2, const T& g) {
     return -s_d_integrand_from_start(sigma, R, T(-zeta), u_R2, T(-g));
@@ -106,10 +87,6 @@ struct DecayTakenOut {
 /// \f[ \frac{1-g}{E} = \frac{2\,[2c^2-(1-E)+2\frac{\zeta}{w}sc]}{(1-E)^2+4Ec^2}, \qquad
 ///     \frac{uR^2}{E} = \frac{4Rsc}{w\,[(1-E)^2+4Ec^2]} \f]
 /// @eq{28,29}  @derivation{evaluation_of_motion}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for delta of 1 and more}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @param h     half angle and exponent
-/// @return      both quotients
 template <class T>
 [[nodiscard]] DecayTakenOut<T> decay_taken_out(const T& R, const T& zeta, const HalfAngle<T>& h) {
     const T E_minus_one = exp_minus_one(T(-h.delta));
@@ -126,11 +103,6 @@ template <class T>
 ///     - \frac{uR^2}{E}\left[\cos b + \zeta_i\frac{\sin b}{w} - e^{-a}\cos\sigma\right]\right\} \f]
 /// @eq{57}  @derivation{evaluation_of_motion}
 /// @domain{0 < sigma < pi, R > 0, 0 <= zeta < 1; keeps its digits for sigma up to pi/2, delta of 1 and more}
-/// @param sigma  time to the end of the half-period, pi - tau; radians
-/// @param R      modal frequency ratio, Eq. (22)
-/// @param zeta   modal damping ratio
-/// @param f      quotients by the decay
-/// @return       the expression under the maximum
 template <class T>
 [[nodiscard]] T s_d_integrand_after_decay(const T& sigma, const T& R, const T& zeta, const DecayTakenOut<T>& f) {
     const T w = oscillating_w(zeta);
@@ -143,11 +115,6 @@ template <class T>
 
 /// @brief The expression in (57) at the end of the half-period, \f$ -(1-g_i-2\zeta_iR_iu_{di}) \f$.
 /// @eq{57,71}  @derivation{evaluation_of_motion}  @domain{R > 0, 0 <= zeta < 1}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @param u     first damping function of the mode, Eq. (28)
-/// @param g     second damping function of the mode, Eq. (29)
-/// @return      the limit
 template <class T>
 [[nodiscard]] T s_d_at_pi(const T& R, const T& zeta, const T& u, const T& g) {
     return -paper::s_d_at_zero(R, T(-zeta), u, T(-g));
@@ -155,10 +122,6 @@ template <class T>
 
 /// @brief The same limit, the decay over the half-period taken out.
 /// @eq{57,71}  @derivation{evaluation_of_motion}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for delta of 1 and more}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @param f     quotients by the decay
-/// @return      the limit
 template <class T>
 [[nodiscard]] T s_d_at_pi_after_decay(const T& R, const T& zeta, const DecayTakenOut<T>& f) {
     return -exp(T(-pi<T>() * zeta / R)) * (f.one_minus_g - 2 * zeta * (f.u_R2 / R));
@@ -167,11 +130,7 @@ template <class T>
 /// @brief The expression in (57) of a mode below \f$ \zeta = 1 \f$, its limits at both ends included: the form that keeps its
 /// digits at this place.
 /// @eq{57,71}  @derivation{evaluation_of_motion}  @domain{0 <= tau <= pi, R > 0, 0 <= zeta < 1}
-/// @param tau   non-dimensional time, Eq. (5); radians
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @param f     damping functions of the mode, Eqs. (28), (29)
-/// @return      the expression; not finite at the poles at zeta = 0, R = 1/n, n odd
+/// @return the expression; not finite at the poles at zeta = 0, R = 1/n, n odd
 template <class T>
 [[nodiscard]] T oscillating_s_d_integrand(const T& tau, const T& R, const T& zeta, const DampingFunctions<T>& f) {
     const bool heavy = 2 * zeta >= 1, large = 4 * R >= 5, late = 2 * tau > pi<T>();
@@ -191,11 +150,6 @@ template <class T>
 /// @brief The expression in (57) from the rate of the braces of (40).
 /// \f[ \frac{R_i^2}{\sin\tau}\left\{\frac{d}{d\tau}\left[1-(1+g_i)d_i-u_{di}R_iq_i\right] + u_{di}\cos\tau\right\} \f]
 /// @eq{57}  @derivation{overdamped_modes}  @domain{0 < tau < pi, R > 0, zeta >= 0}
-/// @param tau    non-dimensional time, Eq. (5); radians
-/// @param R      modal frequency ratio, Eq. (22)
-/// @param u      first damping function of the mode, Eq. (28)
-/// @param prime  rate of the braces of (40)
-/// @return       the expression; dimensionless
 template <class T>
 [[nodiscard]] T s_d_integrand_from_rate(const T& tau, const T& R, const T& u, const T& prime) {
     return R * R * (prime + u * cos(tau)) / sin(tau);
@@ -207,12 +161,6 @@ template <class T>
 ///     - \zeta_ie^{-\zeta_ix}S\right]\right\} \f]
 /// The terms in brackets vanish at \f$ \tau \to 0 \f$ one by one.
 /// @eq{57}  @derivation{overdamped_modes}  @domain{0 < tau < pi, R > 0, zeta >= 1; keeps its digits for zeta tau / R up to 1}
-/// @param tau   non-dimensional time, Eq. (5); radians
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @param u     first damping function of the mode, Eq. (28)
-/// @param g     second damping function of the mode, Eq. (29)
-/// @return      the expression; dimensionless
 template <class T>
 [[nodiscard]] T overdamped_s_d_integrand_from_start(const T& tau, const T& R, const T& zeta, const T& u, const T& g) {
     const T x = tau / R;
@@ -225,11 +173,6 @@ template <class T>
 
 /// @brief The expression in (57) of a mode from \f$ \zeta = 1 \f$ on, its limits at both ends included.
 /// @eq{57,71}  @derivation{overdamped_modes}  @domain{0 <= tau <= pi, R > 0, zeta >= 1}
-/// @param tau   non-dimensional time, Eq. (5); radians
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @param f     damping functions of the mode, Eqs. (28), (29)
-/// @return      the expression
 template <class T>
 [[nodiscard]] T overdamped_s_d_integrand(const T& tau, const T& R, const T& zeta, const DampingFunctions<T>& f) {
     if (!(tau > 0)) return paper::s_d_at_zero(R, zeta, f.u, f.g);
@@ -241,11 +184,7 @@ template <class T>
 
 /// @brief The expression in (57) of a mode with what has been found for (28) and (29), in the type of these.
 /// @eq{57,71}  @derivation{evaluation_of_motion}  @domain{0 <= tau <= pi, R > 0, zeta >= 0}
-/// @param tau   non-dimensional time, Eq. (5); radians
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @param f     damping functions of the mode, Eqs. (28), (29)
-/// @return      the expression; not finite at the poles at zeta = 0, R = 1/n, n odd
+/// @return the expression; not finite at the poles at zeta = 0, R = 1/n, n odd
 template <class T>
 [[nodiscard]] T s_d_integrand_of(const T& tau, const T& R, const T& zeta, const DampingFunctions<T>& f) {
     return zeta >= 1 ? overdamped_s_d_integrand(tau, R, zeta, f) : oscillating_s_d_integrand(tau, R, zeta, f);

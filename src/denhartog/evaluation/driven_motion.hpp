@@ -4,6 +4,11 @@
 /// The paper's terms are gathered by what changes with time: the rest under the constant force, the harmonic motion, and the
 /// free motion of what the start has more than these. Next to resonance the harmonic and the free part are large and cancel;
 /// there their sum, the response from rest, is formed as one. Every form is branch-free and proved.
+///
+/// R is the modal frequency ratio (22), `gap` is 1 - 1/R^2 as near to resonance as it is known, and a is the decay rate zeta/R.
+/// The harmonic motion is Re{X exp(i tau)}, and `at_rest` is the displacement at rest under the constant force. The free motions
+/// (A.8) are those over the time t from the start; `cosine` and `sine` are those of tau at the instant, cos_0 and sin_0 at the
+/// start.
 #pragma once
 
 #include "denhartog/evaluation/mode.hpp"
@@ -25,8 +30,6 @@ template <class T>
 }
 
 /// @brief \f$ (e^z-1)/z \f$ of a complex number, which is 1 at 0; `derivation/stand_ins.hpp` has its stand-in.
-/// @param z  a complex number
-/// @return   the quotient
 template <class T>
 [[nodiscard]] Complex<T> exp_minus_one_over(const Complex<T>& z) {
     const T nothing = std::numeric_limits<T>::epsilon() / 4;
@@ -39,9 +42,6 @@ template <class T>
 /// @brief \f$ R^2v_d \f$ from the gap \f$ 1-1/R^2 \f$ and the decay \f$ a = \zeta/R \f$.
 /// \f[ R^2v_d = -\frac{(1-R^{-2}) + 2ia}{(1-R^{-2})^2+4a^2} \f]
 /// @eq{23}  @derivation{driven_motion}  @domain{R > 0, zeta >= 0; at zeta = 0 a pole at R = 1}
-/// @param gap  1 - 1/R^2, as near to resonance as it is known
-/// @param a    decay rate zeta / R
-/// @return     the response to a unit harmonic force
 template <class T>
 [[nodiscard]] Complex<T> response_by_R_squared(const T& gap, const T& a) {
     const T size = gap * gap + 4 * a * a;
@@ -50,12 +50,6 @@ template <class T>
 
 /// @brief What the start has more than the rest under the constant force and the harmonic motion.
 /// @eq{A.5,A.6}  @derivation{driven_motion}
-/// @param start    displacement and velocity at the start
-/// @param at_rest  displacement at rest under the constant force
-/// @param X        complex amplitude of the harmonic motion, Re{X exp(i tau)}
-/// @param cos_0    cosine of tau at the start
-/// @param sin_0    sine of tau at the start
-/// @return         the start of the free motion
 template <class T>
 [[nodiscard]] InitialValues<T> free_start(const InitialValues<T>& start, const T& at_rest, const Complex<T>& X, const T& cos_0,
                                           const T& sin_0) {
@@ -64,14 +58,6 @@ template <class T>
 
 /// @brief Displacement and velocity under a constant and a harmonic force.
 /// @eq{A.6,A.7,A.8,A.9}  @derivation{driven_motion}  @domain{R > 0, zeta >= 0}
-/// @param free     free motions (A.8) over the time from the start, their rates (A.9)
-/// @param R        modal frequency ratio, Eq. (22)
-/// @param start    start of the free motion
-/// @param at_rest  displacement at rest under the constant force
-/// @param X        complex amplitude of the harmonic motion
-/// @param cosine   cosine of tau at the instant
-/// @param sine     sine of tau at the instant
-/// @return         displacement and velocity at the instant
 template <class T>
 [[nodiscard]] InitialValues<T> driven_motion(const FreeMotion<T>& free, const T& R, const InitialValues<T>& start,
                                              const T& at_rest, const Complex<T>& X, const T& cosine, const T& sine) {
@@ -82,10 +68,6 @@ template <class T>
 /// @brief By how much the damped frequency differs from that of the force.
 /// \f[ 1-\frac{w}{R} = \frac{(1-R^{-2}) + \zeta^2R^{-2}}{1+w/R} \f]
 /// @eq{A.8}  @derivation{driven_motion}  @domain{R > 0, 0 <= zeta < 1; keeps its digits next to R = 1, zeta = 0}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @param gap   1 - 1/R^2, as near to resonance as it is known
-/// @return      the difference
 template <class T>
 [[nodiscard]] T detuning(const T& R, const T& zeta, const T& gap) {
     const T w = oscillating_w(zeta);
@@ -160,13 +142,6 @@ struct DrivenStart {
 
 /// @brief Displacement and velocity of a driven coordinate, in the form that it is prepared for.
 /// @eq{A.6,A.7}  @derivation{solver_selections}  @domain{t >= 0, R > 0, zeta >= 0}
-/// @param free    the free motion at that time, by `free_motion`
-/// @param t       time from the start
-/// @param c       the coordinate
-/// @param start   the start
-/// @param cosine  cosine of tau at the instant
-/// @param sine    sine of tau at the instant
-/// @return        displacement and velocity
 template <class T>
 [[nodiscard]] InitialValues<T> motion_of_coordinate(const FreeMotion<T>& free, const T& t, const DrivenCoordinate<T>& c,
                                                     const DrivenStart<T>& start, const T& cosine, const T& sine) {

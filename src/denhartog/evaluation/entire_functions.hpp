@@ -4,7 +4,8 @@
 /// There \f$ w = i w_1 \f$ with \f$ w_1 = \sqrt{\zeta^2-1} \f$, and \f$ \cos wx = \cosh w_1x \f$,
 /// \f$ \sin(wx)/w = \sinh(w_1x)/w_1 \f$: real, and at \f$ \zeta = 1 \f$ no exception. The rates of decay are
 /// \f$ a = \zeta - w_1 = 1/(\zeta+w_1) \f$ and \f$ 1/a \f$. The functions that compare numbers have a stand-in in
-/// `derivation/stand_ins.hpp`, which is the formula of their comment; the others are proved as they stand.
+/// `derivation/stand_ins.hpp`, which is the formula of their comment; the others are proved as they stand. The series keep their
+/// digits where \f$ w_1x \f$ is not much beyond 1.
 #pragma once
 
 #include "denhartog/evaluation/special.hpp"
@@ -12,16 +13,12 @@
 namespace denhartog::evaluation {
 
 /// @brief \f$ w_1 = \sqrt{\zeta-1}\,\sqrt{\zeta+1} \f$, without the overflow of a square.
-/// @param zeta  modal damping ratio, 1 or more
-/// @return      sqrt(zeta^2 - 1)
 template <class T>
 [[nodiscard]] T overdamped_w(const T& zeta) {
     return sqrt(T(zeta - 1)) * sqrt(T(zeta + 1));
 }
 
 /// @brief The slow rate \f$ a = 1/(\zeta+w_1) \f$, in which nothing cancels.
-/// @param zeta  modal damping ratio, 1 or more
-/// @return      zeta - sqrt(zeta^2 - 1)
 template <class T>
 [[nodiscard]] T slow_rate(const T& zeta) {
     return 1 / (zeta + overdamped_w(zeta));
@@ -34,35 +31,25 @@ template <class T>
 }
 
 /// @brief \f$ \sinh(w_1x)/(w_1x) \f$ by its series in \f$ (w_1x)^2 \f$; 1 at \f$ \zeta = 1 \f$.
-/// @param zeta  modal damping ratio, 1 or more
-/// @param x     a number, w_1 x not much beyond 1
-/// @return      the quotient
 template <class T>
 [[nodiscard]] T overdamped_sinc(const T& zeta, const T& x) {
     return 1 + odd_series_without_leading_term(square_of_overdamped_angle(zeta, x));
 }
 
 /// @brief \f$ \cosh w_1x - 1 = \tfrac12(w_1x)^2\left[\sinh(\tfrac12w_1x)/(\tfrac12w_1x)\right]^2 \f$.
-/// @param zeta  modal damping ratio, 1 or more
-/// @param x     a number, w_1 x not much beyond 1
-/// @return      the hyperbolic cosine less 1
 template <class T>
 [[nodiscard]] T overdamped_cosine_less_one(const T& zeta, const T& x) {
     const T half = overdamped_sinc(zeta, T(x / 2));
     return square_of_overdamped_angle(zeta, x) / 2 * half * half;
 }
 
-/// @brief \f$ \cosh w_1x \f$. @param zeta modal damping ratio, 1 or more @param x a number, w_1 x not much beyond 1
-/// @return the hyperbolic cosine
+/// @brief \f$ \cosh w_1x \f$.
 template <class T>
 [[nodiscard]] T overdamped_cosine(const T& zeta, const T& x) {
     return 1 + overdamped_cosine_less_one(zeta, x);
 }
 
-/// @brief \f$ (1-e^{-2w_1x})/(2w_1) \f$.
-/// @param zeta  modal damping ratio, above 1
-/// @param x     a number, not negative
-/// @return      the quotient
+/// @brief \f$ (1-e^{-2w_1x})/(2w_1) \f$, \f$ \zeta > 1 \f$, \f$ x \ge 0 \f$.
 template <class T>
 [[nodiscard]] T overdamped_difference(const T& zeta, const T& x) {
     const T w = overdamped_w(zeta);

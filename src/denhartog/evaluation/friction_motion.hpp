@@ -7,6 +7,9 @@
 /// difference: then all terms are positive. What is left to cancel between \f$ 1-d \f$, \f$ g\,d \f$ and \f$ u R q \f$, next to
 /// the zeros of the braces, is no more than the last place of \f$ \tau \f$ makes of them. The forms of \f$ 1-d \f$ are
 /// branch-free and proved; only the selection compares numbers.
+///
+/// R is the modal frequency ratio (22), zeta the modal damping ratio, x = tau/R, w = sqrt(1-zeta^2) or 0, q and d are (A.8), and
+/// u, g are (28), (29).
 #pragma once
 
 #include <type_traits>
@@ -18,11 +21,6 @@ namespace denhartog::evaluation {
 /// @brief \f$ 1-d \f$ from \f$ m = 1-e^{-\zeta x} \f$, the half angle and q.
 /// \f[ 1-d = m + 2(1-m)\sin^2\frac{wx}{2} - \zeta q \f]
 /// @eq{A.8}  @derivation{evaluation_of_motion}  @domain{x >= 0, 0 <= zeta < 1; keeps its digits for x of 2 zeta and more}
-/// @param x     time over R
-/// @param zeta  modal damping ratio
-/// @param w     \f$ \sqrt{1-\zeta^2} \f$, as `oscillating_w` has it
-/// @param q     free motion from unit velocity over R, Eq. (A.8)
-/// @return      1 - d
 template <class T>
 [[nodiscard]] T one_minus_d_half_angle(const T& x, const T& zeta, const T& w, const T& q) {
     const T m = -exp_minus_one(T(-zeta * x));
@@ -34,10 +32,6 @@ template <class T>
 /// \f[ 1-d = \frac{m^2}{2} + (1-m)\left[2\sin^2\frac{wx}{2} + \zeta x\left(\frac{\sinh\zeta x}{\zeta x} - \frac{\sin wx}{wx}
 ///     \right)\right] \f]
 /// @eq{A.8}  @derivation{evaluation_of_motion}  @domain{x >= 0, 0 <= zeta < 1; keeps its digits for x up to 2}
-/// @param x     time over R
-/// @param zeta  modal damping ratio
-/// @param w     \f$ \sqrt{1-\zeta^2} \f$, as `oscillating_w` has it
-/// @return      1 - d
 template <class T>
 [[nodiscard]] T one_minus_d_of_positive_terms(const T& x, const T& zeta, const T& w) {
     const T m = -exp_minus_one(T(-zeta * x));
@@ -49,9 +43,6 @@ template <class T>
 /// \f[ 1-d = \tfrac12(1-e^{-ax})(1-e^{-bx}) + e^{-\zeta x}\zeta x\left(\frac{\sinh\zeta x}{\zeta x} - \frac{\sinh w_1x}{w_1x}
 ///     \right) \f]
 /// @eq{A.8}  @derivation{overdamped_modes}  @domain{x >= 0, zeta >= 1; keeps its digits for zeta x up to 4}
-/// @param x     time over R
-/// @param zeta  modal damping ratio
-/// @return      1 - d
 template <class T>
 [[nodiscard]] T overdamped_one_minus_d_of_positive_terms(const T& x, const T& zeta) {
     const T slow = exp_minus_one(T(-slow_rate(zeta) * x)), fast = exp_minus_one(T(-(zeta + overdamped_w(zeta)) * x));
@@ -60,10 +51,6 @@ template <class T>
 
 /// @brief \f$ 1-d = (1-e^{-ax}) - q/b \f$ for \f$ \zeta \ge 1 \f$.
 /// @eq{A.8}  @derivation{overdamped_modes}  @domain{x >= 0, zeta >= 1; keeps its digits for zeta x of 2 and more}
-/// @param x     time over R
-/// @param zeta  modal damping ratio
-/// @param q     free motion from unit velocity over R, Eq. (A.8)
-/// @return      1 - d
 template <class T>
 [[nodiscard]] T overdamped_one_minus_d_of_slow_rate(const T& x, const T& zeta, const T& q) {
     return -exp_minus_one(T(-slow_rate(zeta) * x)) - q / (zeta + overdamped_w(zeta));
@@ -71,12 +58,6 @@ template <class T>
 
 /// @brief The braces of (40) with their derivatives from the free motions.
 /// @eq{40,A.8,A.9}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0}
-/// @param free         the free motions at the instant
-/// @param one_minus_d  1 - d there
-/// @param R            modal frequency ratio, Eq. (22)
-/// @param u            first damping function of the mode, Eq. (28)
-/// @param g            second damping function of the mode, Eq. (29)
-/// @return             value and derivatives in tau; dimensionless
 template <class T>
 [[nodiscard]] FrictionMotion<T> friction_motion_of(const FreeMotion<T>& free, const T& one_minus_d, const T& R, const T& u,
                                                    const T& g) {
@@ -86,11 +67,6 @@ template <class T>
 
 /// @brief \f$ 1-d \f$: the form that keeps its digits at this place.
 /// @eq{A.8}  @derivation{evaluation_of_motion}  @domain{x >= 0, zeta >= 0}
-/// @param x     time over R
-/// @param zeta  modal damping ratio
-/// @param w     as `w_if_oscillating` has it
-/// @param q     free motion from unit velocity over R, Eq. (A.8)
-/// @return      1 - d
 template <class T>
 [[nodiscard]] T one_minus_d(const T& x, const T& zeta, const T& w, const T& q) {
     if (zeta >= 1)
@@ -100,13 +76,6 @@ template <class T>
 
 /// @brief The braces of (40) with their first two derivatives: the forms that keep their digits at this place, float in double.
 /// @eq{40,A.8,A.9}  @derivation{evaluation_forms}  @domain{0 <= tau <= pi, R > 0, zeta >= 0}
-/// @param tau   non-dimensional time, Eq. (5); radians
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @param w     as `w_if_oscillating` has it
-/// @param u     first damping function of the mode, Eq. (28)
-/// @param g     second damping function of the mode, Eq. (29)
-/// @return      value and derivatives; dimensionless
 template <class T>
 [[nodiscard]] FrictionMotion<T> friction_motion(const T& tau, const T& R, const T& zeta, const T& w, const T& u, const T& g) {
     if constexpr (std::is_same_v<T, float>) {

@@ -1,5 +1,7 @@
 /// @file
 /// @brief What callers get for (44), (45): no angle is formed, and a node (a mass with no response function) is no exception.
+///
+/// V_dk, U_dk, G_k are (33)-(35) of a mass, with j those of the mass in contact, and beta is the friction ratio (11).
 #pragma once
 
 #include <span>
@@ -34,11 +36,6 @@ struct MotionOfMass {
 /// @brief The harmonic part of (46) as corrected, with \f$ |V_{dk}|\cos\Delta/|V_{dj}| \f$ as
 /// \f$ \mathrm{Re}\{V_{dk}V_{dj}^*\}/|V_{dj}|^2 \f$.
 /// @eq{42,43,46}  @derivation{evaluation_forms}  @domain{sliding regime, Eq. (69); V_dj not zero}
-/// @param V_dk  complex response function of the mass, Eq. (33)
-/// @param V_dj  complex response function of the mass in contact, Eq. (33)
-/// @param U_dj  first damping function of the mass in contact, Eq. (34)
-/// @param beta  friction ratio, Eq. (11)
-/// @return      A and B, in units of P / k_1
 template <class T>
 [[nodiscard]] HarmonicPart<T> harmonic_part(const Complex<T>& V_dk, const Complex<T>& V_dj, const T& U_dj, const T& beta) {
     const T root = contact_root(V_dj, U_dj, beta);
@@ -50,13 +47,7 @@ template <class T>
 
 /// @brief (44) and (45) as corrected: the harmonic part less what friction has of it at tau = 0.
 /// @eq{44,45}  @derivation{evaluation_forms}  @domain{sliding regime, Eq. (69); V_dj not zero}
-/// @param V_dk  complex response function of the mass, Eq. (33)
-/// @param V_dj  complex response function of the mass in contact, Eq. (33)
-/// @param U_dj  first damping function of the mass in contact, Eq. (34)
-/// @param U_dk  first damping function of the mass, Eq. (34)
-/// @param G_k   second damping function of the mass, Eq. (35)
-/// @param beta  friction ratio, Eq. (11)
-/// @return      x_k0 and x'_k0, in units of P / k_1
+/// @return x_k0 and x'_k0, in units of P / k_1
 template <class T>
 [[nodiscard]] InitialState<T> initial_state(const Complex<T>& V_dk, const Complex<T>& V_dj, const T& U_dj, const T& U_dk,
                                             const T& G_k, const T& beta) {

@@ -9,6 +9,9 @@
 /// another order, or with a factor `scale`, a power of two that every form is free of. Every form is branch-free and proved equal
 /// to the paper's in `derivation/evaluation_forms.cpp`; only the selection compares numbers. From \f$ \zeta = 1 \f$ on, which the
 /// paper leaves out, the selection goes to the forms of `overdamped.hpp`.
+///
+/// R is the modal frequency ratio (22), zeta the modal damping ratio, h the half angle and the exponent, and `scale` lifts a
+/// subnormal zeta.
 #pragma once
 
 #include <limits>
@@ -17,17 +20,12 @@
 #include "denhartog/evaluation/overdamped.hpp"
 #include "denhartog/evaluation/special.hpp"
 #include "denhartog/formulas/mode.hpp"
-#include "denhartog/number/double_double.hpp"
 
 namespace denhartog::evaluation {
 
 /// @brief \f$ v_{di} \f$ with \f$ a = (1-R)(1+R) \f$, exact to rounding near resonance, and \f$ b = 2\zeta R \f$: a is larger.
 /// \f[ \mathrm{Re}\{v\} = \frac{1}{a + b\,(b/a)}, \qquad \mathrm{Im}\{v\} = -\frac{b}{a}\,\mathrm{Re}\{v\} \f]
 /// @eq{23}  @derivation{evaluation_forms}  @domain{0 < R < 2, zeta >= 0, R not 1; keeps its digits for |a| >= b}
-/// @param R      modal frequency ratio, Eq. (22)
-/// @param zeta   modal damping ratio
-/// @param scale  a power of two by which a subnormal zeta is lifted
-/// @return       v_di
 template <class T>
 [[nodiscard]] Complex<T> complex_response_off_resonance(const T& R, const T& zeta, const T& scale) {
     const T a = (1 - R) * (1 + R);
@@ -39,9 +37,6 @@ template <class T>
 /// @brief \f$ v_{di} \f$ with a and b as off resonance, where b is larger.
 /// \f[ \mathrm{Im}\{v\} = -\frac{1}{b + a\,(a/b)}, \qquad \mathrm{Re}\{v\} = -\frac{a}{b}\,\mathrm{Im}\{v\} \f]
 /// @eq{23}  @derivation{evaluation_forms}  @domain{0 < R < 2, zeta > 0; keeps its digits for |a| <= b}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @return      v_di
 template <class T>
 [[nodiscard]] Complex<T> complex_response_near_resonance(const T& R, const T& zeta) {
     const T a = (1 - R) * (1 + R);
@@ -54,9 +49,6 @@ template <class T>
 /// @brief \f$ v_{di} \f$ in \f$ p = 1/R \f$: no square of R overflows.
 /// \f[ v_{di} = \frac{A - iB}{R^2\,(A^2+B^2)}, \qquad A = p^2-1,\quad B = 2\zeta p \f]
 /// @eq{23}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R of 2 and more}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @return      v_di
 template <class T>
 [[nodiscard]] Complex<T> complex_response_high_frequency(const T& R, const T& zeta) {
     const T p = 1 / R;
@@ -68,9 +60,7 @@ template <class T>
 
 /// @brief \f$ v_{di} \f$: the form that keeps its digits at this place.
 /// @eq{23}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @return      v_di; not a number at its pole R = 1, zeta = 0
+/// @return v_di; not a number at its pole R = 1, zeta = 0
 template <class T>
 [[nodiscard]] Complex<T> complex_response(const T& R, const T& zeta) {
     if (R >= 2) return zeta >= 1 ? overdamped_response(R, zeta) : complex_response_high_frequency(R, zeta);
@@ -92,9 +82,6 @@ struct HalfAngle {
 /// @brief Half angle as a difference, and the exponent of the decay over the half-period.
 /// \f[ \frac{\theta}{2} = \frac{\pi}{2R} - \frac{\pi(1-w)}{2R}, \qquad \delta = \frac{\pi\zeta}{R} \f]
 /// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for zeta below 1/2}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @return      w, delta, sine and cosine of the half angle
 template <class T>
 [[nodiscard]] HalfAngle<T> half_angle(const T& R, const T& zeta) {
     const SineCosine<T> half = sine_cosine_of_half_period(R, T(one_minus_w(zeta) / (2 * R)));
@@ -104,9 +91,6 @@ template <class T>
 
 /// @brief Half angle as a product, which keeps its digits where w is small, and the exponent of the decay.
 /// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for zeta of 1/2 and more}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @return      w, delta, sine and cosine of the half angle
 template <class T>
 [[nodiscard]] HalfAngle<T> half_angle_of_heavy_damping(const T& R, const T& zeta) {
     const T w = oscillating_w(zeta);
@@ -118,10 +102,6 @@ template <class T>
 /// @brief (28) and (29) in decaying exponentials and half angles.
 /// \f[ u = \frac{4Esc}{R\,w\,[(1-E)^2+4Ec^2]}, \qquad g = \frac{(1-E)(1+E) - 4E\frac{\zeta}{w}sc}{(1-E)^2+4Ec^2} \f]
 /// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R below 5/4}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @param h     half angle and exponent
-/// @return      u, g
 template <class T>
 [[nodiscard]] DampingFunctions<T> damping_functions_half_angle(const T& R, const T& zeta, const HalfAngle<T>& h) {
     const T root_E = exp(T(-h.delta / 2));
@@ -135,11 +115,6 @@ template <class T>
 /// @brief (28) and (29) with \f$ \delta \f$ taken out of the numerator of (29), where a subnormal zeta would lose its digits.
 /// \f[ g = \frac{\delta}{(1-E)^2+4Ec^2}\left[(1+E)\frac{1-E}{\delta} - \frac{4ERsc}{\pi w}\right] \f]
 /// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R below 5/4}
-/// @param R      modal frequency ratio, Eq. (22)
-/// @param zeta   modal damping ratio
-/// @param h      half angle and exponent
-/// @param scale  a power of two by which a subnormal zeta is lifted
-/// @return       u, g
 template <class T>
 [[nodiscard]] DampingFunctions<T> damping_functions_slight_damping(const T& R, const T& zeta, const HalfAngle<T>& h,
                                                                    const T& scale) {
@@ -157,11 +132,6 @@ template <class T>
 /// \f[ u = \frac{sc}{R\,w\,(\sinh^2\frac{\delta}{2}+c^2)}, \qquad
 ///     g = \frac{\delta\left[\frac{\sinh\delta}{\delta}-\frac{\sin\theta}{\theta}\right]}{2\,(\sinh^2\frac{\delta}{2}+c^2)} \f]
 /// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R of 5/4 and more}
-/// @param R      modal frequency ratio, Eq. (22)
-/// @param zeta   modal damping ratio
-/// @param h      half angle and exponent
-/// @param scale  a power of two by which a subnormal zeta is lifted
-/// @return       u, g
 template <class T>
 [[nodiscard]] DampingFunctions<T> damping_functions_small_argument(const T& R, const T& zeta, const HalfAngle<T>& h,
                                                                    const T& scale) {
@@ -177,8 +147,6 @@ template <class T>
 /// With \f$ y = \zeta^2/[2(1+w)] \f$, \f$ t = \sin(\pi y)/\zeta^2 \f$, \f$ s = \cos\pi y \f$, \f$ e = (1-E)/\zeta \f$
 /// \f[ u = \frac{4Ets}{w\,(e^2+4E\zeta^2t^2)}, \qquad g = \frac{(1+E)\,e - 4E\frac{\zeta^2}{w}ts}{\zeta\,(e^2+4E\zeta^2t^2)} \f]
 /// @eq{28,29}  @derivation{evaluation_forms}  @domain{R = 1, 0 < zeta < 1; keeps its digits for zeta below 1/2}
-/// @param zeta  modal damping ratio
-/// @return      u, g
 template <class T>
 [[nodiscard]] DampingFunctions<T> damping_functions_at_resonance(const T& zeta) {
     const T w = oscillating_w(zeta);
@@ -192,8 +160,7 @@ template <class T>
 }
 
 /// @brief Whether R is 1/n, n odd, to the last place: what a mode without damping has there is not told from its pole.
-/// @param R  modal frequency ratio, Eq. (22)
-/// @return   whether 1/(2R), rounded, is half an odd number
+/// @return whether 1/(2R), rounded, is half an odd number
 template <class T>
 [[nodiscard]] bool at_undamped_pole(const T& R) {
     return cos_pi(T(1 / (2 * R))) == 0;
@@ -201,9 +168,6 @@ template <class T>
 
 /// @brief \f$ u_{di} \f$ and \f$ g_i \f$: the form that keeps its digits at this place.
 /// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0, but for the poles at zeta = 0}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @return      u, g
 template <class T>
 [[nodiscard]] DampingFunctions<T> selected_damping_functions(const T& R, const T& zeta) {
     if (zeta >= 1) return overdamped_functions(R, zeta);
@@ -216,28 +180,23 @@ template <class T>
     return damping_functions_half_angle(R, zeta, h);
 }
 
-/// @brief \f$ u_{di} \f$ and \f$ g_i \f$ as callers get them: in the next wider type under heavy damping, where the roundings of
-/// w, of the decay and of its square add up to four units, and in float, so that (40) keeps its digits.
+/// @brief \f$ u_{di} \f$ and \f$ g_i \f$ as callers get them: those of float in double, so that (40) keeps its digits.
 /// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @return      u, g; not finite at the poles at zeta = 0, R = 1/n, n odd
+/// @return u, g; not finite at the poles at zeta = 0, R = 1/n, n odd
 template <class T>
 [[nodiscard]] DampingFunctions<T> damping_functions(const T& R, const T& zeta) {
-    using Wide = typename WiderOf<T>::type;
     if (zeta == 0 && at_undamped_pole(R)) return {T(1 / zeta), T(zeta / zeta)};
-    if (!std::is_same_v<T, float> && (2 * zeta < 1 || zeta >= 1)) return selected_damping_functions(R, zeta);
-    if constexpr (std::is_same_v<T, double>) // sums of two doubles leave their range further out, where nothing adds up
-        if (!(R > 0x1p-100 && R < 0x1p100)) return selected_damping_functions(R, zeta);
-    const DampingFunctions<Wide> f = selected_damping_functions(Wide(R), Wide(zeta));
-    return {static_cast<T>(f.u), static_cast<T>(f.g)};
+    if constexpr (std::is_same_v<T, float>) {
+        const DampingFunctions<double> f = selected_damping_functions<double>(R, zeta);
+        return {static_cast<T>(f.u), static_cast<T>(f.g)};
+    } else {
+        return selected_damping_functions(R, zeta);
+    }
 }
 
 /// @brief \f$ v_{di} \f$, \f$ u_{di} \f$ and \f$ g_i \f$: the form that keeps its digits at this place.
 /// @eq{23,28,29}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @return      v, u, g; not finite at the poles that (23), (28), (29) have at zeta = 0
+/// @return v, u, g; not finite at the poles that (23), (28), (29) have at zeta = 0
 template <class T>
 [[nodiscard]] ModeFunctions<T> mode_functions(const T& R, const T& zeta) {
     const DampingFunctions<T> f = damping_functions(R, zeta);
@@ -250,11 +209,6 @@ template <class T>
 /// The decay is the square of a root, between whose factors 1/R stands: neither leaves the range of the number type before the
 /// rates do.
 /// @eq{A.8,A.9}  @derivation{evaluation_of_motion}  @domain{tau >= 0, R > 0, 0 <= zeta < 1}
-/// @param tau   non-dimensional time, Eq. (5); radians
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @param w     \f$ \sqrt{1-\zeta^2} \f$, as `oscillating_w` has it
-/// @return      the free motions and their rates
 template <class T>
 [[nodiscard]] FreeMotion<T> oscillating_free_motion(const T& tau, const T& R, const T& zeta, const T& w) {
     const T x = tau / R;
@@ -269,11 +223,6 @@ template <class T>
 
 /// @brief Free motions (A.8) of a mode and their rates (A.9): the form that keeps its digits at this place.
 /// @eq{A.8,A.9}  @derivation{evaluation_of_motion}  @domain{tau >= 0, R > 0, zeta >= 0}
-/// @param tau   non-dimensional time, Eq. (5); radians
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @param w     as `w_if_oscillating` has it
-/// @return      the free motions and their rates
 template <class T>
 [[nodiscard]] FreeMotion<T> free_motion(const T& tau, const T& R, const T& zeta, const T& w) {
     if (zeta >= 1) return with_rates_in_tau(overdamped_free_motion(T(tau / R), zeta), R);

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <sstream>
 
 #include "denhartog/evaluation/vector_functions.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/number_text.hpp"
 
 namespace denhartog::evaluation {
 namespace {
@@ -107,15 +107,8 @@ Compute compute_with(Vectors vectors) {
     return vectors == Vectors::baseline ? compute_baseline : nullptr;
 }
 
-std::string text(double x) {
-    std::ostringstream out;
-    out.precision(17);
-    out << x;
-    return out.str();
-}
-
 void check_arguments(std::span<const double> R, double zeta, const ModeArrays& out, Vectors vectors) {
-    if (!(zeta >= 0 && std::isfinite(zeta))) throw InputError("zeta", "must be finite and at least 0", text(zeta));
+    if (!(zeta >= 0 && std::isfinite(zeta))) throw InputError("zeta", "must be finite and at least 0", number_to_text(zeta));
     for (const std::size_t size : {out.v_re.size(), out.v_im.size(), out.u.size(), out.g.size(), out.at_pole.size()})
         if (size != R.size())
             throw InputError("an array of results", "must have the length of R, " + std::to_string(R.size()),
@@ -173,7 +166,8 @@ std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArr
         for (std::size_t i = start; i < start + n; ++i) {
             const bool outside = without_vectors || ratio_beyond_vectors(R[i], vector_range);
             if (outside || !finite(out, i) || (zeta == 0 && at_undamped_pole(R[i]))) {
-                if (!(R[i] > 0) || !std::isfinite(R[i])) throw InputError("R", "must be positive and finite", text(R[i]));
+                if (!(R[i] > 0) || !std::isfinite(R[i]))
+                    throw InputError("R", "must be positive and finite", number_to_text(R[i]));
                 const ModeFunctions<double> f = mode_functions(R[i], zeta);
                 out.v_re[i] = f.v.re;
                 out.v_im[i] = f.v.im;
@@ -186,10 +180,6 @@ std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArr
     }
     scalar_evaluations += static_cast<long>(scalar);
     return scalar;
-}
-
-std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArrays& out) {
-    return mode_functions(R, zeta, out, supported_vectors().back());
 }
 
 long array_mode_evaluations() { return evaluated; }

@@ -51,18 +51,12 @@ enum class Vectors : std::uint8_t {
 /// @param R        modal frequency ratios, Eq. (22)
 /// @param zeta     modal damping ratio
 /// @param out      arrays as long as R
-/// @param vectors  width of the vectors, one that this processor has
+/// @param vectors  width of the vectors, one that this processor has; the widest where none is chosen
 /// @return         how many R were left to the scalar forms
 /// @throws         InputError where zeta is negative or not finite, an R is not positive and finite, an array has another
 ///                 length than R, or the processor has no vectors of that width
-std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArrays& out, Vectors vectors);
-
-/// @brief The same with the widest vectors of this processor.
-/// @param R     modal frequency ratios, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @param out   arrays as long as R
-/// @return      how many R were left to the scalar forms
-std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArrays& out);
+std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArrays& out,
+                           Vectors vectors = supported_vectors().back());
 
 /// @brief Number of modes evaluated over arrays since the program started, one a frequency ratio; tests gate on it.
 /// @return the count, over all threads

@@ -8,6 +8,8 @@
 /// \f$ e^{-x/a} \f$, \f$ a = \zeta - w_1 \f$. Every form is branch-free and proved in `derivation/overdamped_modes.cpp`, from
 /// the equation of motion of the mode and the conditions at \f$ \tau = \pi \f$; `damping_functions_of_free_motion` is the
 /// paper's formula below \f$ \zeta = 1 \f$ too. Only the selections, at the end, compare numbers.
+///
+/// R is the modal frequency ratio (22), zeta the modal damping ratio, x = tau/R, and h the parts at the end of the half-period.
 #pragma once
 
 #include "denhartog/evaluation/entire_functions.hpp"
@@ -18,9 +20,6 @@ namespace denhartog::evaluation {
 /// @brief \f$ v_{di} \f$ in \f$ p = 1/R \f$ where \f$ A = (p-1)(p+1) \f$ is larger than \f$ B = 2\zeta p \f$.
 /// \f[ \mathrm{Re}\{v\} = \frac{p^2}{A + B\,(B/A)}, \qquad \mathrm{Im}\{v\} = -\frac{B}{A}\,\mathrm{Re}\{v\} \f]
 /// @eq{23}  @derivation{overdamped_modes}  @domain{R > 0, zeta >= 0, R not 1; keeps its digits for R of 2 and more}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @return      v_di
 template <class T>
 [[nodiscard]] Complex<T> complex_response_above_resonance(const T& R, const T& zeta) {
     const T p = 1 / R;
@@ -33,9 +32,6 @@ template <class T>
 /// @brief The same where B is larger.
 /// \f[ \mathrm{Im}\{v\} = -\frac{p^2}{B + A\,(A/B)}, \qquad \mathrm{Re}\{v\} = -\frac{A}{B}\,\mathrm{Im}\{v\} \f]
 /// @eq{23}  @derivation{overdamped_modes}  @domain{R > 0, zeta > 0; keeps its digits for R of 2 and more}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @return      v_di
 template <class T>
 [[nodiscard]] Complex<T> complex_response_of_heavy_damping(const T& R, const T& zeta) {
     const T p = 1 / R;
@@ -48,9 +44,6 @@ template <class T>
 /// @brief Free motions next to \f$ \zeta = 1 \f$, from the series of C and S in \f$ w^2x^2 \f$: \f$ d = C + \zeta S \f$,
 /// \f$ q = S \f$, \f$ dq/dx = C - \zeta S \f$, \f$ d^2q/dx^2 = \zeta^2S + (\zeta^2-1)S - 2\zeta C \f$.
 /// @eq{A.8,A.9}  @derivation{overdamped_modes}  @domain{x >= 0, zeta >= 1; keeps its digits up to w_1 x = 1}
-/// @param x     time over R
-/// @param zeta  modal damping ratio
-/// @return      the free motions, their rates those in x
 template <class T>
 [[nodiscard]] FreeMotion<T> free_motion_near_critical(const T& x, const T& zeta) {
     const T E = exp(T(-zeta * x));
@@ -62,9 +55,6 @@ template <class T>
 /// @brief Free motions from two decaying exponentials, with \f$ a = \zeta-w_1 \f$ and \f$ q = e^{-ax}(1-e^{-2w_1x})/(2w_1) \f$.
 /// \f[ d = e^{-ax} + aq, \qquad \frac{dq}{dx} = e^{-x/a} - aq, \qquad \frac{d^2q}{dx^2} = a^2q - 2\zeta e^{-x/a} \f]
 /// @eq{A.8,A.9}  @derivation{overdamped_modes}  @domain{x >= 0, zeta > 1; keeps its digits for w_1 x of 1 and more}
-/// @param x     time over R
-/// @param zeta  modal damping ratio
-/// @return      the free motions, their rates those in x
 template <class T>
 [[nodiscard]] FreeMotion<T> free_motion_of_two_rates(const T& x, const T& zeta) {
     const T a = slow_rate(zeta);
@@ -76,9 +66,7 @@ template <class T>
 
 /// @brief The rates in \f$ \tau = R_ix \f$ in place of those in x.
 /// @eq{A.9}  @derivation{overdamped_modes}  @domain{R > 0}
-/// @param free  the free motions, their rates those in x
-/// @param R     modal frequency ratio, Eq. (22)
-/// @return      the free motions, their rates those in tau
+/// @return the free motions, their rates those in tau
 template <class T>
 [[nodiscard]] FreeMotion<T> with_rates_in_tau(const FreeMotion<T>& free, const T& R) {
     return {free.d, free.q, free.d_prime / R, free.q_prime / R, free.q_double_prime / R / R};
@@ -94,9 +82,6 @@ struct HalfPeriodDecay {
 
 /// @brief \f$ \rho = e^{-\delta/2} \f$, and C, S by their series.
 /// @eq{28,29}  @derivation{overdamped_modes}  @domain{R > 0, zeta >= 1; keeps its digits up to pi w_1 / R = 1}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @return      the parts
 template <class T>
 [[nodiscard]] HalfPeriodDecay<T> half_period_near_critical(const T& R, const T& zeta) {
     const T x = pi<T>() / R;
@@ -107,9 +92,6 @@ template <class T>
 
 /// @brief \f$ \rho = e^{-\pi a/(2R)} \f$, and \f$ \Sigma = (1+e^{-\pi a/R})(1+e^{-\pi/(aR)}) \f$.
 /// @eq{28,29}  @derivation{overdamped_modes}  @domain{R > 0, zeta > 1; keeps its digits for pi w_1 / R of 1 and more}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @return      the parts
 template <class T>
 [[nodiscard]] HalfPeriodDecay<T> half_period_of_two_rates(const T& R, const T& zeta) {
     const T x = pi<T>() / R;
@@ -120,9 +102,6 @@ template <class T>
 
 /// @brief \f$ u_{di} = 2S/(R\,\Sigma) \f$, a product of positive factors.
 /// @eq{28}  @derivation{overdamped_modes}  @domain{R > 0, zeta >= 1}
-/// @param R  modal frequency ratio, Eq. (22)
-/// @param h  parts at the end of the half-period
-/// @return   u_di
 template <class T>
 [[nodiscard]] T first_damping_function_of_free_motion(const T& R, const HalfPeriodDecay<T>& h) {
     return product_over(h.root, h.K, R) * 2 / h.sum * h.root;
@@ -131,10 +110,6 @@ template <class T>
 /// @brief (28) and (29) in entire functions of \f$ w^2 \f$, with \f$ E = e^{-\delta} \f$: the paper's for every damping ratio.
 /// \f[ u = \frac{2S}{R\,\Sigma}, \qquad g = \frac{1 - E^2 - 2\zeta S}{\Sigma}, \qquad \Sigma = 1 + 2C + E^2 \f]
 /// @eq{28,29}  @derivation{overdamped_modes}  @domain{R > 0, zeta >= 0; keeps its digits for zeta >= 1, delta of 4 and more}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @param h     parts at the end of the half-period
-/// @return      u, g
 template <class T>
 [[nodiscard]] DampingFunctions<T> damping_functions_of_free_motion(const T& R, const T& zeta, const HalfPeriodDecay<T>& h) {
     const T S = h.root * h.root * h.K;
@@ -145,10 +120,6 @@ template <class T>
 /// \f[ g = \frac{2E\,\delta}{\Sigma}\left[\frac{\sinh\delta}{\delta} - \frac{\sinh\theta_1}{\theta_1}\right], \qquad
 ///     \theta_1 = \pi w_1/R \f]
 /// @eq{28,29}  @derivation{overdamped_modes}  @domain{R > 0, zeta >= 1; keeps its digits for delta up to 4}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @param h     parts at the end of the half-period
-/// @return      u, g
 template <class T>
 [[nodiscard]] DampingFunctions<T> overdamped_functions_small_argument(const T& R, const T& zeta, const HalfPeriodDecay<T>& h) {
     const T q = pi<T>() / R;
@@ -160,10 +131,6 @@ template <class T>
 /// @brief (29) where the slow rate is small: \f$ t_a = \tanh(\pi a/2R) \f$, \f$ t_b = \tanh(\pi b/2R) \f$, \f$ b = 1/a \f$.
 /// \f[ g = \frac{b\,t_a - a\,t_b}{2w_1} \f]
 /// @eq{28,29}  @derivation{overdamped_modes}  @domain{R > 0, zeta > 1; keeps its digits for pi a / R up to 3/2, delta from 4}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @param h     parts at the end of the half-period
-/// @return      u, g
 template <class T>
 [[nodiscard]] DampingFunctions<T> overdamped_functions_slow_rate(const T& R, const T& zeta, const HalfPeriodDecay<T>& h) {
     const T x = pi<T>() / R;
@@ -177,9 +144,6 @@ template <class T>
 
 /// @brief \f$ v_{di} \f$ of a mode with \f$ \zeta \ge 1 \f$ and R of 2 and more: the form that keeps its digits at this place.
 /// @eq{23}  @derivation{overdamped_modes}  @domain{R >= 2, zeta >= 1}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @return      v_di
 template <class T>
 [[nodiscard]] Complex<T> overdamped_response(const T& R, const T& zeta) {
     const T p = 1 / R;
@@ -189,9 +153,6 @@ template <class T>
 
 /// @brief \f$ u_{di} \f$ and \f$ g_i \f$ of a mode with \f$ \zeta \ge 1 \f$: the form that keeps its digits at this place.
 /// @eq{28,29}  @derivation{overdamped_modes}  @domain{R > 0, zeta >= 1}
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @return      u, g
 template <class T>
 [[nodiscard]] DampingFunctions<T> overdamped_functions(const T& R, const T& zeta) {
     const T x = pi<T>() / R;
@@ -204,9 +165,6 @@ template <class T>
 
 /// @brief Free motions of a mode with \f$ \zeta \ge 1 \f$: the form that keeps its digits at this place.
 /// @eq{A.8,A.9}  @derivation{overdamped_modes}  @domain{x >= 0, zeta >= 1}
-/// @param x     time over R
-/// @param zeta  modal damping ratio
-/// @return      the free motions, their rates those in x
 template <class T>
 [[nodiscard]] FreeMotion<T> overdamped_free_motion(const T& x, const T& zeta) {
     if (square_of_overdamped_angle(zeta, x) <= 1) return free_motion_near_critical(x, zeta);

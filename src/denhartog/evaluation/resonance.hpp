@@ -6,6 +6,9 @@
 /// which has its value at \f$ \zeta = 0 \f$, and the peak is \f$ \coth x \f$ times the distance from that boundary: it is
 /// positive exactly where the friction ratio is below the boundary as computed, and its rounding error is that of a friction
 /// ratio off by a few units in the last place.
+///
+/// psi_ki, psi_li, psi_ji are the mode's shape (17) at mass k, the load and the contact, zeta its damping ratio, beta the
+/// friction ratio (11).
 #pragma once
 
 #include "denhartog/evaluation/special.hpp"
@@ -21,8 +24,6 @@ template <class T>
 
 /// @brief (79) as \f$ \coth(\pi\zeta/2) \f$.
 /// @eq{79}  @derivation{evaluation_forms}  @domain{0 < zeta << 1}
-/// @param zeta  modal damping ratio; dimensionless
-/// @return      g_i at R_i = 1; dimensionless
 template <class T>
 [[nodiscard]] T second_damping_function_at_resonance(const T& zeta) {
     const T x = pi<T>() * zeta / 2;
@@ -31,10 +32,6 @@ template <class T>
 
 /// @brief (80) as \f$ \psi_{ki}\psi_{ji}\coth(\pi\zeta_i/2) \f$.
 /// @eq{80}  @derivation{evaluation_forms}  @domain{0 < zeta << 1}
-/// @param psi_ki  mode shape at the mass k, normalised by (17)
-/// @param psi_ji  mode shape at the mass in contact
-/// @param zeta    modal damping ratio; dimensionless
-/// @return        G_k; dimensionless
 template <class T>
 [[nodiscard]] T second_damping_function_at_resonance(const T& psi_ki, const T& psi_ji, const T& zeta) {
     return psi_ki * psi_ji * second_damping_function_at_resonance(zeta);
@@ -42,10 +39,6 @@ template <class T>
 
 /// @brief (85) as \f$ \left|\psi_{li}/\psi_{ji}\right|\,\tfrac{\pi}{4}\,\tanh(x)/x \f$, \f$ x = \pi\zeta_i/2 \f$.
 /// @eq{85}  @derivation{evaluation_forms}  @domain{0 <= zeta << 1, psi_ji not zero; zeta = 0 gives pi/4 |psi_li/psi_ji|}
-/// @param psi_li  mode shape at the loaded mass
-/// @param psi_ji  mode shape at the mass in contact
-/// @param zeta    modal damping ratio; dimensionless
-/// @return        the friction ratio; dimensionless
 template <class T>
 [[nodiscard]] T friction_ratio_limit_at_resonance(const T& psi_li, const T& psi_ji, const T& zeta) {
     return paper::magnitude(psi_li) / paper::magnitude(psi_ji) * (pi<T>() / 4 * tanhc(T(pi<T>() * zeta / 2)));
@@ -54,12 +47,7 @@ template <class T>
 /// @brief (83) as \f$ |\psi_{ki}|\left[|\psi_{li}|\tfrac{\pi}{4}\tanh(x)/x - |\psi_{ji}|\beta\right]\coth(x) \f$,
 /// \f$ x = \pi\zeta_i/2 \f$: the hyperbolic cotangent, which may be all but out of range, comes last.
 /// @eq{83}  @derivation{evaluation_forms}  @domain{0 < zeta << 1, beta below (85)}
-/// @param psi_ki  mode shape at the mass k, normalised by (17)
-/// @param psi_li  mode shape at the loaded mass
-/// @param psi_ji  mode shape at the mass in contact
-/// @param zeta    modal damping ratio; dimensionless
-/// @param beta    friction ratio, Eq. (11)
-/// @return        the approximate amplitude, in units of P / k_1; negative beyond (85), where it means nothing
+/// @return the approximate amplitude, in units of P / k_1; negative beyond (85), where it means nothing
 template <class T>
 [[nodiscard]] T resonant_peak(const T& psi_ki, const T& psi_li, const T& psi_ji, const T& zeta, const T& beta) {
     const T limit = pi<T>() / 4 * tanhc(T(pi<T>() * zeta / 2));
@@ -69,9 +57,7 @@ template <class T>
 
 /// @brief (84) as \f$ \coth(x)\left[\tfrac{\pi}{4}\tanh(x)/x - \beta\right] \f$, \f$ x = \pi\zeta/2 \f$.
 /// @eq{84}  @derivation{evaluation_forms}  @domain{0 < zeta << 1, beta below (85)}
-/// @param zeta  damping ratio; dimensionless
-/// @param beta  friction ratio, Eq. (11)
-/// @return      the approximate amplitude, in units of P / k_1; negative beyond (85), where it means nothing
+/// @return the approximate amplitude, in units of P / k_1; negative beyond (85), where it means nothing
 template <class T>
 [[nodiscard]] T resonant_peak_of_single_mass(const T& zeta, const T& beta) {
     return second_damping_function_at_resonance(zeta) * (pi<T>() / 4 * tanhc(T(pi<T>() * zeta / 2)) - beta);

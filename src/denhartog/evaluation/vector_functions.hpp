@@ -21,14 +21,7 @@ using elementary::nearest_whole;
 /// @brief 1 / n!. @param n a number up to 27 @return the inverse, rounded
 [[nodiscard]] constexpr double inverse_factorial(int n) { return elementary::inverse_factorials[n]; }
 
-/// @brief Sum of four terms of a polynomial, the pairs apart so that they do not wait for each other.
-/// @param a   first coefficient
-/// @param b   second coefficient
-/// @param c   third coefficient
-/// @param d   fourth coefficient
-/// @param z   the variable
-/// @param zz  its square
-/// @return    a + b z + c z^2 + d z^3
+/// @brief \f$ a + bz + cz^2 + dz^3 \f$, the pairs apart so that they do not wait for each other; zz is the square of z.
 [[nodiscard, gnu::always_inline]] inline double cubic(double a, double b, double c, double d, double z, double zz) {
     return (a + b * z) + (c + d * z) * zz;
 }

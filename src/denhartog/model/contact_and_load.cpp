@@ -1,10 +1,10 @@
 #include "denhartog/model/contact_and_load.hpp"
 
+#include <array>
 #include <span>
 
+#include "denhartog/evaluation/contact.hpp"
 #include "denhartog/formulas/system.hpp"
-#include "denhartog/number/double_double.hpp"
-#include "denhartog/scene/converted.hpp"
 
 namespace denhartog {
 namespace {
@@ -12,17 +12,29 @@ namespace {
 template <class T>
 using RowMajor = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// O^T A O, symmetric to the last bit; O has ones on its diagonal and nothing else, but for row a.
-template <class T, class W>
-Matrix<T> with_contact(const Contact& held, Matrix<W> A) {
-    if (held.b) {
-        const auto a = static_cast<Eigen::Index>(held.a), b = static_cast<Eigen::Index>(*held.b);
-        A.col(b) += A.col(a);
-        A.row(b) += A.row(a);
-        A.col(a) *= W(held.sign);
-        A.row(a) *= W(held.sign);
-    }
-    return in_type<T>(A);
+// What the rounding of a diagonal entry of K took, the sum of two springs of a chain.
+template <class T>
+T rest_of_stiffness(const System<T>& s, const Matrix<T>& K, std::size_t k) {
+    if (s.stiffness_matrix.size() > 0 || k + 1 >= s.stiffness_ratios.size()) return T(0);
+    const auto i = static_cast<Eigen::Index>(k);
+    return evaluation::sum_error(s.stiffness_ratios[k], s.stiffness_ratios[k + 1], K(i, i));
+}
+
+// O^T A O, symmetric to the last bit; O has ones on its diagonal and nothing else, but for row a. Of A's diagonal the rests are
+// missing.
+template <class T>
+Matrix<T> with_contact(const Contact& held, Matrix<T> A, const T& rest_of_a = T(0), const T& rest_of_b = T(0)) {
+    if (!held.b) return A;
+    const auto a = static_cast<Eigen::Index>(held.a), b = static_cast<Eigen::Index>(*held.b);
+    const T aa = A(a, a), ab = A(a, b), bb = A(b, b);
+    A.col(b) += A.col(a);
+    A.row(b) += A.row(a);
+    A(a, b) = A(b, a) = evaluation::sum_with_rests<T>(std::array{aa, ab, rest_of_a});
+    A(b, b) = evaluation::sum_with_rests<T>(std::array{aa, ab, ab, bb, rest_of_a, rest_of_b});
+    if (held.sign > 0) return A;
+    A.col(a) = (T(0) - A.col(a).array()).matrix(); // no zero becomes a negative one
+    A.row(a) = (T(0) - A.row(a).array()).matrix();
+    return A;
 }
 
 } // namespace
@@ -46,10 +58,9 @@ Matrix<T> stiffness_matrix(const System<T>& s) {
 
 template <class T>
 HeldMatrices<T> held_matrices(const System<T>& s, const Contact& held, const Matrix<T>& C) {
-    using W = typename WiderOf<T>::type;
-    const System<W> wide = in_type<W>(s);
-    return {with_contact<T>(held, mass_matrix(wide)), with_contact<T>(held, in_type<W>(C)),
-            with_contact<T>(held, stiffness_matrix(wide))};
+    const Matrix<T> K = stiffness_matrix(s);
+    const T rest_of_a = rest_of_stiffness(s, K, held.a), rest_of_b = held.b ? rest_of_stiffness(s, K, *held.b) : T(0);
+    return {with_contact(held, mass_matrix(s)), with_contact(held, C), with_contact(held, K, rest_of_a, rest_of_b)};
 }
 
 template Matrix<double> mass_matrix(const System<double>&);

@@ -30,13 +30,6 @@ struct ModalBasis {
     [[nodiscard]] bool certainly_uncoupled() const { return !coupled() && left_out.size() == 0; }
 };
 
-/// @brief How many rows of the shapes are displacements of masses or of the contact; a load on several masses, which is none of
-/// them, has the row behind all others.
-template <class T>
-[[nodiscard]] std::size_t number_of_displacements(const ModalBasis<T>& basis, Mass load) {
-    return load.index < basis.r_n.size() ? static_cast<std::size_t>(basis.phi.rows()) : load.index;
-}
-
 /// @brief Whether the damping matrix that was given is the one that counts, and not the damping ratios nearest to it. It is not
 /// where damping was given by ratios, or by a matrix within `damping_tolerance` of having them.
 template <class T, class Number>

@@ -56,64 +56,40 @@ struct Bounded {
     [[nodiscard, gnu::noinline]] static Bounded rounded_correctly(const T& value, const T& error) {
         return of(value, error, T(unit_of<T>() * size_of_number(value) / 2));
     }
-    /// @brief A sum in a wide type.
-    [[nodiscard, gnu::noinline]] static Bounded wide_sum(const Bounded& a, const Bounded& b) {
-        return rounded_correctly(T(a.x + b.x), T(a.e + b.e));
-    }
-    /// @brief A product in a wide type.
-    [[nodiscard, gnu::noinline]] static Bounded wide_product(const Bounded& a, const Bounded& b) {
-        return rounded_correctly(T(a.x * b.x), T(size_of_number(a.x) * b.e + size_of_number(b.x) * a.e + a.e * b.e));
-    }
-    /// @brief A quotient in a wide type; b is not zero within its error.
-    [[nodiscard, gnu::noinline]] static Bounded wide_quotient(const Bounded& a, const Bounded& b) {
-        const T q = a.x / b.x, least = size_of_number(b.x) - b.e;
-        return rounded_correctly(q, least > 0 ? T((a.e + size_of_number(q) * b.e) / least) : std::numeric_limits<T>::infinity());
-    }
-    /// @brief The opposite number.
-    [[nodiscard, gnu::noinline]] static Bounded wide_opposite(const Bounded& a) { return {T(-a.x), a.e}; }
-
     /// @brief The result of a library function that is trusted with so many units in the last place; `error` as above.
     [[nodiscard]] static Bounded rounded(const T& value, const T& error, double units) {
         return of(value, error, T(units * unit_of<T>() * size_of_number(value)));
     }
 
     /// @brief The opposite, as certain.
-    [[nodiscard]] friend Bounded operator-(const Bounded& a) {
-        if constexpr (std::floating_point<T>)
-            return {-a.x, a.e};
-        else
-            return wide_opposite(a);
-    }
+    [[nodiscard]] friend Bounded operator-(const Bounded& a) { return {T(-a.x), a.e}; }
     /// @brief Sum: the errors add up, and its rounding is known.
     [[nodiscard, gnu::always_inline]] friend Bounded operator+(const Bounded& a, const Bounded& b) {
         if constexpr (std::floating_point<T>) {
             const T sum = a.x + b.x, of_b = sum - a.x;
             return of(sum, a.e + b.e, std::abs((a.x - (sum - of_b)) + (b.x - of_b)));
         } else {
-            return wide_sum(a, b);
+            return rounded_correctly(T(a.x + b.x), T(a.e + b.e));
         }
     }
     /// @brief Difference, bounded as a sum is.
     [[nodiscard, gnu::always_inline]] friend Bounded operator-(const Bounded& a, const Bounded& b) { return a + -b; }
     /// @brief Product; its rounding is known from a fused product.
     [[nodiscard, gnu::always_inline]] friend Bounded operator*(const Bounded& a, const Bounded& b) {
-        if constexpr (std::floating_point<T>) {
-            const T product = a.x * b.x;
-            return of(product, std::abs(a.x) * b.e + std::abs(b.x) * a.e + a.e * b.e,
-                      std::abs(elementary::fused_product(a.x, b.x, -product)));
-        } else {
-            return wide_product(a, b);
-        }
+        const T product = a.x * b.x, error = size_of_number(a.x) * b.e + size_of_number(b.x) * a.e + a.e * b.e;
+        if constexpr (std::floating_point<T>)
+            return of(product, error, std::abs(elementary::fused_product(a.x, b.x, -product)));
+        else
+            return rounded_correctly(product, error);
     }
     /// @brief Quotient; unbounded where the divisor may be zero.
     [[nodiscard, gnu::always_inline]] friend Bounded operator/(const Bounded& a, const Bounded& b) {
-        if constexpr (std::floating_point<T>) {
-            const T q = a.x / b.x, least = std::abs(b.x) - b.e;
-            return of(q, least > 0 ? (a.e + std::abs(q) * b.e) / least : std::numeric_limits<T>::infinity(),
-                      std::abs(elementary::fused_product(-q, b.x, a.x) / b.x));
-        } else {
-            return wide_quotient(a, b);
-        }
+        const T q = a.x / b.x, least = size_of_number(b.x) - b.e;
+        const T error = least > 0 ? T((a.e + size_of_number(q) * b.e) / least) : std::numeric_limits<T>::infinity();
+        if constexpr (std::floating_point<T>)
+            return of(q, error, std::abs(elementary::fused_product(-q, b.x, a.x) / b.x));
+        else
+            return rounded_correctly(q, error);
     }
     /// @{
     /// @brief In place, and comparisons of the values, in which bounds play no part.

@@ -38,19 +38,13 @@ template <class T>
     }
 }
 
-// Remainder of 1 after division by m, of the least size: exact, whatever the quotient.
-template <class T>
-[[nodiscard]] T remainder_of_one(const T& m) {
-    using std::remainder;
-    return remainder(T(1), m);
-}
-
 // Sine and cosine of pi [1/(2R) - y], reduced exactly: both keep their digits however small they or R are. With rho the remainder
 // of 1 after division by 4R the first part is rho/(2R) but for whole turns. What is left to the next multiple of a quarter turn,
 // 2R - |rho| or R - |rho|, is a difference without rounding; y, in half turns, is added to it.
 template <class T>
 [[nodiscard]] SineCosine<T> sine_cosine_of_half_period(const T& R, const T& y) {
-    const T rest = remainder_of_one(T(4 * R));
+    using std::remainder;
+    const T rest = remainder(T(1), T(4 * R));
     const T size = rest < 0 ? T(-rest) : rest;
     const bool second_quarter = size > R;
     const T t = second_quarter ? T(2 * R - size) : size;

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "denhartog/evaluation/contact.hpp"
 #include "denhartog/formulas/system.hpp"
 #include "denhartog/number/ball_or_none.hpp"
-#include "denhartog/number/double_double.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/json_document.hpp"
@@ -231,13 +231,8 @@ std::vector<T> load_of_base(const SceneItem& base, const System<T>& s) {
     std::vector<T> load(matrix.size() == 0 ? number_of_masses(s) : static_cast<std::size_t>(matrix.rows()), T(0));
     if (matrix.size() == 0) load.front() = s.stiffness_ratios.front(); // the base holds mass 1 alone
     if (matrix.size() == 0) return load;
-    using W = typename WiderOf<T>::type; // rows of K add up to next to nothing
-    for (std::size_t k = 0; k < load.size(); ++k) {
-        W sum(0);
-        for (std::size_t n = 0; n < load.size(); ++n)
-            sum += W(matrix(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(n)));
-        load[k] = static_cast<T>(sum);
-    }
+    for (std::size_t k = 0; k < load.size(); ++k) // rows of K add up to next to nothing
+        load[k] = evaluation::sum_with_rests<T>(matrix.row(static_cast<Eigen::Index>(k)));
     return load;
 }
 

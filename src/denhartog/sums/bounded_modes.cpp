@@ -23,66 +23,62 @@ constexpr int units_of_form = 4; // elsewhere they are good to what that many un
 
 // What an entry of a mode changes by where the mode turns by a unit angle: the root of the entry of the inverse mass matrix,
 // which is that of a sum over all modes. A light mass moves far.
-template <class T>
-std::vector<T> reach_of_masses(const System<T>& system, const ModalBasis<T>& basis, const std::vector<Mass>* masses) {
-    std::vector<T> reach;
+std::vector<double> reach_of_masses(const System<double>& system, const ModalBasis<double>& basis,
+                                    const std::vector<Mass>* masses) {
+    std::vector<double> reach;
     reach.reserve(static_cast<std::size_t>(basis.phi.rows()));
     for (Eigen::Index row = 0; row < basis.phi.rows(); ++row) {
         const std::size_t k = masses ? (*masses)[static_cast<std::size_t>(row)].index : static_cast<std::size_t>(row);
-        reach.push_back(k < system.mass_ratios.size() ? T(1 / sqrt(system.mass_ratios[k])) : T(basis.phi.row(row).norm()));
+        reach.push_back(k < system.mass_ratios.size() ? 1 / sqrt(system.mass_ratios[k]) : basis.phi.row(row).norm());
     }
     return reach;
 }
 
 // By how much a full mass matrix multiplies errors: the largest diagonal entry of the inverse of the matrix scaled to a diagonal of
 // ones. Its factor, and what is divided by it, have errors in proportion to the masses: how different these are does not matter.
-template <class T>
-T condition_of_masses(const System<T>& system, const std::vector<T>& reach) {
-    T largest(1);
+double condition_of_masses(const System<double>& system, const std::vector<double>& reach) {
+    double largest = 1;
     for (Eigen::Index k = 0; k < system.mass_matrix.rows(); ++k) {
-        const T& of_mass = reach[static_cast<std::size_t>(k)];
-        largest = std::max(largest, T(system.mass_matrix(k, k) * of_mass * of_mass));
+        const double& of_mass = reach[static_cast<std::size_t>(k)];
+        largest = std::max(largest, system.mass_matrix(k, k) * of_mass * of_mass);
     }
     return largest;
 }
 
 // By how much springs multiply errors on the way to the squared frequencies of each mode; 0 where they are errors of the highest.
-template <class T>
-T factor_of_springs(const System<T>& system) {
-    if (is_chain(system)) return T(1);
-    if constexpr (std::same_as<T, double>) {
-        if (number_of_masses(system) > 1) return condition_of_graded(mass_factor(system), stiffness_matrix(system)).value_or(0);
-    }
-    return T(0);
+double factor_of_springs(const System<double>& system) {
+    if (is_chain(system)) return 1;
+    if (number_of_masses(system) == 1) return 0;
+    return condition_of_graded(mass_factor(system), stiffness_matrix(system)).value_or(0);
 }
 
 // Errors that the solver is trusted with, and those of inputs.
-template <class T>
-ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& basis, const std::vector<Mass>* masses) {
+ModalBasis<Bounded<double>> bounded(const System<double>& system, const ModalBasis<double>& basis,
+                                    const std::vector<Mass>* masses) {
     const std::size_t N = basis.r_n.size();
-    const T of_input = unit_of<T>(), unit = (trust * static_cast<int>(N) + 4) * of_input;
-    const T of_springs = factor_of_springs(system); // of errors of each frequency; of the highest where it is none
+    const double of_input = unit_of<double>(), unit = (trust * static_cast<int>(N) + 4) * of_input;
+    const double of_springs = factor_of_springs(system); // of errors of each frequency; of the highest where it is none
     const bool chain = of_springs > 0;
-    const T highest = basis.r_n.back();
-    const Matrix<T> further = further_rows(system).cwiseAbs();
-    ModalBasis<Bounded<T>> bounded;
+    const double highest = basis.r_n.back();
+    const Matrix<double> further = further_rows(system).cwiseAbs();
+    ModalBasis<Bounded<double>> bounded;
     bounded.phi.resize(basis.phi.rows(), static_cast<Eigen::Index>(N));
     bounded.r_n.reserve(N);
     bounded.zeta.reserve(N);
-    const std::vector<T> reach = reach_of_masses(system, basis, masses);
-    const T of_matrix = unit * highest * highest * condition_of_masses(system, reach);
-    Eigen::Matrix<T, Eigen::Dynamic, 1> sizes, errors(basis.phi.rows());
+    const std::vector<double> reach = reach_of_masses(system, basis, masses);
+    const double of_matrix = unit * highest * highest * condition_of_masses(system, reach);
+    Column<double> sizes, errors(basis.phi.rows());
     for (std::size_t i = 0; i < N; ++i) {
-        const T r_n = basis.r_n[i];
-        const T of_square = chain ? T(2 * unit * of_springs * r_n * r_n) : of_matrix; // error of the squared frequency
-        bounded.r_n.push_back({r_n, T(of_square / (2 * r_n))});
-        T nearest = std::numeric_limits<T>::infinity(); // difference of the squares, of the chain's relative to both
+        const double r_n = basis.r_n[i];
+        const double of_square = chain ? 2 * unit * of_springs * r_n * r_n : of_matrix; // error of the squared frequency
+        bounded.r_n.push_back({r_n, of_square / (2 * r_n)});
+        double nearest = std::numeric_limits<double>::infinity(); // difference of the squares, of the chain's relative to both
         for (const std::size_t n : {i - 1, i + 1}) {
             if (n >= N) continue;
-            const T apart = abs(T(basis.r_n[n] - r_n)) * (basis.r_n[n] + r_n);
-            nearest = min(nearest, chain ? T(apart * r_n / std::max(basis.r_n[n], r_n)) : apart);
+            const double apart = abs(basis.r_n[n] - r_n) * (basis.r_n[n] + r_n);
+            nearest = min(nearest, chain ? apart * r_n / std::max(basis.r_n[n], r_n) : apart);
         }
-        const T turn = min(T(1), N == 1 ? unit : T(of_square / nearest + unit));
+        const double turn = min(1.0, N == 1 ? unit : of_square / nearest + unit);
         const auto column = static_cast<Eigen::Index>(i);
         sizes = basis.phi.col(column).cwiseAbs();
         for (Eigen::Index row = 0; row < errors.size(); ++row) {
@@ -91,101 +87,85 @@ ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& bas
                 errors(row) += unit * further.row(n).dot(sizes.head(further.cols()));
             bounded.phi(row, column) = {basis.phi(row, column), errors(row)};
         }
-        T of_zeta = of_input * basis.zeta[i];
+        double of_zeta = of_input * basis.zeta[i];
         if (system.damping_matrix.size() > 0) { // the ratios are computed from it, whether it counts itself or not
             const auto n = static_cast<Eigen::Index>(N);
-            const Eigen::Matrix<T, Eigen::Dynamic, 1> damping =
-                product_of_sizes(system.damping_matrix, Column<T>((sizes + errors).head(n)));
+            const Column<double> damping = product_of_sizes(system.damping_matrix, Column<double>((sizes + errors).head(n)));
             of_zeta = (errors.head(n).dot(damping) + unit * sizes.head(n).dot(damping)) / r_n +
                       (turn + unit) * basis.zeta[i] * (1 + of_square / (r_n * r_n));
         }
         bounded.zeta.push_back({basis.zeta[i], of_zeta});
     }
-    bounded.D = basis.D.unaryExpr([](const T& entry) { return Bounded<T>(entry); });
-    bounded.left_out = basis.left_out.unaryExpr([](const T& entry) { return Bounded<T>(entry); });
+    bounded.D = basis.D.unaryExpr([](const double& entry) { return Bounded<double>(entry); });
+    bounded.left_out = basis.left_out.unaryExpr([](const double& entry) { return Bounded<double>(entry); });
     return bounded;
 }
 
-template <class T>
-std::vector<T> values(const std::vector<Bounded<T>>& numbers) {
-    std::vector<T> out;
+std::vector<double> values(const std::vector<Bounded<double>>& numbers) {
+    std::vector<double> out;
     out.reserve(numbers.size());
-    for (const Bounded<T>& number : numbers) out.push_back(number.x);
+    for (const Bounded<double>& number : numbers) out.push_back(number.x);
     return out;
 }
-template <class T>
-Complex<T> value(const Complex<Bounded<T>>& z) {
-    return {z.re.x, z.im.x};
-}
-template <class T>
-std::vector<Complex<T>> values(const std::vector<Complex<Bounded<T>>>& numbers) {
-    std::vector<Complex<T>> out;
+Complex<double> value(const Complex<Bounded<double>>& z) { return {z.re.x, z.im.x}; }
+std::vector<Complex<double>> values(const std::vector<Complex<Bounded<double>>>& numbers) {
+    std::vector<Complex<double>> out;
     out.reserve(numbers.size());
-    for (const Complex<Bounded<T>>& number : numbers) out.push_back(value(number));
+    for (const Complex<Bounded<double>>& number : numbers) out.push_back(value(number));
     return out;
 }
 
 } // namespace
 
-template <class T>
-ModalBasis<Bounded<T>> with_errors(const System<T>& system, const ModalBasis<T>& basis) {
+ModalBasis<Bounded<double>> with_errors(const System<double>& system, const ModalBasis<double>& basis) {
     return bounded(system, basis, nullptr);
 }
 
-template <class T>
-ModalBasis<Bounded<T>> bounded_basis_at(const System<T>& system, const std::vector<Mass>& masses) {
+ModalBasis<Bounded<double>> bounded_basis_at(const System<double>& system, const std::vector<Mass>& masses) {
     const auto is_mass = [N = number_of_masses(system)](Mass k) { return k.index < N; };
     if (is_chain(system) && system.damping_matrix.size() == 0 && std::ranges::all_of(masses, is_mass))
         return bounded(system, modal_basis_at(system, masses), &masses);
-    ModalBasis<Bounded<T>> all = with_errors(system, modal_basis(system));
-    Matrix<Bounded<T>> rows(static_cast<Eigen::Index>(masses.size()), all.phi.cols());
+    ModalBasis<Bounded<double>> all = with_errors(system, modal_basis(system));
+    Matrix<Bounded<double>> rows(static_cast<Eigen::Index>(masses.size()), all.phi.cols());
     for (std::size_t n = 0; n < masses.size(); ++n)
         rows.row(static_cast<Eigen::Index>(n)) = all.phi.row(static_cast<Eigen::Index>(masses[n].index));
     all.phi = std::move(rows);
     return all;
 }
 
-template <class T>
-ModeSums<T> values_of(const ModeSums<Bounded<T>>& s) {
+ModeSums<double> values_of(const ModeSums<Bounded<double>>& s) {
     return {s.r.x,         s.contact,     s.load,      values(s.R),        values(s.zeta), values(s.w),
             values(s.psi), values(s.v),   values(s.u), values(s.g),        values(s.V),    values(s.U),
             values(s.G),   value(s.Y_jj), s.H_j.x,     s.sum_of_squares.x, s.coupled};
 }
 
-template <class T>
-ModalBasis<T> values_of(const ModalBasis<Bounded<T>>& basis) {
-    const auto value = [](const Bounded<T>& a) { return a.x; };
+ModalBasis<double> values_of(const ModalBasis<Bounded<double>>& basis) {
+    const auto value = [](const Bounded<double>& a) { return a.x; };
     return {values(basis.r_n),        basis.phi.unaryExpr(value),      values(basis.zeta),
             basis.D.unaryExpr(value), basis.distance_from_classical.x, basis.left_out.unaryExpr(value)};
 }
 
-template <class T>
-evaluation::ModeFunctions<Bounded<T>> bounded_mode_functions(const Bounded<T>& R_i, const Bounded<T>& zeta_i) {
-    const T &R = R_i.x, &zeta = zeta_i.x, unit = unit_of<T>();
-    const T dzeta = zeta_i.e + units_of_form * unit * zeta;
-    const T most_change = T(1) / 64,
-            higher_orders = T(17) / 16; // of what an error may change, relative, and what that leaves out
+evaluation::ModeFunctions<Bounded<double>> bounded_mode_functions(const Bounded<double>& R_i, const Bounded<double>& zeta_i) {
+    const double &R = R_i.x, &zeta = zeta_i.x, unit = unit_of<double>();
+    const double dzeta = zeta_i.e + units_of_form * unit * zeta;
+    const double most_change = 1.0 / 64,
+                 higher_orders = 17.0 / 16; // of what an error may change, relative, and what that leaves out
     if (zeta + dzeta < 1 && R_i.e < R) {
-        const evaluation::ModeFunctions<T> f = evaluation::mode_functions(R, zeta);
-        const T w = evaluation::oscillating_w(zeta), dR = (R_i.e / R + units_of_form * unit) * higher_orders;
-        const T v = modulus(f.v), change_of_v = 2 * R * v * ((R + zeta) * dR + dzeta);
-        const T real = R * w * f.u, imaginary = f.g + zeta * R * f.u, size_2 = real * real + imaginary * imaginary;
-        const T change_of_w = dzeta / (w * w), dz = pi<T>() / R * (dR + dzeta / w) * higher_orders;
+        const evaluation::ModeFunctions<double> f = evaluation::mode_functions(R, zeta);
+        const double w = evaluation::oscillating_w(zeta), dR = (R_i.e / R + units_of_form * unit) * higher_orders;
+        const double v = modulus(f.v), change_of_v = 2 * R * v * ((R + zeta) * dR + dzeta);
+        const double real = R * w * f.u, imaginary = f.g + zeta * R * f.u, size_2 = real * real + imaginary * imaginary;
+        const double change_of_w = dzeta / (w * w), dz = pi<double>() / R * (dR + dzeta / w) * higher_orders;
         if (change_of_v <= most_change && dz * (1 + size_2) <= most_change && change_of_w <= most_change) {
-            const T u = abs(f.u), change_of_tangent = higher_orders * dz * (1 + size_2) / 2, own = units_of_mode * unit;
-            const T of_v = v * (higher_orders * change_of_v + own);
-            const T of_u = higher_orders * (change_of_tangent / (R * w) + u * (dR + zeta * change_of_w + own));
-            const T of_g = higher_orders * (change_of_tangent * (1 + zeta / w) + abs(real) * change_of_w / w + abs(f.g) * own);
+            const double u = abs(f.u), change_of_tangent = higher_orders * dz * (1 + size_2) / 2, own = units_of_mode * unit;
+            const double of_v = v * (higher_orders * change_of_v + own);
+            const double of_u = higher_orders * (change_of_tangent / (R * w) + u * (dR + zeta * change_of_w + own));
+            const double of_g =
+                higher_orders * (change_of_tangent * (1 + zeta / w) + abs(real) * change_of_w / w + abs(f.g) * own);
             return {{{f.v.re, of_v}, {f.v.im, of_v}}, {f.u, of_u}, {f.g, of_g}};
         }
     }
     return evaluation::mode_functions(R_i, zeta_i);
 }
-
-template ModalBasis<Bounded<double>> with_errors(const System<double>&, const ModalBasis<double>&);
-template ModalBasis<Bounded<double>> bounded_basis_at(const System<double>&, const std::vector<Mass>&);
-template ModeSums<double> values_of(const ModeSums<Bounded<double>>&);
-template ModalBasis<double> values_of(const ModalBasis<Bounded<double>>&);
-template evaluation::ModeFunctions<Bounded<double>> bounded_mode_functions(const Bounded<double>&, const Bounded<double>&);
 
 } // namespace denhartog

@@ -19,26 +19,21 @@
 namespace denhartog {
 
 /// @brief A modal basis with bounds of its errors.
-template <class T>
-[[nodiscard]] ModalBasis<Bounded<T>> with_errors(const System<T>& system, const ModalBasis<T>& basis);
+[[nodiscard]] ModalBasis<Bounded<double>> with_errors(const System<double>& system, const ModalBasis<double>& basis);
 
 /// @brief The modes of a system with bounds of their errors, as several answers share them. @eq{14,15}
-template <class T>
-[[nodiscard]] std::shared_ptr<const ModalBasis<Bounded<T>>> modes_with_errors(const System<T>& system) {
-    return std::make_shared<const ModalBasis<Bounded<T>>>(with_errors(system, modal_basis(system)));
+[[nodiscard]] inline std::shared_ptr<const ModalBasis<Bounded<double>>> modes_with_errors(const System<double>& system) {
+    return std::make_shared<const ModalBasis<Bounded<double>>>(with_errors(system, modal_basis(system)));
 }
 
 /// @brief The same with the shapes at a few masses alone, a row for each, see `modal_basis_at`: one eigen-solve. @eq{14,15}
-template <class T>
-[[nodiscard]] ModalBasis<Bounded<T>> bounded_basis_at(const System<T>& system, const std::vector<Mass>& masses);
+[[nodiscard]] ModalBasis<Bounded<double>> bounded_basis_at(const System<double>& system, const std::vector<Mass>& masses);
 
 /// @brief Modes and sums without their bounds.
-template <class T>
-[[nodiscard]] ModeSums<T> values_of(const ModeSums<Bounded<T>>& sums);
+[[nodiscard]] ModeSums<double> values_of(const ModeSums<Bounded<double>>& sums);
 
 /// @brief A modal basis without its bounds.
-template <class T>
-[[nodiscard]] ModalBasis<T> values_of(const ModalBasis<Bounded<T>>& basis);
+[[nodiscard]] ModalBasis<double> values_of(const ModalBasis<Bounded<double>>& basis);
 
 /// @brief (23), (28), (29) of one mode with bounds of what the errors of \f$ R_i \f$ and \f$ \zeta_i \f$ make of them.
 ///
@@ -49,8 +44,8 @@ template <class T>
 /// from (28), (29), and from (23) \f$ |R\,v_d'| \le 2R(R+\zeta)\,|v_d|^2 \f$, \f$ |dv_d/d\zeta| = 2R|v_d|^2 \f$. Where the change
 /// is not small, and without oscillations, every operation carries its own bound.
 /// @eq{23,28,29}
-template <class T>
-[[nodiscard]] evaluation::ModeFunctions<Bounded<T>> bounded_mode_functions(const Bounded<T>& R, const Bounded<T>& zeta);
+[[nodiscard]] evaluation::ModeFunctions<Bounded<double>> bounded_mode_functions(const Bounded<double>& R,
+                                                                                const Bounded<double>& zeta);
 
 /// @brief The larger of two numbers.
 template <class T>

@@ -109,7 +109,7 @@ T rounding_of_step(Eigen::Index rows) {
 template <class T>
 CoupledFriction<T>::CoupledFriction(const System<T>& system, const T& r) {
     set_coordinates(system, r);
-    set_motion();
+    motion_ = CoupledMotion<T>(A_, std::max(T(1), size_of_A_), CoupledMotion<T>::Asked::instants_of_one_start, nullptr);
     set_start();
     motion_.start(c_);
 }
@@ -155,11 +155,6 @@ void CoupledFriction<T>::set_coordinates(const System<T>& system, const T& r) {
         inverse_inertia_ += velocity(i, j) * velocity(i, j);
     }
     inverse_inertia_ = inverse_inertia_ / bounded_r / bounded_r;
-}
-
-template <class T>
-void CoupledFriction<T>::set_motion() {
-    motion_ = CoupledMotion<T>(A_, std::max(T(1), size_of_A_), CoupledMotion<T>::Asked::instants_of_one_start, nullptr);
 }
 
 template <class T>

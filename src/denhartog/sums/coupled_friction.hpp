@@ -70,7 +70,6 @@ private:
     };
 
     void set_coordinates(const System<T>& system, const T& r);
-    void set_motion();
     void set_start();
     [[nodiscard]] T error_at(const T& tau) const;
     [[nodiscard]] Bounded<T> along(const Rows& rows, std::size_t k, const Column<T>& half, const T& error) const;

@@ -1,7 +1,6 @@
 // Sums over modes in 50 and 100 digits.
 #include "tests/support/multiprecision.hpp" // first: what follows takes its functions
 
-#include "denhartog/sums/bounded_modes.cpp"
 #include "denhartog/sums/coupled_friction.cpp"
 #include "denhartog/sums/coupled_sums.cpp"
 #include "denhartog/sums/friction_motion.cpp"
@@ -9,16 +8,9 @@
 
 namespace denhartog {
 
-template ModalBasis<Bounded<Real50>> with_errors(const System<Real50>&, const ModalBasis<Real50>&);
-template ModalBasis<Bounded<Real100>> with_errors(const System<Real100>&, const ModalBasis<Real100>&);
-template ModeSums<Real50> values_of(const ModeSums<Bounded<Real50>>&);
-template ModeSums<Real100> values_of(const ModeSums<Bounded<Real100>>&);
-template ModalBasis<Real50> values_of(const ModalBasis<Bounded<Real50>>&);
-template ModalBasis<Real100> values_of(const ModalBasis<Bounded<Real100>>&);
 template class CoupledFriction<Real50>;
 template class CoupledFriction<Real100>;
 template ModeSums<Bounded<Real50>> coupled_sums(const System<Real50>&, const Bounded<Real50>&);
-template ModeSums<Bounded<Real100>> coupled_sums(const System<Real100>&, const Bounded<Real100>&);
 template class FrictionMotions<Real50>;
 template class FrictionMotions<Real100>;
 template std::vector<evaluation::FrictionMotion<Real50>> friction_motions(const ModeSums<Real50>&, const Real50&);
