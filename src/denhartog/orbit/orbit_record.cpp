@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "denhartog/model/linear_algebra.hpp"
-#include "denhartog/orbit/stability.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 
 namespace denhartog {
@@ -155,11 +154,12 @@ std::optional<PeriodicOrbit> orbit_of(const OrbitMap& map, const State& z, const
     orbit.periods = orbit.symmetric ? h : h / 2;
     orbit.stops = stops_of(map);
     orbit.touching = map.motion().touching;
-    orbit.residual = largest > 0 ? map.difference().cwiseAbs().maxCoeff() / largest : 0;
     if (search.with_stability) {
         orbit.multipliers = multipliers_of_orbit(map, *errors);
-        // With mu = 1 no deviation grows, wherever the events are.
-        orbit.stable = attracts(map) && (map.solver().excitation().mu == 1 || std::ranges::all_of(orbit.multipliers, is_inside));
+        // With mu = 1 no deviation grows, wherever the events are; where every motion is damped it falls.
+        orbit.stable = are_inside(orbit.multipliers) ||
+                       (map.solver().excitation().mu == 1 &&
+                        (every_motion_is_damped(map.solver().system().basis) || are_inside(multipliers_next_to(map))));
         if (orbit.symmetric) orbit.multipliers = squared(std::move(orbit.multipliers));
     }
     if (orbit.touching > 0)
@@ -177,16 +177,11 @@ std::optional<PeriodicOrbit> rest_of(OrbitMap& map, const LastingRest& rest, dou
     for (std::size_t k = 0; k < orbit.start.x.size(); ++k) orbit.masses.push_back(rest.motion(k, x_j));
     orbit.contact = motion_with(x_j, 0);
     if (map.solver().system().stuck.contact.b) orbit.masses.push_back(orbit.contact);
-    double largest = 0;
-    for (const MassMotion& mass : orbit.masses) largest = std::max(largest, mass.amplitude);
     if (search.contact_only) orbit.masses.clear();
-    const double left_over = map.difference().cwiseAbs().maxCoeff();
-    orbit.residual = largest > 0 ? left_over / largest : 0;
-    orbit.error_bound = map.rounding(true).maxCoeff() + left_over;
+    orbit.error_bound = map.rounding(true).maxCoeff() + map.difference().cwiseAbs().maxCoeff();
     if (search.with_stability) {
-        StabilityOfRest of_others = stability_of_rest(map);
-        orbit.stable = of_others.stable;
-        orbit.multipliers = std::move(of_others.multipliers);
+        orbit.multipliers = multipliers_of_rest(map);
+        orbit.stable = every_motion_is_damped(map.solver().system().basis) || map.N == 1 || are_inside(orbit.multipliers);
     }
     return orbit;
 }

@@ -1,25 +1,16 @@
-#include "denhartog/orbit/stability.hpp"
-
+/// @file
+/// @brief Stability of a periodic orbit: what is known of the eigenvalues of the map over its period.
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "denhartog/model/linear_algebra.hpp"
-#include "denhartog/stick_slip/event_errors.hpp"
+#include "denhartog/orbit/orbit_record.hpp"
 
 namespace denhartog {
 namespace {
 
-/// Error of the map's Jacobian in the largest sum of a row: some units in the last place for every phase and period of the modes.
-double jacobian_error(const OrbitMap& map, const Matrix<double>& jacobian) {
-    const ContactSystem& s = map.solver().system();
-    const double turns = s.basis.r_n.back() / map.solver().excitation().r * map.half_periods();
-    const double units = 4 * (static_cast<double>(map.motion().phases.size()) + 4 * turns);
-    return units * std::numeric_limits<double>::epsilon() * largest_row_sum(jacobian);
-}
-
-/// The multipliers of a Jacobian between coordinates of the energy, where no event lets deviations grow by more than `growth`.
+// The multipliers of a Jacobian between energies, where no event lets deviations grow by more than `growth`.
 std::vector<Multiplier> multipliers_in_energy(const OrbitMap& map, const Matrix<double>& jacobian, double error, double growth) {
     const long n = jacobian.rows();
     map.solver().effort().spend(n * n * n / 32); // what making the matrix diagonal takes
@@ -28,83 +19,63 @@ std::vector<Multiplier> multipliers_in_energy(const OrbitMap& map, const Matrix<
                           growth * (1 + std::numeric_limits<double>::epsilon()));
 }
 
-/// What the events of a motion make of deviations, in the norm of the energy.
-class Events {
-public:
-    Events(const OrbitMap& map, const ErrorsOfOrbit& errors)
-        : solver_(map.solver()), e_(solver_.excitation()), basis_(solver_.system().basis),
-          at_ends_(solver_, errors.displacement, errors.velocity), inertia_(solver_.system().contact_shape.squaredNorm()) {
-        double damping = 0;
-        if (basis_.coupled())
-            damping = largest_row_sum(basis_.D);
-        else
-            for (std::size_t i = 0; i < basis_.r_n.size(); ++i)
-                damping = std::max(damping, 2 * std::abs(basis_.zeta[i]) * basis_.r_n[i]);
-        rate_ = highest_over_force(solver_) + damping / e_.r;
-        std::vector<double> velocities; // for a unit of energy
-        for (Eigen::Index k = 0; k < map.N; ++k) velocities.push_back(basis_.phi.row(k).norm());
-        velocities.push_back(solver_.system().contact_shape.norm()); // where the contact has a row of its own
-        load_ = ErrorsAtEnds(solver_, displacement_of_energy(map), velocities).of_load;
-    }
-
-    void add(std::size_t n, const Phase& phase, int next) {
-        const bool slides = phase.direction != 0;
-        const EndOfPhase end = solver_.end_of(n);
-        const double apart = at_ends_.of_instant(end, slides); // infinite where the rate may vanish
-        error += 2 * rate_ * apart;
-        // That of the rate at the event, relative.
-        const double off =
-            (2 * end.second * apart + at_ends_.fastest * (slides ? at_ends_.of_velocity : at_ends_.of_load)) / end.rate;
-        if (!slides) { // static friction ends, and the force drops: d load / rate is by how much the instant shifts
-            if (e_.mu == 1) return;
-            const double drop = (e_.mu - 1) * e_.beta * sqrt(inertia_) / e_.r * load_ / end.rate;
-            take(drop * off, 1 + drop);
-        } else if (next != 0) { // the force changes sides, and what is left of the acceleration is of the same sign
-            const double jump = 2 * e_.beta * inertia_ / (e_.r * e_.r) / end.rate;
-            take(jump * off, std::max(1.0, jump - 1));
-        } else if (std::ranges::any_of(solver_.system().stuck.m_j, [](double tie) { return tie != 0; })) {
-            take(off + at_ends_.of_load * inertia_ / (e_.r * e_.r) / end.rate, 1);
-        }
-    }
-
-    double error = 0;  // of the derivative, of all events
-    double growth = 1; // of deviations
-
-private:
-    void take(double of_event, double factor) {
-        error += of_event;
-        if (e_.mu > 1) growth *= factor;
-    }
-
-    ExactSolver& solver_;
-    const Excitation& e_;
-    const ModalBasis<double>& basis_;
-    ErrorsAtEnds at_ends_;
-    double inertia_; // w^T M^-1 w
-    double rate_;    // how fast phases turn deviations
-    double load_;    // of the contact that sticks, for a unit of energy
-};
-
 } // namespace
 
-bool attracts(const OrbitMap& map) {
-    map.solver().effort().spend(map.N * map.N * map.N / 4); // some dozen products of whole matrices in `contracts`
-    const Matrix<double>& jacobian = map.energy_jacobian();
-    return contracts(jacobian, jacobian_error(map, jacobian));
+std::vector<Multiplier> multipliers_next_to(const OrbitMap& map) {
+    const double growth = map.solver().excitation().mu == 1 ? 1 : std::numeric_limits<double>::infinity();
+    return multipliers_in_energy(map, map.energy_jacobian(), map.rounding_of_jacobian(), growth);
 }
 
 std::vector<Multiplier> multipliers_of_orbit(const OrbitMap& map, const ErrorsOfOrbit& errors) {
-    Events events(map, errors);
-    const std::vector<Phase>& phases = map.motion().phases;
-    for (std::size_t n = 0; n + 1 < phases.size(); ++n) events.add(n, phases[n], phases[n + 1].direction);
-    double error = events.growth * (events.error + map.rounding_of_jacobian());
-    if (map.motion().touching > 0) error = std::numeric_limits<double>::infinity();
-    return multipliers_in_energy(map, map.energy_jacobian(), error, events.growth);
+    const ExactMotion& motion = map.motion();
+    ExactSolver& solver = map.solver();
+    const ContactSystem& s = solver.system();
+    const Excitation& e = solver.excitation();
+    const ModalBasis<double>& basis = s.basis;
+    double damping = basis.coupled() ? largest_row_sum(basis.D) : 0;
+    for (std::size_t i = 0; i < basis.r_n.size() && !basis.coupled(); ++i)
+        damping = std::max(damping, 2 * std::abs(basis.zeta[i]) * basis.r_n[i]);
+    const double fastest = highest_over_force(solver), rate = fastest + damping / e.r; // how fast phases turn deviations
+    const double inertia = s.contact_shape.squaredNorm();                              // w^T M^-1 w
+    std::vector<double> velocities;                                                    // for a unit of energy
+    for (Eigen::Index k = 0; k < map.N; ++k) velocities.push_back(basis.phi.row(k).norm());
+    velocities.push_back(s.contact_shape.norm()); // where the contact has a row of its own
+    const double load =
+        error_at_ends(solver, false, displacement_of_energy(map), velocities); // of a contact that sticks, likewise
+    const double of_velocity = error_at_ends(solver, true, errors.displacement, errors.velocity),
+                 of_load = error_at_ends(solver, false, errors.displacement, errors.velocity);
+    const bool tied = std::ranges::any_of(s.stuck.m_j, [](double tie) { return tie != 0; });
+    double error = map.rounding_of_jacobian(), growth = 1; // of the derivative, of all events; of deviations
+    const auto take = [&](double of_event, double factor) {
+        error += of_event;
+        if (e.mu > 1) growth *= factor;
+    };
+    for (std::size_t n = 0; n + 1 < motion.phases.size(); ++n) {
+        const bool slides = motion.phases[n].direction != 0;
+        const EndOfPhase end = solver.end_of(n);
+        const double apart = end.error_of_instant(slides ? of_velocity : of_load); // infinite where the rate may vanish
+        error += 2 * rate * apart;
+        // That of the rate at the event, relative.
+        const double off = (2 * end.second * apart + fastest * (slides ? of_velocity : of_load)) / end.rate;
+        if (!slides) { // static friction ends, and the force drops: d load / rate is by how much the instant shifts
+            if (e.mu == 1) continue;
+            const double drop = (e.mu - 1) * e.beta * sqrt(inertia) / e.r * load / end.rate;
+            take(drop * off, 1 + drop);
+        } else if (motion.phases[n + 1].direction !=
+                   0) { // the force changes sides; what is left of the acceleration keeps its sign
+            const double jump = 2 * e.beta * inertia / (e.r * e.r) / end.rate;
+            take(jump * off, std::max(1.0, jump - 1));
+        } else if (tied) {
+            take(off + of_load * inertia / (e.r * e.r) / end.rate, 1);
+        }
+    }
+    if (motion.touching > 0) error = std::numeric_limits<double>::infinity();
+    return multipliers_in_energy(map, map.energy_jacobian(), growth * error, growth);
 }
 
-StabilityOfRest stability_of_rest(const OrbitMap& map) {
+std::vector<Multiplier> multipliers_of_rest(const OrbitMap& map) {
     const ContactSystem& s = map.solver().system();
-    if (map.N == 1) return {true, {}};
+    if (map.N == 1) return {};
     const Contact& contact = s.stuck.contact;
     Matrix<double> all = map.jacobian();
     std::vector<Eigen::Index> kept;
@@ -113,7 +84,6 @@ StabilityOfRest stability_of_rest(const OrbitMap& map) {
             all.col(of_part + static_cast<Eigen::Index>(*contact.b)) += all.col(of_part + static_cast<Eigen::Index>(contact.a));
         for (const Mass& k : s.stuck.masses) kept.push_back(of_part + static_cast<Eigen::Index>(k.index));
     }
-    const Matrix<double> jacobian = all(kept, kept);
     const double r = map.solver().excitation().r, slowest = s.stuck.r_n.front(), fastest = s.stuck.r_n.back();
     // A stiffness that is off by some units of the largest, over the stretch, and products with mode shapes.
     const double phases = static_cast<int>(map.motion().phases.size()), eps = std::numeric_limits<double>::epsilon();
@@ -121,8 +91,7 @@ StabilityOfRest stability_of_rest(const OrbitMap& map) {
     const double error =
         4 * (static_cast<int>(map.N) + 8) * eps * (phases + turn) * static_cast<int>(map.N) * (fastest / slowest);
     const Matrix<double> momentum = transpose_times(s.stuck.phi, s.stuck.M);
-    const Matrix<double> in_energy = in_energy_coordinates(jacobian, momentum, s.stuck.phi, s.stuck.r_n, r);
-    return {contracts(jacobian, jacobian_error(map, jacobian)), multipliers_in_energy(map, in_energy, error, 1)};
+    return multipliers_in_energy(map, in_energy_coordinates(all(kept, kept), momentum, s.stuck.phi, s.stuck.r_n, r), error, 1);
 }
 
 } // namespace denhartog

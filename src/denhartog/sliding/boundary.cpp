@@ -11,9 +11,9 @@
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/formulas/superposition.hpp"
+#include "denhartog/number/effort.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/demand_curve.hpp"
-#include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
 #include "denhartog/sums/coupled_friction.hpp"
 #include "denhartog/sums/friction_motion.hpp"
@@ -21,24 +21,49 @@
 namespace denhartog {
 namespace {
 
+// Where a demand is largest. Next to the start the sampled quotient is of two small numbers, and its rounding can look like a
+// maximum: there the demand itself tells.
+template <class T, class Demanded>
+T instant_of_largest(Curve<T> curve, const Demanded& demanded) {
+    ++work_counted.demand_searches;
+    curve.rise = [](const T& a, const T& b, const T& z_bound) { return rise_of_demand(a, b, z_bound); };
+    const T found = global_maximum(curve, T(0), pi<T>()).instant;
+    return demanded(T(0)) >= demanded(found) ? T(0) : found;
+}
+
 template <class T>
 T instant_of_largest(FrictionMotions<T>& y, std::size_t first, const std::vector<T>& weights) {
     const ModeSums<T>& s = y.sums();
-    ++work_counted.demand_searches;
     const Demand<T> demand{y, first, weights};
     Curve<T> curve;
     curve.sample = [&](const T& tau) { return demand(tau); };
     curve.rate = [&](const T& a, const T&) { return demand.rate(a); };
-    curve.rise = [](const T& a, const T& b, const T& z_bound) { return rise_of_demand(a, b, z_bound); };
     curve.cost = static_cast<long>(weights.size() + 2); // two for the search itself
-    const T found = global_maximum(curve, T(0), pi<T>()).instant;
-    // Next to the start the sampled quotient is of two small numbers, and its rounding can look like a maximum.
-    const auto demanded = [&](const T& tau) {
+    return instant_of_largest(std::move(curve), [&](const T& tau) {
         T sum(0);
         for (std::size_t n = 0; n < weights.size(); ++n) sum += weights[n] * s_d(s, first + n, tau);
         return sum;
+    });
+}
+
+template <class T>
+T instant_of_largest_where_coupled(const ModeSums<T>& s) {
+    const CoupledFriction<T>& friction = *s.coupled;
+    const std::size_t j = s.contact.index;
+    const T start = friction.derivative(j, 1, friction.at(T(0)));
+    Curve<T> curve;
+    curve.sample = [&](const T& tau) {
+        const CoupledState<T>& now = friction.at(tau);
+        const auto [S, C] = sine_cosine(tau);
+        const T first = friction.derivative(j, 1, now), second = friction.derivative(j, 2, now);
+        const T N = first - start * C, N_prime = second + start * S, Z = friction.derivative(j, 3, now) + first;
+        if (tau > 0 && tau < pi<T>()) return Sample<T>{N / S, N_prime * S - N * C, Z, Z * S};
+        return Sample<T>{coupled_demand(friction, s.contact, tau), T(0), Z};
     };
-    return demanded(T(0)) >= demanded(found) ? T(0) : found;
+    curve.rate = [&](const T& a, const T&) { return friction.rate_of_demand(j, friction.at(a)); };
+    curve.cost = friction.cost();
+    curve.share = default_effort(friction.size()) / 4;
+    return instant_of_largest(std::move(curve), [&](const T& tau) { return coupled_demand(friction, s.contact, tau); });
 }
 
 // Whether (57) of a mode is certain to be largest for tau -> 0, by numbers in double and with a margin for their rounding.
@@ -141,10 +166,7 @@ bool largest_at_start(const ModeSums<T>& s) {
 template <class T>
 T instant_of_largest_demand(FrictionMotions<T>& y) {
     const ModeSums<T>& s = y.sums();
-    if (s.coupled) {
-        ++work_counted.demand_searches;
-        return instant_of_largest_demand_where_coupled(s);
-    }
+    if (s.coupled) return instant_of_largest_where_coupled(s);
     if (largest_at_start(s)) return T(0);
     std::vector<T> squares;
     squares.reserve(s.R.size());

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "denhartog/model/linear_algebra.hpp"
-#include "denhartog/stick_slip/working_space.hpp"
+#include "denhartog/stick_slip/contact_phases.hpp"
 
 namespace denhartog {
 

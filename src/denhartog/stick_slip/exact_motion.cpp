@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <utility>
 
-#include "denhartog/stick_slip/working_space.hpp"
+#include "denhartog/stick_slip/contact_phases.hpp"
 
 namespace denhartog {
 namespace {
@@ -21,7 +22,6 @@ void ExactSolver::Work::run(double tau_0, double tau_1, bool with_jacobian) {
     motion.status = MotionStatus::complete;
     motion.phases.clear();
     motion.states.clear();
-    motion.effort_for_jacobian = 0;
     touching = 0;
     double tau = tau_0;
     auto [direction, order] = first_direction(tau);
@@ -49,11 +49,7 @@ void ExactSolver::Work::run(double tau_0, double tau_1, bool with_jacobian) {
         work_counted.phases_propagated.fetch_add(1, std::memory_order_relaxed);
         LinearMotion& now = direction == 0 ? sticking : sliding;
         now.differentiate_at(event.t);
-        if (with_jacobian) {
-            const long before = effort->spent;
-            deviations.carry(*this, direction, event);
-            motion.effort_for_jacobian += effort->spent - before;
-        }
+        if (with_jacobian) deviations.carry(*this, direction, event);
         masses_of(direction, 0, x);
         masses_of(direction, 1, v);
         if (event.found) system->stuck.contact.hold(v.data());
@@ -132,6 +128,26 @@ EndOfPhase ExactSolver::end_of(std::size_t phase) {
     const double length = p.end - p.start;
     const Jet<double> jet = p.direction != 0 ? work.velocity(p.direction, length) : work.load(length);
     return {std::abs(jet.f[1]), jet.second, jet.noise};
+}
+
+double EndOfPhase::error_of_instant(double error) const {
+    const double apart = 4 * (error + noise) / (3 * rate);
+    return rate > 0 && 4 * second * apart <= rate ? apart : std::numeric_limits<double>::infinity();
+}
+
+double highest_over_force(const ExactSolver& solver) {
+    return std::max(1.0, solver.system().basis.r_n.back() / solver.excitation().r);
+}
+
+double error_at_ends(const ExactSolver& solver, bool slides, double displacement, const std::vector<double>& velocity) {
+    if (slides) return velocity[solver.system().contact.index];
+    const StuckConfiguration<double>& stuck = solver.system().stuck;
+    const double r = solver.excitation().r, fastest = highest_over_force(solver);
+    double of_load = std::abs(stuck.k_jj) * displacement;
+    for (std::size_t n = 0; n < stuck.masses.size(); ++n)
+        of_load += std::abs(stuck.k_j[n]) * displacement +
+                   (r * std::abs(stuck.c_j[n]) + r * r * std::abs(stuck.m_j[n]) * fastest) * velocity[stuck.masses[n].index];
+    return of_load;
 }
 
 } // namespace denhartog
