@@ -20,19 +20,19 @@ Column<double> difference(const State& a, const State& b) {
     return d;
 }
 
-Matrix<double> in_energy_coordinates(Matrix<double> J, const Matrix<double>& momentum, const Matrix<double>& phi,
+Matrix<double> in_energy_coordinates(const Matrix<double>& J, const Matrix<double>& momentum, const Matrix<double>& shapes,
                                      const std::vector<double>& r_n, double r) {
-    const Eigen::Index N = phi.rows();
-    J.topRows(N) = momentum * J.topRows(N);
-    J.bottomRows(N) = momentum * J.bottomRows(N);
-    J.leftCols(N) = J.leftCols(N) * phi;
-    J.rightCols(N) = J.rightCols(N) * phi;
-    for (Eigen::Index i = 0; i < N; ++i) {
+    const Eigen::Index N = momentum.cols(), n = momentum.rows();
+    Matrix<double> E(2 * n, 2 * n);
+    for (const Eigen::Index row : {0, 1})
+        for (const Eigen::Index column : {0, 1})
+            E.block(row * n, column * n, n, n) = momentum * J.block(row * N, column * N, N, N) * shapes;
+    for (Eigen::Index i = 0; i < n; ++i) {
         const double omega = r_n[static_cast<std::size_t>(i)] / r;
-        J.row(i) *= omega;
-        J.col(i) /= omega;
+        E.row(i) *= omega;
+        E.col(i) /= omega;
     }
-    return J;
+    return E;
 }
 
 bool OrbitMap::held() const {

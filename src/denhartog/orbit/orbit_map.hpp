@@ -12,10 +12,10 @@ namespace denhartog {
 /// @brief The difference a - b of two states: displacements, then velocities.
 [[nodiscard]] Column<double> difference(const State& a, const State& b);
 
-/// @brief A Jacobian over displacements and velocities between modal velocities and modal displacements times frequencies.
-/// `momentum` is phi^T M, and r_n are the natural frequency ratios.
-[[nodiscard]] Matrix<double> in_energy_coordinates(Matrix<double> J, const Matrix<double>& momentum, const Matrix<double>& phi,
-                                                   const std::vector<double>& r_n, double r);
+/// @brief A Jacobian over displacements and velocities between modal displacements times frequencies and modal velocities, of
+/// modes with natural frequency ratios r_n: `momentum`, phi^T M, takes displacements to modes, and `shapes` takes them back.
+[[nodiscard]] Matrix<double> in_energy_coordinates(const Matrix<double>& J, const Matrix<double>& momentum,
+                                                   const Matrix<double>& shapes, const std::vector<double>& r_n, double r);
 
 /// @brief \f$ z \mapsto (-1)^h\Phi_{0\to h\pi}(z) \f$, as it was applied last.
 ///

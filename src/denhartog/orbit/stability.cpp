@@ -61,8 +61,7 @@ std::vector<Multiplier> multipliers_of_orbit(const OrbitMap& map, const ErrorsOf
             if (e.mu == 1) continue;
             const double drop = (e.mu - 1) * e.beta * sqrt(inertia) / e.r * load / end.rate;
             take(drop * off, 1 + drop);
-        } else if (motion.phases[n + 1].direction !=
-                   0) { // the force changes sides; what is left of the acceleration keeps its sign
+        } else if (motion.phases[n + 1].direction != 0) { // the force changes sides, and the acceleration keeps its sign
             const double jump = 2 * e.beta * inertia / (e.r * e.r) / end.rate;
             take(jump * off, std::max(1.0, jump - 1));
         } else if (tied) {
@@ -76,22 +75,14 @@ std::vector<Multiplier> multipliers_of_orbit(const OrbitMap& map, const ErrorsOf
 std::vector<Multiplier> multipliers_of_rest(const OrbitMap& map) {
     const ContactSystem& s = map.solver().system();
     if (map.N == 1) return {};
-    const Contact& contact = s.stuck.contact;
-    Matrix<double> all = map.jacobian();
-    std::vector<Eigen::Index> kept;
-    for (const Eigen::Index of_part : {Eigen::Index(0), map.N}) {
-        if (contact.b) // which moves a
-            all.col(of_part + static_cast<Eigen::Index>(*contact.b)) += all.col(of_part + static_cast<Eigen::Index>(contact.a));
-        for (const Mass& k : s.stuck.masses) kept.push_back(of_part + static_cast<Eigen::Index>(k.index));
-    }
     const double r = map.solver().excitation().r, slowest = s.stuck.r_n.front(), fastest = s.stuck.r_n.back();
     // A stiffness that is off by some units of the largest, over the stretch, and products with mode shapes.
     const double phases = static_cast<int>(map.motion().phases.size()), eps = std::numeric_limits<double>::epsilon();
     const double turn = map.half_periods() * pi<double>() * fastest / r;
     const double error =
         4 * (static_cast<int>(map.N) + 8) * eps * (phases + turn) * static_cast<int>(map.N) * (fastest / slowest);
-    const Matrix<double> momentum = transpose_times(s.stuck.phi, s.stuck.M);
-    return multipliers_in_energy(map, in_energy_coordinates(all(kept, kept), momentum, s.stuck.phi, s.stuck.r_n, r), error, 1);
+    return multipliers_in_energy(map, in_energy_coordinates(map.jacobian(), s.stuck.momentum, s.stuck.shapes, s.stuck.r_n, r),
+                                 error, 1);
 }
 
 } // namespace denhartog
