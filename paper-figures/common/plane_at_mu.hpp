@@ -55,7 +55,7 @@ struct PlaneAtMu {
 [[nodiscard]] inline SeenFromStarts seen_at(const PlaneAtMu& p, double r) {
     const int halvings = 16;
     const ModeSums<double> sums = p.sums(r);
-    const State held = at_maximum_of_force(stuck_response(p.stuck, p.system.load, r));
+    const State held = held_at_maximum_of_force(stuck_response(p.stuck, p.system.load, r));
     const auto slides_on = [&](double beta) {
         PaperSettings settings;
         settings.start = on_closed_form(sums, p.mu, beta);

@@ -16,6 +16,16 @@
 
 namespace denhartog::figures {
 
+/// @brief The state where the force is largest while the contact rests at zero.
+[[nodiscard]] inline State held_at_maximum_of_force(const StuckResponse& stuck) {
+    State state;
+    for (const StuckMass& mass : stuck.masses) {
+        state.x.push_back(mass.X.re);
+        state.x_prime.push_back(-mass.X.im);
+    }
+    return state;
+}
+
 /// @brief A mass at a frequency ratio and a friction ratio.
 struct SweepPoint {
     double r;                                 ///< frequency ratio
@@ -85,7 +95,7 @@ struct Sweep {
             if (std::isnan(X)) throw std::runtime_error("r = " + text(frequencies[m]) + ": " + name(point.status));
             SweepPoint& here = all[b].points[m] = {frequencies[m], point.regime, X, point.stops / point.periods, {}, {}};
             if (point.regime == Regime::permanent_sticking)
-                here.start = at_maximum_of_force(stuck_response(stuck, system.load, frequencies[m]));
+                here.start = held_at_maximum_of_force(stuck_response(stuck, system.load, frequencies[m]));
             if (point.regime != Regime::continuous) continue;
             const SteadyState<double> state = steady_state(sums, limits, betas[b]);
             here.mass = state.masses[k.index];

@@ -126,7 +126,6 @@ TEST_CASE("a contact that comes to rest for ever stays within the interval of re
     CHECK(from_rest.contact.amplitude == 0);
     CHECK(from_rest.stable);
     CHECK(from_rest.multipliers.size() == 4);
-    CHECK(from_rest.residual < 1e-14);
     for (const std::size_t k : {0, 2}) {
         CHECK(std::abs(from_rest.masses[k].amplitude - stuck.masses[k].amplitude) < 1e-14);
         CHECK(angle_between(from_rest.masses[k].phase, stuck.masses[k].phase.value_or(0)) < 1e-13);

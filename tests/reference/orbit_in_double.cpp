@@ -36,7 +36,8 @@ std::vector<std::complex<double>> proved_eigenvalues(const Prepared& p, const Pe
             CHECK(map.A(i, k).radius() < 1e-12);
         }
     if (motion.at.mirrored) A = Matrix<double>(A * A);
-    std::vector<std::complex<double>> all = eigenvalues(A);
+    std::vector<std::complex<double>> all;
+    for (const Multiplier& each : multipliers_of(A, 0, std::numeric_limits<double>::infinity())) all.push_back(each.value);
     if (map.from_a_stop) all.emplace_back(0);
     return all;
 }

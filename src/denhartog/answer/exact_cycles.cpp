@@ -25,13 +25,8 @@ bool failed(const ExactMotion& run, PaperMotion& motion) {
 // Between two masses the contact moves by the difference of their displacements, of which double has to have some digits.
 void require_digits_of_contact(const ContactSystem& s) {
     if (!s.stuck.contact.b) return;
-    double compliance = 0; // of one of the masses
-    for (std::size_t i = 0; i < s.basis.r_n.size(); ++i) {
-        const double part =
-            s.basis.phi(static_cast<Eigen::Index>(s.stuck.contact.a), static_cast<Eigen::Index>(i)) / s.basis.r_n[i];
-        compliance += part * part;
-    }
-    if (unit_of<double>() * compliance * s.stuck.k_contact > 3e-7)
+    const double of_one = compliance(s.basis, static_cast<Eigen::Index>(s.stuck.contact.a));
+    if (unit_of<double>() * of_one * s.stuck.k_contact > 3e-7)
         throw PrecisionError("the two masses in contact are tied so stiffly that double does not tell their displacements apart");
 }
 

@@ -6,7 +6,6 @@
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/orbit/floquet.hpp"
-#include "denhartog/stick_slip/event_errors.hpp"
 
 namespace denhartog {
 namespace {
@@ -93,11 +92,13 @@ double error_of_extremum(OnOrbit& orbit, std::size_t k, const MassMotion& mass, 
 
 // The stops of an orbit.
 std::vector<SolvedStop> stops_of(OnOrbit& on_orbit, const ExactSolver& solver, const PeriodicOrbit& orbit) {
-    const ErrorsAtEnds errors(solver, orbit.error_bound, orbit.velocity_errors);
     const auto instant = [&](double tau, bool slides) {
         const double anywhere = orbit.periods * pi<double>();
         const std::optional<EndOfPhase> end = on_orbit.end_at(tau, slides);
-        const double found = end ? errors.of_instant(*end, slides) + 8 * unit_of<double>() * (1 + tau) : anywhere;
+        const double found =
+            end ? end->error_of_instant(error_at_ends(solver, slides, orbit.error_bound, orbit.velocity_errors)) +
+                      8 * unit_of<double>() * (1 + tau)
+                : anywhere;
         return certified(Bounded<double>(tau, std::min(found, anywhere)));
     };
     std::vector<SolvedStop> stops;

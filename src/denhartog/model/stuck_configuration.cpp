@@ -69,17 +69,6 @@ NaturalModes<T> stuck_modes(const System<T>& s, const StuckConfiguration<T>& stu
     return general_modes(factor_of_masses(stuck.M), stuck.K);
 }
 
-/// (K^-1)_jj as a sum of squares over the modes.
-template <class T>
-T compliance(const ModalBasis<T>& basis, Eigen::Index j) {
-    T sum(0);
-    for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
-        const T part = basis.phi(j, static_cast<Eigen::Index>(i)) / basis.r_n[i];
-        sum += part * part;
-    }
-    return sum;
-}
-
 /// Whether the modes couple, and how much; an entry below the rounding of the largest is compared with that rounding.
 template <class T>
 void set_coupling(StuckConfiguration<T>& stuck, FrequencyErrors errors, const T& tolerance) {

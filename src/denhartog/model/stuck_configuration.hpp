@@ -74,6 +74,17 @@ template <class T>
     return stuck.contact.sign * force_on(stuck, Mass{stuck.contact.a}, load);
 }
 
+/// @brief The compliance of a row of the mode shapes, (K^-1)_jj of a mass, as a sum of squares over the modes.
+template <class T>
+[[nodiscard]] T compliance(const ModalBasis<T>& basis, Eigen::Index row) {
+    T sum(0);
+    for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
+        const T part = basis.phi(row, static_cast<Eigen::Index>(i)) / basis.r_n[i];
+        sum += part * part;
+    }
+    return sum;
+}
+
 /// @brief The stuck configuration of a system; one more eigenproblem (15), none where N is 1 or 2. `held` is what more digits
 /// have found, and spares the eigenproblem; it may be null. There are no masses where N = 1. InputError where `check` throws;
 /// PrecisionError where the eigenproblem is not solved.

@@ -3,11 +3,60 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <utility>
+#include <vector>
 
 #include "denhartog/orbit/orbit_map.hpp"
 
 namespace denhartog {
+
+/// @brief Periods after which a motion from a start is no transient any more, where it has not become periodic: 500 and thirty
+/// times a mode's slowest decay time; `most`, which is never exceeded, if damping couples the modes.
+[[nodiscard]] inline int periods_to_follow(const ExactSolver& solver, int most) {
+    const ModalBasis<double>& basis = solver.system().basis;
+    if (basis.coupled()) return most; // a motion may decay more slowly than the diagonal of the damping tells
+    double slowest = std::numeric_limits<double>::infinity(); // decay rate, a period of the force
+    for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
+        const double zeta = basis.zeta[i];
+        const double rate = zeta < 1 ? zeta : 1 / (zeta + sqrt((zeta - 1) * (zeta + 1)));
+        slowest = std::min(slowest, 2 * pi<double>() * rate * basis.r_n[i] / solver.excitation().r);
+    }
+    if (!(slowest > 0)) return most; // 30 over a damping ratio of -0 is no number of periods
+    const double periods = 500 + 30 / slowest;
+    return periods < most ? static_cast<int>(periods) : most;
+}
+
+/// @brief The states of a motion after its last half-periods, mirrored after each, and how nearly it repeats itself.
+struct RecentStates {
+    static constexpr int most_subharmonic = 8; ///< longest period looked for, in periods of the force
+    std::vector<State> states;                 ///< the last comes last
+
+    /// @brief Takes the next one.
+    void take(const State& z) {
+        if (states.size() > 2 * most_subharmonic) states.erase(states.begin());
+        states.push_back(z);
+    }
+    /// @brief How far the last state is from that h half-periods before; 0 where that is not known.
+    [[nodiscard]] double recurrence(const OrbitMap& map, int h) const {
+        const auto back = static_cast<std::size_t>(h) + 1;
+        return back > states.size() ? 0.0 : map.norm(difference(states.back(), states[states.size() - back]));
+    }
+    /// @brief Numbers of half-periods after which the motion nearly repeats itself, each better than those before.
+    [[nodiscard]] std::vector<int> lengths(const OrbitMap& map) const {
+        std::vector<int> found{1};
+        double least = recurrence(map, 1);
+        for (int h = 2; h < static_cast<int>(states.size()); ++h) {
+            if (h % 2 != 0 && h > most_subharmonic) continue;
+            const double now = recurrence(map, h);
+            if (2 * now < least) {
+                found.push_back(h);
+                least = now;
+            }
+        }
+        return found;
+    }
+};
 
 /// @brief A fixed point of h half-periods, with what is known of its neighbourhood.
 struct OrbitCandidate {
@@ -27,11 +76,8 @@ public:
     /// @brief Forgets what was seen.
     void start_over() { maps_ = -1; }
 
-    /// @brief Takes the state after one more half-period.
-    /// @param map   the map, applied there last
-    /// @param to    the candidate
-    /// @param z     the state
-    /// @param held  whether the contact rested over the half-period
+    /// @brief Takes the state z after one more half-period, to which the map was applied last; `held` tells whether the contact
+    /// rested over it.
     void take(const OrbitMap& map, const OrbitCandidate& to, const State& z, bool held) {
         moved_ = moved_ || !held;
         if (maps_ >= 0 && ++half_periods_ % to.h != 0) return;
@@ -52,9 +98,9 @@ public:
         has_arrived_ = distance <= rounding || distance + to.error < to.reach * (1 - 1.0 / (1 << 20));
     }
 
-    /// @brief Whether the motion comes nearer for some time already. @return whether
+    /// @brief Whether the motion comes nearer for some time already.
     [[nodiscard]] bool is_under_way() const { return maps_ >= least; }
-    /// @brief Whether it was seen for long enough. @return whether
+    /// @brief Whether it was seen for long enough.
     [[nodiscard]] bool is_seen() const {
         if (maps_ < 0) return false;
         return has_arrived_ || (maps_ >= least && least * distance_ <= first_) || (maps_ >= most && distance_ < first_);

@@ -21,33 +21,6 @@ bool is_larger(const std::complex<double>& a, const std::complex<double>& b) {
     return size_a != size_b ? size_a > size_b : a.imag() > b.imag();
 }
 
-// A matrix that has the same eigenvalues and, but for blocks of two rows, zeros below its diagonal; empty where it was not found.
-Matrix<double> schur_form(const Matrix<double>& jacobian) {
-    if (jacobian.rows() == 0 || !jacobian.allFinite()) return {};
-    const Eigen::RealSchur<Matrix<double>> schur(jacobian, false);
-    return schur.info() == Eigen::Success ? schur.matrixT() : Matrix<double>();
-}
-
-// The eigenvalues of a matrix of one or two rows, block by block, below whose diagonal all else is zero.
-std::vector<std::complex<double>> eigenvalues_of(const Matrix<double>& T) {
-    std::vector<std::complex<double>> values;
-    for (Eigen::Index i = 0; i < T.rows();) {
-        if (i + 1 == T.rows() || T(i + 1, i) == 0) {
-            values.emplace_back(T(i, i));
-            ++i;
-            continue;
-        }
-        const double p = 0.5 * (T(i, i) - T(i + 1, i + 1)), real = T(i + 1, i + 1) + p;
-        const double largest = std::max({std::abs(p), std::abs(T(i + 1, i)), std::abs(T(i, i + 1))}); // scales the square
-        const double p_1 = p / largest, below = T(i + 1, i) / largest, above = T(i, i + 1) / largest;
-        const double imaginary = largest * std::sqrt(std::abs(p_1 * p_1 + below * above));
-        values.emplace_back(real, imaginary);
-        values.emplace_back(real, -imaginary);
-        i += 2;
-    }
-    return values;
-}
-
 // Product and inverse of complex numbers, the same by every compiler: the language's call a function of its own.
 std::complex<double> times(const std::complex<double>& a, const std::complex<double>& b) {
     return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
@@ -76,6 +49,23 @@ void make_triangular(ComplexMatrix& R, Eigen::Index i, const std::complex<double
     R(i, i) = eigenvalue;
     R(i + 1, i + 1) = std::conj(eigenvalue);
     R(i + 1, i) = 0;
+}
+
+// A triangular matrix that has the same eigenvalues, on its diagonal; empty where it was not found.
+ComplexMatrix triangular_form(const Matrix<double>& jacobian) {
+    if (jacobian.rows() == 0 || !jacobian.allFinite()) return {};
+    const Eigen::RealSchur<Matrix<double>> schur(jacobian, false);
+    if (schur.info() != Eigen::Success) return {};
+    const Matrix<double>& T = schur.matrixT();
+    ComplexMatrix R = T.cast<std::complex<double>>();
+    for (Eigen::Index i = 0; i + 1 < T.rows(); ++i) {
+        if (T(i + 1, i) == 0) continue;
+        const double p = 0.5 * (T(i, i) - T(i + 1, i + 1));
+        const double largest = std::max({std::abs(p), std::abs(T(i + 1, i)), std::abs(T(i, i + 1))}); // scales the square
+        const double p_1 = p / largest, below = T(i + 1, i) / largest, above = T(i, i + 1) / largest;
+        make_triangular(R, i, {T(i + 1, i + 1) + p, largest * std::sqrt(std::abs(p_1 * p_1 + below * above))});
+    }
+    return R;
 }
 
 // A triangular matrix as Y (diagonal + couplings) Y^-1, the couplings between eigenvalues that are close.
@@ -166,26 +156,21 @@ std::vector<SizeRange> intervals_of_sizes(const ComplexMatrix& R, double error, 
 
 double size_of(const std::complex<double>& multiplier) { return elementary::hypot(multiplier.real(), multiplier.imag()); }
 
-std::vector<std::complex<double>> eigenvalues(const Matrix<double>& jacobian) {
-    std::vector<std::complex<double>> values = eigenvalues_of(schur_form(jacobian));
-    std::ranges::sort(values, is_larger);
-    return values;
+bool are_inside(const std::vector<Multiplier>& multipliers) {
+    return !multipliers.empty() &&
+           std::ranges::all_of(multipliers, [](const Multiplier& each) { return size_of(each.value) + each.error < 1; });
 }
 
 std::vector<Multiplier> multipliers_of(const Matrix<double>& jacobian, double error, double most) {
-    const Matrix<double> form = schur_form(jacobian);
-    if (form.size() == 0) return {};
-    std::vector<std::complex<double>> values = eigenvalues_of(form);
-    ComplexMatrix R = form.cast<std::complex<double>>();
-    for (Eigen::Index i = 0; i + 1 < R.rows(); ++i)
-        if (form(i + 1, i) != 0) make_triangular(R, i, values[static_cast<std::size_t>(i)]);
+    const ComplexMatrix R = triangular_form(jacobian);
     const double rounding = 32 * static_cast<double>(R.rows()) * unit_of<double>() * jacobian.norm(); // of making it triangular
     const std::vector<SizeRange> intervals = intervals_of_sizes(R, error + rounding, most);
-    std::ranges::sort(values, is_larger);
     std::vector<Multiplier> multipliers;
-    for (std::size_t n = 0; n < values.size(); ++n) {
-        const double size = size_of(values[n]);
-        multipliers.push_back({values[n], std::max(size - std::max(0.0, intervals[n].from), intervals[n].to - size)});
+    for (Eigen::Index n = 0; n < R.rows(); ++n) multipliers.push_back({R(n, n), 0});
+    std::ranges::sort(multipliers, is_larger, &Multiplier::value);
+    for (std::size_t n = 0; n < multipliers.size(); ++n) {
+        const double size = size_of(multipliers[n].value);
+        multipliers[n].error = std::max(size - std::max(0.0, intervals[n].from), intervals[n].to - size);
     }
     return multipliers;
 }
@@ -197,20 +182,6 @@ std::vector<Multiplier> squared(std::vector<Multiplier> multipliers) {
     }
     std::ranges::sort(multipliers, is_larger, &Multiplier::value);
     return multipliers;
-}
-
-bool contracts(const Matrix<double>& jacobian, double error) {
-    constexpr int most_squarings = 50; // beyond, rounding has grown past every decay
-    Matrix<double> power = jacobian;
-    for (int n = 0; n < most_squarings; ++n) {
-        const double norm = largest_row_sum(power);
-        if (!(norm < 1e100) || !(error < 1)) return false;
-        if (norm + error < 1) return true;
-        const double rounding = static_cast<double>(power.rows()) * unit_of<double>();
-        error = 2 * norm * error + error * error + rounding * norm * norm;
-        power = product(power, power);
-    }
-    return false;
 }
 
 } // namespace denhartog

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "denhartog/number/number.hpp"
+#include "denhartog/elementary/elementary.hpp"
+#include "denhartog/sums/bounded_modes.hpp"
 
 namespace denhartog {
 
@@ -18,25 +20,23 @@ Column<double> difference(const State& a, const State& b) {
     return d;
 }
 
-Matrix<double> in_energy_coordinates(Matrix<double> J, const Matrix<double>& momentum, const Matrix<double>& phi,
+Matrix<double> in_energy_coordinates(const Matrix<double>& J, const Matrix<double>& momentum, const Matrix<double>& shapes,
                                      const std::vector<double>& r_n, double r) {
-    const Eigen::Index N = phi.rows();
-    J.topRows(N) = momentum * J.topRows(N);
-    J.bottomRows(N) = momentum * J.bottomRows(N);
-    J.leftCols(N) = J.leftCols(N) * phi;
-    J.rightCols(N) = J.rightCols(N) * phi;
-    for (Eigen::Index i = 0; i < N; ++i) {
+    const Eigen::Index N = momentum.cols(), n = momentum.rows();
+    Matrix<double> E(2 * n, 2 * n);
+    for (const Eigen::Index row : {0, 1})
+        for (const Eigen::Index column : {0, 1})
+            E.block(row * n, column * n, n, n) = momentum * J.block(row * N, column * N, N, N) * shapes;
+    for (Eigen::Index i = 0; i < n; ++i) {
         const double omega = r_n[static_cast<std::size_t>(i)] / r;
-        J.row(i) *= omega;
-        J.col(i) /= omega;
+        E.row(i) *= omega;
+        E.col(i) /= omega;
     }
-    return J;
+    return E;
 }
 
 bool OrbitMap::held() const {
-    for (const Phase& p : motion_->phases)
-        if (p.direction != 0 && p.end > p.start) return false;
-    return true;
+    return std::ranges::none_of(motion_->phases, [](const Phase& p) { return p.direction != 0 && p.end > p.start; });
 }
 
 bool OrbitMap::slides_throughout() const {
@@ -57,26 +57,29 @@ bool OrbitMap::apply(const State& z, int half_periods, bool with_jacobian) {
         difference_(k) = image_.x[n] - z.x[n];
         difference_(N + k) = image_.x_prime[n] - z.x_prime[n];
     }
-    if (with_jacobian) rounding_ = rounding_of_map(*solver_, *motion_, h_ * pi<double>());
+    if (!with_jacobian) return true;
+    const Column<double> energies = largest_energies();
+    const double units = std::numeric_limits<double>::epsilon() * static_cast<int>(motion_->phases.size());
+    const double of_coupled = rounding_of_coupled_modes() * energies.sum();
+    rounding_ = (errors_between_modes(units, false) * energies).array() + of_coupled;
+    of_modes_ = (errors_between_modes(units, true) * energies).array() + of_coupled;
     return true;
 }
 
-Matrix<double> OrbitMap::newton_matrix() const {
-    Matrix<double> A = h_ % 2 != 0 ? motion_->jacobian : Matrix<double>(-motion_->jacobian);
-    for (Eigen::Index n = 0; n < 2 * N; ++n) A(n, n) += 1;
-    return A;
+double OrbitMap::omega(Eigen::Index i) const {
+    return solver_->system().basis.r_n[static_cast<std::size_t>(i)] / solver_->excitation().r;
 }
 
 Column<double> OrbitMap::in_energy(const Column<double>& dz) const {
-    const ContactSystem& s = solver_->system();
+    const Matrix<double>& momentum = solver_->system().momentum;
     Column<double> modal(2 * N);
     for (Eigen::Index i = 0; i < N; ++i) {
         double q = 0, p = 0;
         for (Eigen::Index k = 0; k < N; ++k) {
-            q += s.momentum(i, k) * dz(k);
-            p += s.momentum(i, k) * dz(N + k);
+            q += momentum(i, k) * dz(k);
+            p += momentum(i, k) * dz(N + k);
         }
-        modal(i) = q * (s.basis.r_n[static_cast<std::size_t>(i)] / solver_->excitation().r);
+        modal(i) = q * omega(i);
         modal(N + i) = p;
     }
     return modal;
@@ -89,23 +92,85 @@ const Matrix<double>& OrbitMap::energy_jacobian() const {
     return in_energy_;
 }
 
+// The largest size of each mode over the motion, in energy; between the starts of phases friction may shift it.
+Column<double> OrbitMap::largest_energies() const {
+    const ContactSystem& s = solver_->system();
+    const auto n = static_cast<std::size_t>(N);
+    Column<double> largest = Column<double>::Zero(N);
+    for (std::size_t phase = 0; phase < motion_->phases.size(); ++phase) {
+        const Column<double> z = in_energy(Eigen::Map<const Column<double>>(&motion_->states[2 * n * phase], 2 * N));
+        for (Eigen::Index i = 0; i < N; ++i) largest(i) = std::max(largest(i), elementary::hypot(z(i), z(N + i)));
+    }
+    for (std::size_t i = 0; i < n; ++i)
+        largest(i) += solver_->excitation().beta * std::abs(s.contact_shape(i)) / (s.basis.r_n[i] * solver_->excitation().r);
+    return largest;
+}
+
+// What errors get of a unit of energy of one mode, the column, into each mode, the row, over the stretch.
+//
+// Every phase adds some units in the last place of what it makes of the modes. A natural frequency that is some units off, at
+// least N, turns the mode by that part of its phase angle, which is the larger the more of its periods fit in the stretch. Modes
+// are turned towards each other by rounding: the difference of their stiffnesses and of their dampings then lets the one force
+// the other, which follows it at rest or is driven over the stretch. Of modes of nearly one frequency the angle may be large;
+// where they are damped differently, that damps each of them by some of the other's damping. All these errors are taken as an
+// eighth of the bounds of the closed form. What a damping matrix loses on its way to the modes, where large dashpots nearly
+// cancel, is a force on each mode over the whole stretch.
+Matrix<double> OrbitMap::errors_between_modes(double units, bool of_modes) const {
+    const ContactSystem& s = solver_->system();
+    const double r = solver_->excitation().r, length = h_ * pi<double>(), eps = std::numeric_limits<double>::epsilon();
+    Matrix<double> E = Matrix<double>::Zero(N, N);
+    for (std::size_t i = 0; i < s.basis.r_n.size(); ++i) {
+        const double r_i = s.basis.r_n[i];
+        for (std::size_t k = 0; k < s.basis.r_n.size(); ++k) {
+            const double r_k = s.basis.r_n[k];
+            E(i, k) += units * std::max(1.0, r_i / r_k);
+            if (i == k) E(i, i) += length * r_i / r * std::max(of_modes ? s.detuned[i] / 8 : 0, static_cast<int>(N) * eps);
+            if (i == k || !of_modes) continue;
+            const double angle =
+                static_cast<int>(N + 1) * eps +
+                angle_of_turn(Bounded<double>(r_i, r_i * s.detuned[i]), Bounded<double>(r_k, r_k * s.detuned[k])) / 8;
+            const double damping = 2 * std::abs(s.basis.zeta[i] * r_i - s.basis.zeta[k] * r_k);
+            const double stiffness = std::abs(r_i - r_k) * (r_i + r_k) + damping * std::max(r, r_k);
+            E(i, k) += (2 + length) * angle * stiffness / (r_k * std::max(r, r_i));
+            if (s.damping_fixes_modes && 64 * std::abs(r_i - r_k) <= r_i + r_k) continue;
+            E(i, k) += (2 + length) * angle * damping / r;
+            E(i, i) += length * angle * angle * damping / r;
+        }
+    }
+    if (of_modes && s.damping_error.size() > 0) E += length / r * s.damping_error;
+    return E;
+}
+
+// Damping hands the rounding of one mode to the others: in energy it is that of all of them, over the steps of the series.
+double OrbitMap::rounding_of_coupled_modes() const {
+    const ModalBasis<double>& basis = solver_->system().basis;
+    if (!basis.coupled()) return 0;
+    const double rate = 1 + (basis.r_n.back() + largest_row_sum(basis.D)) / solver_->excitation().r;
+    const double steps = static_cast<int>(motion_->phases.size()) + h_ * pi<double>() * rate;
+    return 4 * static_cast<int>(2 * N + 2) * std::numeric_limits<double>::epsilon() * steps;
+}
+
+double OrbitMap::rounding_of_jacobian() const {
+    const double phases = static_cast<int>(motion_->phases.size());
+    const double units = 4 * (static_cast<int>(N) + 8) * std::numeric_limits<double>::epsilon() * phases;
+    const Matrix<double> E = errors_between_modes(units, true);
+    return sqrt(E.rowwise().sum().maxCoeff() * E.colwise().sum().maxCoeff()) + rounding_of_coupled_modes();
+}
+
 Column<double> OrbitMap::rounding_in_energy(bool of_modes) const {
     Column<double> bound(2 * N);
-    for (Eigen::Index i = 0; i < N; ++i) {
-        const double omega = solver_->system().basis.r_n[static_cast<std::size_t>(i)] / solver_->excitation().r;
-        bound(i) = bound(N + i) = rounding_.of(i, of_modes) * omega;
-    }
+    bound << (of_modes ? of_modes_ : rounding_), (of_modes ? of_modes_ : rounding_);
     return bound;
 }
 
 Column<double> OrbitMap::rounding(bool of_modes) const {
-    const ContactSystem& s = solver_->system();
+    const Column<double>& of = of_modes ? of_modes_ : rounding_;
     Column<double> bound = Column<double>::Zero(2 * N);
     for (Eigen::Index k = 0; k < N; ++k)
         for (Eigen::Index i = 0; i < N; ++i) {
-            const double x = std::abs(s.basis.phi(k, i)) * rounding_.of(i, of_modes);
-            bound(k) += x;
-            bound(N + k) += x * s.basis.r_n[static_cast<std::size_t>(i)] / solver_->excitation().r;
+            const double v = std::abs(solver_->system().basis.phi(k, i)) * of(i);
+            bound(k) += v / omega(i);
+            bound(N + k) += v;
         }
     return bound;
 }

@@ -1,15 +1,16 @@
 #include "denhartog/orbit/periodic_orbit.hpp"
 
 #include <algorithm>
-#include <complex>
+#include <cmath>
+#include <limits>
 #include <optional>
+#include <sstream>
 #include <utility>
 
+#include "denhartog/number/errors.hpp"
 #include "denhartog/orbit/approach.hpp"
 #include "denhartog/orbit/orbit_record.hpp"
-#include "denhartog/orbit/orbit_search.hpp"
 #include "denhartog/orbit/shooting.hpp"
-#include "denhartog/orbit/stability.hpp"
 
 namespace denhartog {
 namespace {
@@ -22,7 +23,7 @@ constexpr int half_periods_to_arrive = 4000; // at rest, or at an orbit that att
 class SearchFromStart {
 public:
     SearchFromStart(ExactSolver& solver, const OrbitSearch& search)
-        : search_(search), map_(solver), shooting_(map_, search.tolerance), contact_(solver.system().stuck.contact),
+        : search_(search), map_(solver), shooting_(map_), contact_(solver.system().stuck.contact),
           no_expansion_(solver.excitation().mu == 1),
           most_periods_(no_expansion_ ? search.most_periods : periods_to_follow(solver, search.most_periods)),
           damped_(every_motion_is_damped(solver.system().basis)) {}
@@ -39,18 +40,17 @@ public:
 private:
     void follow(State z) {
         const int most = 2 * most_periods_;
-        recent_.assign(1, z);
+        recent_.take(z);
         if (search_.guess != nullptr && is_found_near(*search_.guess)) return;
-        int done = 0, next = std::min(2 * search_.periods_before, most);
+        int done = 0, next = std::min(2, most);
         for (;;) {
             for (; done < next && !is_restless(); ++done) {
                 if (!map_.apply(z, 1, false)) return give_up(done, true);
                 const State before = std::exchange(z, map_.image());
-                if (no_expansion_) settling_.take(map_.norm(map_.difference()));
+                if (no_expansion_) take_change(map_.norm(map_.difference()));
                 held_ = map_.held();
                 if (held_ && rests_for_ever(before, done)) return;
-                if (recent_.size() > 2 * static_cast<std::size_t>(search_.most_subharmonic)) recent_.erase(recent_.begin());
-                recent_.push_back(z);
+                recent_.take(z);
                 if (is_approached(z)) return;
             }
             if (no_expansion_ ? settle(z, done) : search_.follow_start ? find_attractor(z, done) : find_orbit(z)) return;
@@ -59,10 +59,20 @@ private:
         }
     }
 
+    // Takes what one more half-period changed of a motion, where no two motions move apart: less than the one before, but for
+    // rounding.
+    void take_change(double next) {
+        rises_ += change_ >= 0 && next > change_ * 1.001;
+        change_ = next;
+    }
+
+    // Whether rounding keeps the motion from settling: Newton's method would have to end at it too.
+    bool is_restless() { return no_expansion_ && damped_ && rises_ >= 16 && !only_rest_is_steady(); }
+
     // An orbit of one half-period near a state, where it does not matter whether the motion from the start tends to it.
     bool is_found_near(State z) {
         if (search_.follow_start && !(no_expansion_ && damped_)) return false;
-        return shooting_.fixed_point(z, 1, AfterBadStep::end) && answer(orbit_of(map_, z, search_));
+        return shooting_.fixed_point(z, 1, BadSteps::none) && answer(orbit_of(map_, z, search_));
     }
 
     // No two motions move apart, so that an orbit that attracts its neighbours attracts all: any way to it will do.
@@ -72,13 +82,14 @@ private:
             return arrived && map_.apply(candidate_.z, candidate_.h, true) && answer(orbit_of(map_, candidate_.z, search_));
         }
         if (done > 0 && only_rest_is_steady()) return tends_to_rest(z, done);
-        if (best_step_ < 0 || (settling_.change >= 0 && settling_.change < best_step_)) best_ = z;
+        if (best_step_ < 0 || (change_ >= 0 && change_ < best_step_)) best_ = z;
         if (held_ && steady_rest().exists())
             best_ = steady_rest().steady_state(contact_.of(z.x)); // ahead of the motion: what the others tend to
-        const bool found = shooting_.fixed_point(best_, 1, AfterBadStep::go_on_from_image_at_last);
+        const bool found = shooting_.fixed_point(best_, 1, BadSteps::all_and_go_on_from_image);
         best_step_ = shooting_.residual();
         if (!found) return false;
-        if (damped_ || !search_.follow_start || attracts(map_)) return answer(orbit_of(map_, best_, search_));
+        if (damped_ || !search_.follow_start || are_inside(multipliers_next_to(map_)))
+            return answer(orbit_of(map_, best_, search_));
         (void)take(best_, 1);
         neutral_ = true;
         return false;
@@ -96,7 +107,7 @@ private:
 
     // Any orbit near the motion.
     bool find_orbit(const State& z) {
-        for (const int h : lengths()) {
+        for (const int h : recent_.lengths(map_)) {
             if (!find_candidate(z, h)) continue;
             if (answer(orbit_of(map_, candidate_.z, search_))) return true;
             judge_candidate();
@@ -109,12 +120,12 @@ private:
     bool find_attractor(const State& z, int done) {
         if (search_.guess != nullptr) {
             State w = *std::exchange(search_.guess, nullptr);
-            if (shooting_.fixed_point(w, 1, AfterBadStep::end)) (void)take(w, 1);
+            if (shooting_.fixed_point(w, 1, BadSteps::none)) (void)take(w, 1);
         }
         const int next = candidate_.stable ? 2 * std::max(half_periods_to_approach, looked_for_at_) : half_periods_to_approach;
         if (done < next || approach_.is_under_way()) return false;
         looked_for_at_ = done;
-        const std::vector<int> nearly = lengths();
+        const std::vector<int> nearly = recent_.lengths(map_);
         for (auto h = nearly.rbegin(); h != nearly.rend(); ++h) {
             if (!find_candidate(z, *h)) continue;
             if (is_approached(z)) return true; // the motion may be there already
@@ -123,27 +134,7 @@ private:
         return false;
     }
 
-    bool find_candidate(State z, int h) { return shooting_.fixed_point(z, h, AfterBadStep::shorten) && take(z, h); }
-
-    // Numbers of half-periods after which the motion nearly repeats itself, each better than those before.
-    std::vector<int> lengths() {
-        std::vector<int> found{1};
-        double least = recurrence(1);
-        for (int h = 2; h < static_cast<int>(recent_.size()); ++h) {
-            if (h % 2 != 0 && h > search_.most_subharmonic) continue;
-            const double now = recurrence(h);
-            if (2 * now < least) {
-                found.push_back(h);
-                least = now;
-            }
-        }
-        return found;
-    }
-
-    double recurrence(int h) const {
-        const auto back = static_cast<std::size_t>(h) + 1;
-        return back > recent_.size() ? 0.0 : map_.norm(difference(recent_.back(), recent_[recent_.size() - back]));
-    }
+    bool find_candidate(State z, int h) { return shooting_.fixed_point(z, h, BadSteps::some) && take(z, h); }
 
     // A fixed point that was just found, of no more half-periods than it needs. The map was applied to it last.
     bool take(State& z, int h) {
@@ -155,7 +146,7 @@ private:
             const double apart = map_.norm(map_.difference());
             State w = z;
             if (apart * apart < std::numeric_limits<double>::epsilon() * map_.norm(z) * map_.norm(z) &&
-                shooting_.fixed_point(w, part, AfterBadStep::shorten)) {
+                shooting_.fixed_point(w, part, BadSteps::some)) {
                 z = w;
                 h = part;
                 applied = true;
@@ -173,9 +164,9 @@ private:
 
     // Whether motions next to the candidate tend to it. The map was applied to it last.
     void judge_candidate() {
-        const std::vector<std::complex<double>> multipliers = eigenvalues(candidate_.jacobian);
-        candidate_.largest_multiplier = multipliers.empty() ? 1 : size_of(multipliers.front());
-        candidate_.stable = attracts(map_);
+        const std::vector<Multiplier> multipliers = multipliers_next_to(map_);
+        candidate_.largest_multiplier = multipliers.empty() ? 1 : size_of(multipliers.front().value);
+        candidate_.stable = are_inside(multipliers);
         const std::vector<Phase>& phases = map_.motion().phases;
         if (damped_ && candidate_.h == 1 && phases.size() == 2 && phases[0].direction * phases[1].direction < 0)
             candidate_.reach = map_.solver().sliding_reach(1);
@@ -222,8 +213,6 @@ private:
         return true;
     }
 
-    bool is_restless() { return no_expansion_ && damped_ && settling_.is_restless() && !only_rest_is_steady(); }
-
     bool answer(std::optional<PeriodicOrbit> found) {
         if (found) orbit_ = std::move(*found);
         return found.has_value();
@@ -237,26 +226,33 @@ private:
     void give_up(int done, bool failed) {
         const Effort& effort = map_.solver().effort();
         const MotionStatus status = failed ? map_.motion().status : MotionStatus::complete;
-        SearchWithoutOrbit seen{.periods = done / 2, .chattering = status == MotionStatus::chattering, .restless = is_restless()};
-        if (effort.exhausted() || status == MotionStatus::open)
-            seen.ended = effort.exhausted() ? effort.ending() : "the motion changes faster than the number type can follow";
-        orbit_.more_digits_may_tell = seen.restless || status != MotionStatus::complete;
-        orbit_.start = recent_.back();
-        const double size = std::max(map_.norm(recent_.back()), 1e-300);
+        const double size = std::max(map_.norm(recent_.states.back()), 1e-300);
         const auto norm = [&](const State& z) { return map_.norm(z); };
-        if (recent_.size() > 1 && std::ranges::is_sorted(recent_, std::ranges::less_equal{}, norm)) {
-            seen.grows_to = size;
-        } else if (recent_.size() > 1) {
-            seen.repeats_after = lengths().back();
-            seen.repeats_to = recurrence(seen.repeats_after) / size;
-        }
-        if (candidate_.h > 0) {
-            seen.orbit = candidate_.h;
-            seen.orbit_is_stable = candidate_.stable;
-            seen.largest_multiplier = candidate_.largest_multiplier;
-            seen.away = map_.norm(difference(recent_.back(), candidate_.z)) / size;
-        }
-        orbit_.reason = in_words(seen);
+        orbit_.more_digits_may_tell = is_restless() || status != MotionStatus::complete;
+        orbit_.start = recent_.states.back();
+        std::ostringstream s;
+        s.precision(3);
+        if (is_restless()) s << "rounding keeps the motion from settling: ";
+        if (effort.exhausted())
+            s << effort.ending() << ": ";
+        else if (status == MotionStatus::open)
+            s << "the motion changes faster than the number type can follow: ";
+        s << (status == MotionStatus::chattering ? "phases of zero length follow each other"
+                                                 : "the motion comes to no periodic motion")
+          << " within " << done / 2 << " periods";
+        if (recent_.states.size() > 1 && std::ranges::is_sorted(recent_.states, std::ranges::less_equal{}, norm))
+            s << ". The motion still grows; its size is " << size;
+        else if (recent_.states.size() > 1)
+            s << ". After " << recent_.lengths(map_).back()
+              << " half-periods the motion comes nearest to repeating itself: it is "
+              << recent_.recurrence(map_, recent_.lengths(map_).back()) / size << " of its size away";
+        if (candidate_.h > 0)
+            s << ". A periodic motion of " << candidate_.h << " half-periods exists, which is "
+              << (candidate_.stable ? "stable" : "not certainly stable") << " with a largest multiplier of "
+              << candidate_.largest_multiplier << ", but the motion from the start is "
+              << map_.norm(difference(recent_.states.back(), candidate_.z)) / size
+              << " of its size away from it, and it is not known to lead there";
+        orbit_.reason = s.str();
     }
 
     OrbitSearch search_;
@@ -270,9 +266,10 @@ private:
     bool neutral_ = false; // an orbit was found that nothing tends to
     PeriodicOrbit orbit_;
     std::optional<LastingRest> rest_;
-    std::vector<State> recent_; // after the last half-periods, mirrored after each
-    Settling settling_;
-    State best_; // nearest to a fixed point so far, where there is one only
+    RecentStates recent_;
+    double change_ = -1; // of the last half-period; negative before the first
+    int rises_ = 0;      // half-periods that changed more than the one before
+    State best_;         // nearest to a fixed point so far, where there is one only
     double best_step_ = -1;
     OrbitCandidate candidate_;
     Approach approach_;     // of the motion from the start to the candidate
@@ -283,7 +280,9 @@ private:
 
 PeriodicOrbit periodic_orbit(ExactSolver& solver, const State& start, const OrbitSearch& search) {
     const std::size_t N = solver.system().basis.r_n.size();
-    check_search(search, start, N);
+    const auto is_finite = [](double each) { return std::isfinite(each); };
+    if (!std::ranges::all_of(start.x, is_finite) || !std::ranges::all_of(start.x_prime, is_finite))
+        throw InputError("start", "must be finite", "");
     SearchEffort own(default_effort(N));
     Effort* const before = solver.allow(search.effort != nullptr ? search.effort : &own);
     PeriodicOrbit orbit = SearchFromStart(solver, search).from(start);

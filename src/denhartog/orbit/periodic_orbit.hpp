@@ -27,10 +27,7 @@ enum class OrbitStatus : std::uint8_t {
 /// @brief How far to search, and what is asked of the orbit.
 struct OrbitSearch {
     const State* guess = nullptr; ///< a state near which an orbit of half a period is looked for first; null: none
-    int periods_before = 1;       ///< periods of propagation before the first Newton step from the start
     int most_periods = 20000; ///< periods of propagation after which the search gives up; with mu > 1 no more than 30 decay times
-    int most_subharmonic = 8; ///< longest period looked for, in periods of the force
-    double tolerance = 0;     ///< Newton's method may end where the residual is that small, relative to the state; 0: at rounding
     bool follow_start = true; ///< make sure that the motion from the start tends to the orbit, not another
     bool contact_only = false;  ///< leave `masses` empty: the maxima of the masses that are not in contact cost most
     bool with_stability = true; ///< compute Floquet multipliers and the verdict on stability
@@ -49,7 +46,6 @@ struct PeriodicOrbit {
     std::vector<MassMotion> masses;      ///< amplitude and phase of every mass; empty where the contact's alone are asked
     std::vector<Multiplier> multipliers; ///< Floquet multipliers over its period, by descending size
     bool stable = false;                 ///< all multipliers inside the unit circle, by more than their error
-    double residual = 0;                 ///< largest difference of the two ends, over the largest displacement
     double error_bound = 0;              ///< bound of the error of the displacements, units of P / k_1
     std::vector<double> velocity_errors; ///< of the velocity of each coordinate, then of each mass that is none; units of P / k_1
     bool more_digits_may_tell = false;   ///< none was found, and rounding may be why
@@ -59,7 +55,8 @@ struct PeriodicOrbit {
     long effort_spent = 0;               ///< operations that the search took
 };
 
-/// @brief The steady motion that a start leads to.
+/// @brief The steady motion that a start, the state at tau = 0, leads to; or why there is none. InputError where the start breaks
+/// a rule.
 ///
 /// The search ends where its effort is spent: `reason` then says how far it came.
 /// With mu = 1 and every damping ratio positive the steady velocities are unique, and the first orbit found is the answer. Else
@@ -67,11 +64,6 @@ struct PeriodicOrbit {
 /// where it slides without a stop, comes so near that `sliding_reach` proves it, unless `follow_start` is off. A contact at rest
 /// rests for ever where the load on it in the steady stuck motion, and what the decaying rest of the motion adds to that at most,
 /// stay below mu beta; the motion then is one of a continuum, `multipliers` are those of the other masses.
-/// @param solver  system, frequency and friction
-/// @param start   the state at tau = 0
-/// @param search  how far to search
-/// @return        the orbit, or why there is none
-/// @throws        InputError where start or search breaks a rule
 [[nodiscard]] PeriodicOrbit periodic_orbit(ExactSolver& solver, const State& start, const OrbitSearch& search = {});
 
 } // namespace denhartog

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "denhartog/sliding/demand_curve.hpp"
+#include "denhartog/number/effort.hpp"
 #include "denhartog/sliding/mass_in_motion.hpp"
 #include "denhartog/sums/friction_motion.hpp"
 
@@ -64,11 +64,22 @@ std::pair<T, T> instant_and_spread(FrictionMotions<T>& y, const T& beta, std::si
     const ModeSums<T>& s = y.sums();
     const MassInMotion<T> mass(s, k, beta);
     const T harmonic_size = modulus(Complex<T>{mass.h.A, mass.h.B});
+    Curve<T> curve;
+    if (s.coupled) { // the bounds come from the free motion, which never grows
+        const CoupledFriction<T>& friction = *s.coupled;
+        curve.rate = [&](const T& a, const T&) {
+            return T(harmonic_size + beta * friction.largest_derivative(k, 3, friction.at(a)));
+        };
+        curve.cost = friction.cost();
+        curve.share = default_effort(friction.size()) / 4;
+        const T noise = 2 * unit_of<T>() * (harmonic_size + beta * friction.compliance(k).most());
+        return instant_and_spread(
+            curve, [&](const T& tau) { return motion_with(mass, friction_share(s, k, tau)); }, noise, error);
+    }
     const auto at = [&](const T& tau) {
         const FrictionMotionsAt<T>& now = y.at(tau);
         return mass.at(now.cosine, now.sine, now.y);
     };
-    Curve<T> curve;
     curve.rate = [&](const T& a, const T& b) {
         return T(harmonic_size + beta * rate_of_friction(s, mass.weights, y.at(a, true), T(b - a)));
     };
@@ -90,54 +101,12 @@ InstantsOfMaxima<T> instants_of_maxima(FrictionMotions<T>& y, const T& beta, std
     for (std::size_t k = 0; k < s.V.size(); ++k) {
         if (k == s.contact.index || (only && k != only->index)) continue;
         const T error = errors.empty() ? T(0) : errors[k];
-        std::tie(all.instants[k], all.spreads[k]) =
-            s.coupled ? instant_and_spread_where_coupled(s, beta, k, error) : instant_and_spread(y, beta, k, error);
+        std::tie(all.instants[k], all.spreads[k]) = instant_and_spread(y, beta, k, error);
     }
     return all;
 }
 
-template <class T>
-T instant_of_largest_demand_where_coupled(const ModeSums<T>& s) {
-    const CoupledFriction<T>& friction = *s.coupled;
-    const std::size_t j = s.contact.index;
-    const T start = friction.derivative(j, 1, friction.at(T(0)));
-    Curve<T> curve;
-    curve.sample = [&](const T& tau) {
-        const CoupledState<T>& now = friction.at(tau);
-        const auto [S, C] = sine_cosine(tau);
-        const T first = friction.derivative(j, 1, now), second = friction.derivative(j, 2, now);
-        const T N = first - start * C, N_prime = second + start * S, Z = friction.derivative(j, 3, now) + first;
-        if (tau > 0 && tau < pi<T>()) return Sample<T>{N / S, N_prime * S - N * C, Z, Z * S};
-        return Sample<T>{coupled_demand(friction, s.contact, tau), T(0), Z};
-    };
-    curve.rate = [&](const T& a, const T&) { return friction.rate_of_demand(j, friction.at(a)); };
-    curve.rise = [](const T& a, const T& b, const T& z_bound) { return rise_of_demand(a, b, z_bound); };
-    curve.cost = friction.cost();
-    curve.share = default_effort(friction.size()) / 4;
-    const T found = global_maximum(curve, T(0), pi<T>()).instant;
-    return coupled_demand(friction, s.contact, T(0)) >= coupled_demand(friction, s.contact, found) ? T(0) : found;
-}
-
-template <class T>
-std::pair<T, T> instant_and_spread_where_coupled(const ModeSums<T>& s, const T& beta, std::size_t k, const T& error) {
-    const MassInMotion<T> mass(s, k, beta);
-    const CoupledFriction<T>& friction = *s.coupled;
-    const T harmonic_size = modulus(Complex<T>{mass.h.A, mass.h.B});
-    Curve<T> curve;
-    curve.rate = [&](const T& a, const T&) {
-        return T(harmonic_size + beta * friction.largest_derivative(k, 3, friction.at(a)));
-    };
-    curve.cost = friction.cost();
-    curve.share = default_effort(friction.size()) / 4;
-    const T noise = 2 * unit_of<T>() * (harmonic_size + beta * friction.compliance(k).most());
-    return instant_and_spread(
-        curve, [&](const T& tau) { return motion_at(s, mass, k, tau); }, noise, error);
-}
-
 template InstantsOfMaxima<double> instants_of_maxima(FrictionMotions<double>&, const double&, std::optional<Mass>,
                                                      const std::vector<double>&);
-template double instant_of_largest_demand_where_coupled(const ModeSums<double>&);
-template std::pair<double, double> instant_and_spread_where_coupled(const ModeSums<double>&, const double&, std::size_t,
-                                                                    const double&);
 
 } // namespace denhartog

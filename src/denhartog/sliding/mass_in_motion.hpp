@@ -14,13 +14,6 @@
 
 namespace denhartog {
 
-/// @brief The load's part of the motion of a mass. @eq{41}
-template <class T>
-[[nodiscard]] evaluation::HarmonicPart<T> harmonic_part(const ModeSums<T>& s, std::size_t k, const T& beta) {
-    const std::size_t j = s.contact.index;
-    return evaluation::harmonic_part(s.V[k], s.V[j], s.U[j], beta);
-}
-
 /// @brief Factors of the braces in (41), without beta. @eq{41}
 template <class T>
 [[nodiscard]] std::vector<T> friction_weights(const ModeSums<T>& s, std::size_t k) {
@@ -41,7 +34,8 @@ struct MassInMotion {
 
     /// @brief Mass k of the modes at a friction ratio.
     MassInMotion(const ModeSums<T>& s, std::size_t k, const T& beta_)
-        : h(harmonic_part(s, k, beta_)), beta(beta_), weights(friction_weights(s, k)) {}
+        : h(evaluation::harmonic_part(s.V[k], s.V[s.contact.index], s.U[s.contact.index], beta_)), beta(beta_),
+          weights(friction_weights(s, k)) {}
     /// @brief The motion x, x', x'' at an instant in [0, pi], of which the cosine and the sine are given; `so_far` is friction's
     /// share that is no mode's. @eq{46}
     [[nodiscard]] evaluation::MotionOfMass<T> at(const T& C, const T& S, std::span<const evaluation::FrictionMotion<T>> y,
@@ -80,13 +74,6 @@ template <class T>
 template <class T>
 [[nodiscard]] evaluation::MotionOfMass<T> motion_with(const MassInMotion<T>& mass, const FrictionShare<T>& y) {
     return mass.at(y.cosine, y.sine, y.of_modes, y.of_mass);
-}
-
-/// @brief The same at an instant in [0, pi]. @eq{46}
-template <class T>
-[[nodiscard]] evaluation::MotionOfMass<T> motion_at(const ModeSums<T>& s, const MassInMotion<T>& mass, std::size_t k,
-                                                    const T& tau) {
-    return motion_with(mass, friction_share(s, k, tau));
 }
 
 } // namespace denhartog

@@ -13,7 +13,6 @@
 #include "denhartog/solve/solve_by_reference.hpp"
 #include "denhartog/solve/solve_task.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
-#include "denhartog/stick_slip/event_errors.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {

@@ -6,15 +6,11 @@
 
 #include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/stick_slip/motion_record.hpp"
-#include "denhartog/stick_slip/stuck_response.hpp"
 #include "denhartog/sums/coupled_friction.hpp"
 
 namespace denhartog {
 
-/// @brief The state of a sliding motion. @eq{46}
-/// @param sums   modes at the frequency ratio
-/// @param state  the sliding motion
-/// @return       displacements and velocities where the force is largest
+/// @brief The state of a sliding motion where the force is largest. @eq{46}
 [[nodiscard]] inline State at_maximum_of_force(const ModeSums<double>& sums, const SteadyState<double>& state) {
     Motion<double> at = motion(sums, state, -state.phi_j);
     const std::size_t N = sums.coupled ? sums.coupled->size() : sums.R.size();
@@ -23,24 +19,9 @@ namespace denhartog {
     return {std::move(at.x), std::move(at.x_prime)};
 }
 
-/// @brief The state of the sliding motion at a friction ratio. @eq{46}
-/// @param sums  modes at the frequency ratio
-/// @param beta  friction ratio
-/// @return      displacements and velocities where the force is largest
+/// @brief The same of the sliding motion at a friction ratio. @eq{46}
 [[nodiscard]] inline State sliding_at_maximum_of_force(const ModeSums<double>& sums, double beta) {
     return at_maximum_of_force(sums, steady_state_without_maxima(sums, beta));
-}
-
-/// @brief The state while the contact rests at zero.
-/// @param stuck  the motion
-/// @return       displacements and velocities where the force is largest
-[[nodiscard]] inline State at_maximum_of_force(const StuckResponse& stuck) {
-    State state;
-    for (const StuckMass& mass : stuck.masses) {
-        state.x.push_back(mass.X.re);
-        state.x_prime.push_back(-mass.X.im);
-    }
-    return state;
 }
 
 } // namespace denhartog

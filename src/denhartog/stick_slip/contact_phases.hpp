@@ -1,5 +1,6 @@
 /// @file
-/// @brief The two kinds of phases of one system at one excitation, and the events that end them.
+/// @brief What the exact solver computes with: the two kinds of phases of one system at one excitation, the events that end them,
+/// the motion so far, and its derivative with respect to the start.
 ///
 /// A phase is a stretch of linear motion in modal coordinates: those of the system while the contact slides, those of the stuck
 /// configuration while it sticks. Sliding ends where the velocity of the contact is zero, sticking where the load on the
@@ -17,65 +18,96 @@ namespace denhartog {
 
 /// @brief The phases of one system at one excitation, one at a time. A direction is 1 or -1 as the contact slides, 0 if it sticks.
 struct ContactPhases {
-    const ContactSystem* system;   ///< the system
-    Excitation e{};                ///< frequency and friction
-    std::size_t N;                 ///< number of masses
-    LinearMotion sliding;          ///< the motion while the contact slides
-    LinearMotion sticking;         ///< the motion while it sticks
-    Column<double> w;              ///< M^-1 w / r^2: accelerations that a unit force on the contact makes
-    double inertia;                ///< of the contact, r^2 / (w^T M^-1 w)
-    double rest = 0;               ///< where the contact rests in a phase of sticking
-    Column<double> k_j;            ///< stiffness that the stuck modes bring to the contact
-    Column<double> c_j;            ///< damping that they bring
-    Column<double> m_j;            ///< inertia that they bring
-    double load_per_energy;        ///< bound of a derivative of the load on the contact over the energy norm of that order
-    double load_rest;              ///< what the inertia of the others adds to that bound
-    double load_growth;            ///< how fast the bound grows
-    double direct;                 ///< part of the force that acts on the contact itself
-    double step;                   ///< a step that the search for events took
-    std::vector<double> x;         ///< displacements at the start of the phase
-    std::vector<double> v;         ///< velocities at the start of the phase
-    int touching = 0;              ///< events so tangential that rounding decided them
-    Effort* effort;                ///< what the evaluations spend
+    const ContactSystem* system; ///< the system
+    Excitation e{};              ///< frequency and friction
+    std::size_t N;               ///< number of masses
+    LinearMotion sliding;        ///< the motion while the contact slides
+    LinearMotion sticking;       ///< the motion while it sticks
+    Column<double> w;            ///< M^-1 w / r^2: accelerations that a unit force on the contact makes
+    double inertia;              ///< of the contact, r^2 / (w^T M^-1 w)
+    double rest = 0;             ///< where the contact rests in a phase of sticking
+    Column<double> k_j;          ///< stiffness that the stuck modes bring to the contact
+    Column<double> c_j;          ///< damping that they bring
+    Column<double> m_j;          ///< inertia that they bring
+    double load_per_energy;      ///< bound of a derivative of the load on the contact over the energy norm of that order
+    double load_rest;            ///< what the inertia of the others adds to that bound
+    double load_growth;          ///< how fast the bound grows
+    double direct;               ///< part of the force that acts on the contact itself
+    double step;                 ///< a step that the search for events took
+    std::vector<double> x;       ///< displacements at the start of the phase
+    std::vector<double> v;       ///< velocities at the start of the phase
+    int touching = 0;            ///< events so tangential that rounding decided them
+    Effort* effort;              ///< what the evaluations spend
 
-    /// @param s the system @param excitation frequency and friction @param allowed the work allowed
+    /// @brief Of a system, whose evaluations spend the work allowed.
     ContactPhases(const ContactSystem& s, const Excitation& excitation, Effort& allowed);
 
-    /// @brief Sets frequency and friction anew. @param excitation frequency and friction @throws InputError
+    /// @brief Sets frequency and friction anew. InputError where one breaks its rule.
     void set(const Excitation& excitation);
 
-    /// @brief The state at the start of a phase, taken into the coordinates of its motion.
-    /// @param direction of the phase @param tau instant of the start
+    /// @brief Takes the state at the start of a phase, at tau, into the coordinates of its motion.
     void start_phase(int direction, double tau);
 
-    /// @brief Displacement, velocity or acceleration of every mass at the instant last evaluated.
-    /// @param direction of the phase @param order 0 to 2 @param out gets a value a mass
+    /// @brief Displacement, velocity or acceleration, by order 0 to 2, of every mass at the instant last evaluated.
     void masses_of(int direction, int order, std::vector<double>& out) const;
 
-    /// @brief Velocity of the contact in the direction of the phase.
-    /// @param direction 1 or -1 @param t time from the start of the phase @return value, three derivatives and their bounds
+    /// @brief Velocity of the contact in the direction of the phase, at a time from its start.
     Jet<double> velocity(int direction, double t);
-    /// @brief What the contact carries while it sticks: everything but friction.
-    /// @param t time from the start of the phase @return value, three derivatives and their bounds
+    /// @brief What the contact carries while it sticks, everything but friction, at a time from the start of the phase.
     Jet<double> load(double t);
 
-    /// @brief Where a sliding phase ends: its velocity is zero.
-    /// @param direction 1 or -1 @param length of the stretch that is left @param order of the zero at its start @return the event
+    /// @brief Where a sliding phase ends: its velocity is zero. `length` of the stretch is left; the zero at its start is of
+    /// `order`.
     Event end_of_sliding(int direction, double length, int order);
     /// @brief Where a sticking phase of a single mass ends: the load on it is p cos tau - k_jj x_j, whose passage out of the cone
-    /// has a closed form. @param tau instant of the start @param length of the stretch that is left @return the event
+    /// has a closed form.
     Event end_of_sticking_alone(double tau, double length);
     /// @brief Where a sticking phase ends: the load on the contact is more than friction holds.
-    /// @param length of the stretch that is left @return the event
     Event end_of_sticking(double length);
 
-    /// @brief Direction of the first phase of a stretch, from the velocity or else from the load on the contact.
-    /// @param tau instant of the start @return the direction, and the order of the zero of the velocity there
+    /// @brief Direction of the first phase of a stretch, from the velocity or else from the load on the contact, and the order of
+    /// the zero of the velocity there.
     std::pair<int, int> first_direction(double tau);
 
 private:
     void set_mode(LinearMotion& m, std::size_t i, double r_n, double half_damping) const; // decay rate over omega_1, zeta r_n
     void set_sticking(double r2);
+};
+
+/// @brief Deviations of the state over the 2N deviations of the start, carried through phases and events.
+///
+/// Within a phase deviations obey the motion without its forces. At an event the instant shifts with them, and the acceleration
+/// jumps there: what the shift adds is the jump times the shift, along the accelerations that a force on the contact makes.
+struct Deviations {
+    Matrix<double> dx; ///< deviations of displacements, N x 2N
+    Matrix<double> dv; ///< deviations of velocities, N x 2N
+
+    /// @brief Starts from those of the state itself, with a phase of that direction. If the contact sticks its velocity cannot
+    /// deviate: an impulse of friction takes that away, and has the others move with it that inertia ties to the contact.
+    void start(const ContactPhases& phases, int direction);
+    /// @brief Carries them over a phase that ends with the event, `phases` being evaluated there.
+    void carry(ContactPhases& phases, int direction, const Event& event);
+
+private:
+    Matrix<double> dq, dp; // of modal coordinates and velocities
+
+    void carry_stuck(ContactPhases& phases, const Event& event);
+    void shift(const Column<double>& w, double jump, const Matrix<double>& d_tau);
+};
+
+/// @brief What the solver computes with.
+struct ExactSolver::Work : ContactPhases {
+    Effort own;            ///< the work allowed where nobody else allows any
+    ExactMotion motion;    ///< the last motion, as far as it came
+    Deviations deviations; ///< of its end, where they were asked for
+
+    /// @brief Of a system.
+    Work(const ContactSystem& s, const Excitation& excitation) : ContactPhases(s, excitation, own) {}
+
+    /// @brief The motion from the state x, v.
+    void run(double tau_0, double tau_1, bool with_jacobian);
+    /// @brief Takes the start of a phase of the motion into coordinates.
+    void stand_at(std::size_t phase);
 };
 
 } // namespace denhartog

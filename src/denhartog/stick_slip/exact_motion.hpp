@@ -45,17 +45,11 @@ struct ContactSystem {
     std::string rounded_because{};     ///< why double has no modes of its own, where these are those of the reference; else empty
 };
 
-/// @brief Prepares a system for the exact solver.
-/// @param s  the system
-/// @return   its modes, sliding and stuck
-/// @throws   InputError, PrecisionError as `modal_basis` and `stuck_configuration`
+/// @brief Prepares a system for the exact solver, its modes sliding and stuck. InputError and PrecisionError as `modal_basis` and
+/// `stuck_configuration`.
 [[nodiscard]] ContactSystem contact_system(const System<double>& s);
 
-/// @brief The same, the modal basis known.
-/// @param s      the system
-/// @param modes  its modal basis with bounds
-/// @param held   what more digits have found beside the basis, where that comes from them too; else null
-/// @return       its modes
+/// @brief The same with the modal basis known; `held` is what more digits have found beside it, where it comes from them too.
 [[nodiscard]] ContactSystem contact_system(const System<double>& s, const ModalBasis<Bounded<double>>& modes,
                                            const RoundedModes<double>* held = nullptr);
 
@@ -81,7 +75,6 @@ struct ExactMotion {
     State end;                                    ///< the state at the end
     Matrix<double> jacobian;                      ///< d end / d start over (x, x'), 2N x 2N; only where it was asked for
     int touching = 0;                             ///< events met so tangentially that rounding decided them
-    long effort_for_jacobian = 0;                 ///< operations that the Jacobian took
 };
 
 /// @brief How that which ends a phase vanishes there: the velocity of a contact that slides; while it sticks, what the load on it
@@ -90,58 +83,52 @@ struct EndOfPhase {
     double rate;   ///< its rate of change, in size
     double second; ///< bound of the size of its second derivative next to the end
     double noise;  ///< its rounding error
+
+    /// @brief How far the end may be from where it was found, if what vanishes there has an error besides: over twice as far it
+    /// bends too little to hide that it changes by more than its error on either side. Infinite where it may not reach zero at
+    /// all.
+    [[nodiscard]] double error_of_instant(double error) const;
 };
 
 /// @brief Solver of one system at one excitation; keeps its working space from call to call. Not for two threads at once.
 class ExactSolver {
 public:
-    /// @param system      the system; must outlive the solver
-    /// @param excitation  frequency and friction
-    /// @throws InputError where r, beta or mu breaks its rule
+    /// @brief The system must outlive the solver. InputError where r, beta or mu breaks its rule.
     ExactSolver(const ContactSystem& system, const Excitation& excitation);
     ~ExactSolver();
-    /// @param other  a solver, which is left without its working space
+    /// @brief Leaves the other without its working space.
     ExactSolver(ExactSolver&& other) noexcept;
 
-    /// @brief Sets frequency and friction anew. @param excitation frequency and friction
+    /// @brief Sets frequency and friction anew.
     void set(const Excitation& excitation);
-    /// @brief Allows an amount of work from now on, in place of that of `default_effort` for each period of a call.
-    /// @param effort  the work; null for the default
-    /// @return        what was given before
+    /// @brief Allows an amount of work from now on, in place of that of `default_effort` for each period of a call; null for
+    /// that. Returns what was given before.
     Effort* allow(Effort* effort);
-    /// @brief The work allowed. @return what all calls spend
+    /// @brief The work allowed, which all calls spend.
     [[nodiscard]] Effort& effort() const;
-    /// @brief The system. @return the one given
+    /// @brief The system as given.
     [[nodiscard]] const ContactSystem& system() const;
-    /// @brief Frequency and friction. @return as set last
+    /// @brief Frequency and friction as set last.
     [[nodiscard]] const Excitation& excitation() const;
 
-    /// @brief The motion from one instant to a later one.
-    /// @param start          the state there; a contact at rest sticks where (74) lets it
-    /// @param tau_0          the instant of the start; the force is cos tau
-    /// @param tau_1          the end
-    /// @param with_jacobian  whether the derivative of the end with respect to the start is wanted
-    /// @return               the motion; valid until the next call
+    /// @brief The motion from one instant to a later one; the force is cos tau, and a contact at rest sticks where (74) lets it.
+    /// With the derivative of the end with respect to the start, if it is wanted. Valid until the next call.
     const ExactMotion& run(const State& start, double tau_0, double tau_1, bool with_jacobian = false);
 
-    /// @brief The state within a phase of the last motion.
-    /// @param phase  index of the phase
-    /// @param tau    an instant in it
-    /// @return       the state
+    /// @brief The state at an instant within a phase of the last motion.
     [[nodiscard]] State state_at(std::size_t phase, double tau);
 
-    /// @brief How a phase of the last motion ends. @param phase index of the phase @return the rate of what vanishes there
+    /// @brief How a phase of the last motion ends.
     [[nodiscard]] EndOfPhase end_of(std::size_t phase);
 
     /// @brief How near a motion has to be to that of a phase to slide for ever: the phase starts at the turning point of a steady
-    /// motion that slides without a stop, and every motion is damped.
-    /// @param phase  index of the phase
-    /// @return       the distance in the norm of the energy, to half of what bounds prove; 0 where that is too little to be of use
+    /// motion that slides without a stop, and every motion is damped. The distance is in the norm of the energy, to half of what
+    /// bounds prove; 0 where that is too little to be of use.
     [[nodiscard]] double sliding_reach(std::size_t phase);
 
-    /// @brief Largest size of every displacement over the last motion, guaranteed between samples.
-    /// @param error  bound of the errors of the displacements: one that is smaller by less than twice this may be the largest
-    /// @return       the extremum of every mass, then of a contact between two; of the contact without what else may be
+    /// @brief Largest size of every displacement over the last motion, then that of a contact between two, guaranteed between
+    /// samples; of the contact without what else may be. One that is smaller by less than twice `error`, a bound of the errors of
+    /// the displacements, may be the largest.
     [[nodiscard]] std::vector<Extremum> largest_displacements(double error = 0);
 
 private:
@@ -149,8 +136,15 @@ private:
     std::unique_ptr<Work> work_;
 };
 
-/// @brief Number of phases propagated since the program started; tests gate on it.
-/// @return the count, over all threads
+/// @brief The highest natural frequency over that of the force, or 1 if that is more: of accelerations over velocities.
+[[nodiscard]] double highest_over_force(const ExactSolver& solver);
+
+/// @brief The error of what ends a phase, where the displacements of a motion are off by no more than `displacement` and the
+/// velocities by one bound a coordinate: of the velocity of a contact that slides, or else of the load on it, in units of P.
+[[nodiscard]] double error_at_ends(const ExactSolver& solver, bool slides, double displacement,
+                                   const std::vector<double>& velocity);
+
+/// @brief Number of phases propagated since the program started, over all threads; tests gate on it.
 [[nodiscard]] inline long phases_propagated() { return work_counted.phases_propagated; }
 
 } // namespace denhartog

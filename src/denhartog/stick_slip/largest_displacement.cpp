@@ -10,7 +10,7 @@
 
 #include "denhartog/search/largest_in_double.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
-#include "denhartog/stick_slip/working_space.hpp"
+#include "denhartog/stick_slip/contact_phases.hpp"
 
 namespace denhartog {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/sliding/steady_state.hpp"
+#include "denhartog/stick_slip/linear_motion.hpp"
 
 namespace denhartog {
 
@@ -22,23 +22,16 @@ LastingRest::LastingRest(const ContactSystem& system, const Excitation& excitati
         terms_ += (std::abs(s.k_j[a]) + e_.r * std::abs(s.c_j[a]) + e_.r * e_.r * std::abs(s.m_j[a])) *
                   response_->masses[s.masses[a].index].amplitude;
     follows_ = s.carried;
-    double stiffness = 0, damping = 0, inertia = 0, fastest = 0;
+    double stiffness = 0, fastest = 0;
+    const Column<double> k = s.phi.transpose() * column(s.k_j), c = s.phi.transpose() * column(s.c_j),
+                         m = s.phi.transpose() * column(s.m_j);
     for (std::size_t i = 0; i < n; ++i) {
-        double k = 0, c = 0, m = 0, rate = 0;
-        for (std::size_t a = 0; a < n; ++a) {
-            k += s.phi(a, i) * s.k_j[a];
-            c += s.phi(a, i) * s.c_j[a];
-            m += s.phi(a, i) * s.m_j[a];
-            rate += std::abs(s.damping(i, a));
-        }
-        for (std::size_t a = 0; a <= n; ++a) follows_[a] -= s.shapes(a, i) * k / (s.r_n[i] * s.r_n[i]);
-        stiffness += k * k / (s.r_n[i] * s.r_n[i]);
-        damping += c * c;
-        inertia += m * m;
-        fastest = std::max(fastest, s.r_n[i] + rate);
+        for (std::size_t a = 0; a <= n; ++a) follows_[a] -= s.shapes(a, i) * k(i) / (s.r_n[i] * s.r_n[i]);
+        stiffness += k(i) * k(i) / (s.r_n[i] * s.r_n[i]);
+        fastest = std::max(fastest, s.r_n[i] + s.damping.row(i).cwiseAbs().sum());
     }
     // In units of r times the energy norm, that is, of displacements times natural frequency ratios.
-    weight_ = sqrt(stiffness) + sqrt(damping) + fastest * sqrt(inertia);
+    weight_ = sqrt(stiffness) + c.norm() + fastest * m.norm();
 }
 
 State LastingRest::steady_state(double x_j) const {
@@ -78,15 +71,10 @@ LastingRest::Verdict LastingRest::verdict(const State& z) const {
                             (holds + terms_ + constant + std::abs(s.k_jj * x_j));
     if (margin < -rounding) return Verdict::open;
     const State steady = steady_state(x_j);
+    const Column<double> q = s.momentum * (column(z.x) - column(steady.x)),
+                         p = s.momentum * (column(z.x_prime) - column(steady.x_prime));
     double energy = 0;
-    for (std::size_t i = 0; i < s.masses.size(); ++i) {
-        double q = 0, p = 0;
-        for (std::size_t k = 0; k < z.x.size(); ++k) {
-            q += s.momentum(i, k) * (z.x[k] - steady.x[k]);
-            p += s.momentum(i, k) * (z.x_prime[k] - steady.x_prime[k]);
-        }
-        energy += s.r_n[i] * s.r_n[i] * q * q + e_.r * e_.r * p * p;
-    }
+    for (std::size_t i = 0; i < s.masses.size(); ++i) energy += s.r_n[i] * s.r_n[i] * q(i) * q(i) + e_.r * e_.r * p(i) * p(i);
     const double free = weight_ * sqrt(energy);
     if (free < margin) return Verdict::lasts;
     return margin <= rounding && free <= rounding ? Verdict::on_boundary : Verdict::open;

@@ -15,8 +15,7 @@ namespace denhartog {
 /// \f$ -k\bar{x}_j \f$, and what the free motion of the others adds: at most its energy norm, which never grows, times a weight.
 class LastingRest {
 public:
-    /// @param system      the system; must outlive this
-    /// @param excitation  frequency and friction
+    /// @brief The system must outlive this.
     LastingRest(const ContactSystem& system, const Excitation& excitation);
 
     /// @brief What is known of a rest.
@@ -26,22 +25,19 @@ public:
         on_boundary ///< its load reaches mu beta to rounding, and not beyond
     };
 
-    /// @brief Whether the contact, at rest in a state, rests for ever.
-    /// @param z  the state at tau = 0, the contact sticking
-    /// @return   the verdict
+    /// @brief Whether the contact, at rest in a state at tau = 0, rests for ever.
     [[nodiscard]] Verdict verdict(const State& z) const;
 
-    /// @brief Whether there is a steady motion with the contact held. @return false where the load excites an undamped resonance
+    /// @brief Whether there is a steady motion with the contact held: the load excites no undamped resonance.
     [[nodiscard]] bool exists() const { return response_.has_value(); }
 
-    /// @brief How far from zero the contact can rest for ever. @return the distance; negative where it cannot, not even at zero
+    /// @brief How far from zero the contact can rest for ever; negative where it cannot, not even at zero.
     [[nodiscard]] double reach() const;
 
-    /// @brief The steady motion with the contact held. @param x_j where it is held @return the state at tau = 0
+    /// @brief The state at tau = 0 of the steady motion with the contact held at x_j.
     [[nodiscard]] State steady_state(double x_j) const;
 
-    /// @brief Amplitude and phase of a mass in the steady motion. @param k the mass @param x_j where the contact is held
-    /// @return the motion of the mass
+    /// @brief Amplitude and phase of mass k in that motion.
     [[nodiscard]] MassMotion motion(std::size_t k, double x_j) const;
 
 private:

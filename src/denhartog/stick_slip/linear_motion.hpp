@@ -19,7 +19,7 @@
 
 namespace denhartog {
 
-/// @brief A vector of numbers as a column, to be read or written. @param values the numbers @return a view of them
+/// @brief A view of numbers as a column, to be read or written.
 template <class Values>
 [[nodiscard]] auto column(Values& values) {
     using Numbers = Column<typename Values::value_type>;
@@ -44,13 +44,13 @@ struct LinearMotion {
     std::array<OfCoordinates<double>, orders> q; ///< coordinates and derivatives at the instant last evaluated
     Effort* const* effort = nullptr; ///< where the budget stands that exponentials of a coupled system spend; null: none
 
-    /// @brief Sets the number of coordinates. @param n their number
+    /// @brief Sets the number of coordinates.
     void resize(std::size_t n);
-    /// @brief Number of coordinates. @return their number
+    /// @brief Number of coordinates.
     [[nodiscard]] std::size_t size() const { return omega_0.size(); }
-    /// @brief Whether D couples the coordinates. @return true where it is not diagonal
+    /// @brief Whether D couples the coordinates.
     [[nodiscard]] bool coupled() const { return D.size() > 0; }
-    /// @brief Operations that an evaluation costs. @return their number
+    /// @brief Operations that an evaluation costs.
     [[nodiscard]] long cost() const {
         const auto n = static_cast<long>(size());
         return coupled() ? 10 + n * n : n;
@@ -58,30 +58,27 @@ struct LinearMotion {
 
     /// @brief To be called when omega_0, gap, decay, D or F have changed.
     void prepare();
-    /// @brief Starts the stretch from the coordinates and velocities in q[0], q[1]. @param tau the instant
+    /// @brief Starts the stretch at tau from the coordinates and velocities in q[0], q[1].
     void start(double tau);
-    /// @brief Coordinates and velocities at an instant, into q[0], q[1]. @param t the time from the start
+    /// @brief Coordinates and velocities at a time from the start, into q[0], q[1].
     void move_to(double t);
-    /// @brief All derivatives at an instant. @param t the time from the start
+    /// @brief All derivatives at a time from the start.
     void differentiate_at(double t);
 
-    /// @brief Cosine of tau at the instant last evaluated. @return cos tau
+    /// @brief Cosine of tau at the instant last evaluated.
     [[nodiscard]] double cos_tau() const { return now_.c; }
-    /// @brief Sine of tau at the instant last evaluated. @return sin tau
+    /// @brief Sine of tau at the instant last evaluated.
     [[nodiscard]] double sin_tau() const { return now_.s; }
 
-    /// @brief Energy norm of derivative m and its velocity at the instant last evaluated: it grows by |F| a unit of time at most.
-    /// @param m  order, at most 4
-    /// @return   sqrt(sum q^(m+1)^2 + omega_0^2 q^(m)^2), formed without the overflow of a square
+    /// @brief Energy norm of derivative m, at most 4, and its velocity at the instant last evaluated, sqrt(sum q^(m+1)^2 +
+    /// omega_0^2 q^(m)^2): it grows by |F| a unit of time at most.
     [[nodiscard]] double energy_norm(int m) const;
     /// @brief Bound of the same of one coordinate where D is diagonal: the sum of both sizes, at most sqrt(2) times the norm.
-    /// @param m  order, at most 4 @param i the coordinate @return the bound
     [[nodiscard]] double energy_norm(int m, std::size_t i) const {
         return std::abs(q[m + 1][i]) + omega_0[i] * std::abs(q[m][i]);
     }
 
     /// @brief Carries deviations over a time, free of force: columns of dq and dp, of the coordinates and of their velocities.
-    /// @param t  the time @param dq coordinate by column @param dp the same of velocities
     void carry(double t, Matrix<double>& dq, Matrix<double>& dp);
 
 private:

@@ -13,9 +13,7 @@ struct State {
     std::vector<double> x_prime; ///< velocities with respect to tau, N values
 };
 
-/// @brief The state of all masses at rest at zero.
-/// @param N  number of masses
-/// @return   the state
+/// @brief The state of N masses at rest at zero.
 [[nodiscard]] inline State at_rest(std::size_t N) { return {std::vector<double>(N), std::vector<double>(N)}; }
 
 /// @brief An interval of time in which the contact slides in one direction, or sticks.

@@ -7,7 +7,7 @@
 /// \f$ c\,d \f$ at most. Where that load is beyond \f$ \mu\beta \f$ for all of these instants, the contact cannot stick.
 #include <algorithm>
 
-#include "denhartog/stick_slip/working_space.hpp"
+#include "denhartog/stick_slip/contact_phases.hpp"
 
 namespace denhartog {
 namespace {

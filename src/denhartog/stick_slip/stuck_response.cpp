@@ -31,13 +31,6 @@ double rounding(std::size_t modes) { return 4 * static_cast<int>(modes) * std::n
         "lasts");
 }
 
-void check_arguments(const StuckConfiguration<double>& stuck, Mass load, double r) {
-    const std::size_t N = stuck.masses.size() + 1;
-    check_frequency_ratio(r);
-    if (load.index >= N && stuck.load.empty())
-        throw InputError("load", "must be one of the masses", std::to_string(load.index + 1));
-}
-
 /// Amplitude of an uncoupled mode under the force p; D is the diagonal entry of the damping, 2 zeta r_n.
 Complex<double> mode_amplitude(double p, double r_n, double D, double r, double tolerance) {
     if (p == 0) return {0, 0};
@@ -100,8 +93,10 @@ StuckMass motion_of(const Complex<double>& X) {
 }
 
 StuckResponse stuck_response(const StuckConfiguration<double>& stuck, Mass load, double r) {
-    check_arguments(stuck, load, r);
+    check_frequency_ratio(r);
     const std::size_t n = stuck.masses.size();
+    if (load.index > n && stuck.load.empty())
+        throw InputError("load", "must be one of the masses", std::to_string(load.index + 1));
     StuckResponse response{r, Mass{stuck.contact.a}, load, {}, {}, {}};
     std::vector<Complex<double>> X(n + 1, Complex<double>{0, 0}); // of all masses
     const std::vector<double> p = load_on_stuck_modes(stuck, load);

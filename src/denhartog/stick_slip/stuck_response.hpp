@@ -17,7 +17,7 @@ struct StuckMass {
     std::optional<double> phase; ///< lag behind the force, radians, in (-pi, pi]; none where the mass does not move
 };
 
-/// @brief Amplitude and phase of a harmonic motion. @param X its complex amplitude @return the motion
+/// @brief Amplitude and phase of a harmonic motion of complex amplitude X.
 [[nodiscard]] StuckMass motion_of(const Complex<double>& X);
 
 /// @brief The response while the contact is held at zero.
@@ -32,14 +32,9 @@ struct StuckResponse {
 
 /// @brief The response while the contact is held at zero; the contact at x_j moves every mass and its load by a constant.
 ///
-/// Where the stuck modes diagonalise their damping, (88)'s modal superposition; else a linear system over all of them.
-/// @eq{88}
-/// @param stuck    the stuck configuration of the system
-/// @param load     the loaded mass, l; none of them where the load acts on several, which the stuck configuration then has
-/// @param r        frequency ratio, Eq. (10); positive
-/// @return         the response
-/// @throws         InputError where r, j or l breaks its rule; DomainError where the load excites the resonance of an undamped
-///                 stuck mode
+/// Where the stuck modes diagonalise their damping, (88)'s modal superposition; else a linear system over all of them. `load` is
+/// the loaded mass, l; none of them where the load acts on several, which the stuck configuration then has. InputError where r or
+/// l breaks its rule; DomainError where the load excites the resonance of an undamped stuck mode. @eq{88}
 [[nodiscard]] StuckResponse stuck_response(const StuckConfiguration<double>& stuck, Mass load, double r);
 
 /// @brief The masses of a chain that move by (88) while the contact is held: those on the load's side of it.
@@ -51,24 +46,16 @@ struct StuckChain {
     std::optional<double> kappa; ///< stiffness ratio of the spring to the contact; none where the load acts on the contact
 };
 
-/// @brief Modes of the masses that move by (88); one more eigenproblem (15) for two masses or more.
-/// @eq{88}
-/// @param s      the system
-/// @param stuck  its stuck configuration
-/// @return       the modes; none where the system is not given as a chain
+/// @brief Modes of the masses that move by (88); one more eigenproblem (15) for two masses or more. None where the system is not
+/// given as a chain. @eq{88}
 [[nodiscard]] std::optional<StuckChain> stuck_chain(const System<double>& s, const StuckConfiguration<double>& stuck);
 
-/// @brief The rows of the mode shapes of a chain that (88) needs. @param chain the masses that move @param response the response
-/// @return  the row of the mass next to the contact, and that of the loaded mass
+/// @brief The rows of the mode shapes of a chain that (88) needs: of the mass next to the contact, and of the loaded mass.
 [[nodiscard]] std::pair<Eigen::Index, Eigen::Index> rows_of_neighbour_and_load(const StuckChain& chain,
                                                                                const StuckResponse& response);
 
-/// @brief Complex amplitude of a mode under a force p cos tau.
-/// @eq{88}
-/// @param p  the force
-/// @param a  stiffness less inertia, \f$ r_n^2 - r^2 \f$
-/// @param b  damping, \f$ 2\zeta r_n r \f$
-/// @return   \f$ p / (a + \mathrm{i}b) \f$
+/// @brief Complex amplitude of a mode under a force p cos tau: \f$ p / (a + \mathrm{i}b) \f$ with its stiffness less inertia,
+/// \f$ a = r_n^2 - r^2 \f$, and its damping, \f$ b = 2\zeta r_n r \f$. @eq{88}
 template <class Number>
 [[nodiscard]] Complex<Number> amplitude_of_mode(const Number& p, const Number& a, const Number& b) {
     const Number size = a * a + b * b;
@@ -82,27 +69,15 @@ struct StickingBoundary {
     std::optional<double> paper; ///< by (88); none for a system that is no chain
 };
 
-/// @brief The boundary of permanent sticking.
-/// @eq{88}
-/// @param response  the response with the contact held
-/// @param chain     the masses that move by (88), where there are such
-/// @param mu        static over kinetic friction, Eq. (3); at least 1
-/// @return          the boundary
-/// @throws          InputError where mu is below 1 or not finite; DomainError where the load excites the resonance of an undamped
-///                  stuck mode
+/// @brief The boundary of permanent sticking; `chain` is the masses that move by (88), where there are such. InputError where mu
+/// is below 1 or not finite; DomainError where the load excites the resonance of an undamped stuck mode. @eq{88}
 [[nodiscard]] StickingBoundary sticking_boundary(const StuckResponse& response, const std::optional<StuckChain>& chain,
                                                  double mu);
 
 /// @brief How far from zero the contact may rest for ever: \f$ |\bar{x}_j| \le (\mu\beta - |\text{load}|)/k \f$.
 ///
-/// At rest in x_j the contact bears the static load k x_j besides, with the other masses free to follow it.
-/// @eq{74,88}
-/// @param stuck     the stuck configuration
-/// @param response  its response
-/// @param mu        static over kinetic friction, Eq. (3); at least 1
-/// @param beta      friction ratio, Eq. (11); not negative
-/// @return          half the length of the interval of rest, in units of P / k_1; none where no rest lasts
-/// @throws          InputError where mu or beta breaks its rule
+/// At rest in x_j the contact bears the static load k x_j besides, with the other masses free to follow it. None where no rest
+/// lasts. InputError where mu or beta breaks its rule. @eq{74,88}
 [[nodiscard]] std::optional<double> rest_interval(const StuckConfiguration<double>& stuck, const StuckResponse& response,
                                                   double mu, double beta);
 

@@ -17,12 +17,6 @@ template std::vector<Real50> instants_of_demands(FrictionMotions<Real50>&);
 template std::vector<Real100> instants_of_demands(FrictionMotions<Real100>&);
 template Boundary<Real50> boundary(const ModeSums<Real50>&, const Real50&);
 template Boundary<Real100> boundary(const ModeSums<Real100>&, const Real100&);
-template Real50 instant_of_largest_demand_where_coupled(const ModeSums<Real50>&);
-template std::pair<Real50, Real50> instant_and_spread_where_coupled(const ModeSums<Real50>&, const Real50&, std::size_t,
-                                                                    const Real50&);
-template Real100 instant_of_largest_demand_where_coupled(const ModeSums<Real100>&);
-template std::pair<Real100, Real100> instant_and_spread_where_coupled(const ModeSums<Real100>&, const Real100&, std::size_t,
-                                                                      const Real100&);
 template InstantsOfMaxima<Real50> instants_of_maxima(FrictionMotions<Real50>&, const Real50&, std::optional<Mass>,
                                                      const std::vector<Real50>&);
 template InstantsOfMaxima<Real100> instants_of_maxima(FrictionMotions<Real100>&, const Real100&, std::optional<Mass>,
