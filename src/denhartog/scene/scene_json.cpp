@@ -4,9 +4,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "denhartog/elementary/exact_arithmetic.hpp"
 #include "denhartog/formulas/system.hpp"
 #include "denhartog/number/ball_or_none.hpp"
-#include "denhartog/number/double_double.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/json_document.hpp"
@@ -214,6 +214,23 @@ void read_contact(const json& object, System<T>& s) {
     s.contact_with = Mass{read_index(contact[1])};
 }
 
+/// A sum that is rounded once: the rows of K add up to next to nothing.
+template <class T, class Row>
+T sum_rounded_once(const Row& row) {
+    if constexpr (std::same_as<T, double>) {
+        elementary::Parts sum{0, 0};
+        for (const double x : row) {
+            const elementary::Parts next = elementary::exact_sum(sum.high, x);
+            sum = {next.high, sum.low + next.low};
+        }
+        return sum.high + sum.low;
+    } else {
+        T sum(0);
+        for (const T& x : row) sum += x;
+        return sum;
+    }
+}
+
 /// Forces of inertia where base and wall move together; of springs where the base moves alone.
 template <class T>
 std::vector<T> load_of_base(const SceneItem& base, const System<T>& s) {
@@ -231,13 +248,7 @@ std::vector<T> load_of_base(const SceneItem& base, const System<T>& s) {
     std::vector<T> load(matrix.size() == 0 ? number_of_masses(s) : static_cast<std::size_t>(matrix.rows()), T(0));
     if (matrix.size() == 0) load.front() = s.stiffness_ratios.front(); // the base holds mass 1 alone
     if (matrix.size() == 0) return load;
-    using W = typename WiderOf<T>::type; // rows of K add up to next to nothing
-    for (std::size_t k = 0; k < load.size(); ++k) {
-        W sum(0);
-        for (std::size_t n = 0; n < load.size(); ++n)
-            sum += W(matrix(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(n)));
-        load[k] = static_cast<T>(sum);
-    }
+    for (std::size_t k = 0; k < load.size(); ++k) load[k] = sum_rounded_once<T>(matrix.row(static_cast<Eigen::Index>(k)));
     return load;
 }
 

@@ -11,6 +11,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/scene/json_document.hpp"
+#include "denhartog/scene/scene_rules.hpp"
 
 namespace denhartog {
 namespace {

@@ -1,6 +1,7 @@
 // The rules of a scene under the names that its author used.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,13 @@ inline constexpr double largest_damping_tolerance = 2;
 [[nodiscard]] inline std::string most_masses_rule(const std::string& of) {
     return "must have at most " + std::to_string(most_masses) + " " + of + ", one a mass";
 }
+
+// Checks the keys of a scene. Throws InputError where it is no object, has a key that is none (the nearest one and all are named),
+// or has keys of both ratios and physical units.
+void check_keys(const nlohmann::json& object);
+
+// Whether a scene is in physical units.
+[[nodiscard]] bool is_dimensional(const nlohmann::json& object);
 
 // What the author of a scene calls its quantities, and whether messages point into a JSON text.
 struct SceneNames {
