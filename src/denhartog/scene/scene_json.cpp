@@ -1,6 +1,5 @@
 #include "denhartog/scene/scene_json.hpp"
 
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -27,7 +26,7 @@ struct SceneItem {
 
     /// An entry; a value that stands without its brackets is the only one.
     SceneItem operator[](std::size_t i) const {
-        return value.is_array() ? SceneItem{value[i], key, place + pointer_step(std::to_string(i))} : *this;
+        return value.is_array() ? SceneItem{value[i], key, place + "/" + std::to_string(i)} : *this;
     }
     [[noreturn]] void fail(const std::string& rule) const { throw InputError(key, rule, value_text(value), place); }
 };
@@ -214,21 +213,15 @@ void read_contact(const json& object, System<T>& s) {
     s.contact_with = Mass{read_index(contact[1])};
 }
 
-/// A sum that is rounded once: the rows of K add up to next to nothing.
+/// The sum of a row of K, next to nothing, is rounded once where it is one of doubles.
 template <class T, class Row>
 T sum_rounded_once(const Row& row) {
-    if constexpr (std::same_as<T, double>) {
-        elementary::Parts sum{0, 0};
-        for (const double x : row) {
-            const elementary::Parts next = elementary::exact_sum(sum.high, x);
-            sum = {next.high, sum.low + next.low};
-        }
-        return sum.high + sum.low;
-    } else {
-        T sum(0);
-        for (const T& x : row) sum += x;
-        return sum;
+    T sum(0), lost(0);
+    for (const T& x : row) {
+        if constexpr (std::same_as<T, double>) lost += elementary::exact_sum(sum, x).low;
+        sum += x;
     }
+    return sum + lost;
 }
 
 /// Forces of inertia where base and wall move together; of springs where the base moves alone.
