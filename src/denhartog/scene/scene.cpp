@@ -123,25 +123,26 @@ void check_load(const System<T>& s, const SceneNames& names) {
 
 template <class T>
 void check_system(const System<T>& s, const SceneNames& names) {
-    check_given_once(s.mass_ratios, s.mass_matrix, names, names.masses, "mass_matrix");
-    check_given_once(s.stiffness_ratios, s.stiffness_matrix, names, names.stiffnesses, "stiffness_matrix");
+    check_given_once(s.mass_ratios, s.mass_matrix, names, names("mass_ratios"), "mass_matrix");
+    check_given_once(s.stiffness_ratios, s.stiffness_matrix, names, names("stiffness_ratios"), "stiffness_matrix");
     check_given_once(s.damping_ratios, s.damping_matrix, names, "damping_ratios", "damping_matrix");
     const std::size_t N = number_of_masses(s);
     if (N > most_masses) {
         const bool matrix = s.mass_matrix.size() > 0;
-        fail(names, matrix ? names.mass_matrix : names.masses, most_masses_rule(matrix ? "rows" : "values"), std::to_string(N));
+        fail(names, matrix ? names("mass_matrix") : names("mass_ratios"), most_masses_rule(matrix ? "rows" : "values"),
+             std::to_string(N));
     }
     if (s.mass_matrix.size() > 0) {
-        check_symmetric(s.mass_matrix, N, names, names.mass_matrix);
-        check_positive_definite(s.mass_matrix, names, names.mass_matrix);
+        check_symmetric(s.mass_matrix, N, names, names("mass_matrix"));
+        check_positive_definite(s.mass_matrix, names, names("mass_matrix"));
     } else {
-        check_ratios(s.mass_ratios, N, names, names.masses, "mass");
+        check_ratios(s.mass_ratios, N, names, names("mass_ratios"), "mass");
     }
     if (s.stiffness_matrix.size() > 0) {
-        check_symmetric(s.stiffness_matrix, N, names, names.stiffness_matrix);
-        check_positive_definite(s.stiffness_matrix, names, names.stiffness_matrix);
+        check_symmetric(s.stiffness_matrix, N, names, names("stiffness_matrix"));
+        check_positive_definite(s.stiffness_matrix, names, names("stiffness_matrix"));
     } else {
-        check_ratios(s.stiffness_ratios, N, names, names.stiffnesses, "spring");
+        check_ratios(s.stiffness_ratios, N, names, names("stiffness_ratios"), "spring");
     }
     if (!(s.damping_tolerance >= 0 && s.damping_tolerance <= largest_damping_tolerance))
         fail(names, "damping_tolerance", "must be from 0 to 2", number_to_text(s.damping_tolerance));
@@ -163,8 +164,8 @@ template <class T>
 void check_under_names(const Scene<T>& scene, const SceneNames& names) {
     check_system(scene.system, names);
     check_number(names, "mu", scene.mu, !(scene.mu < 1), "must be at least 1 (static friction is not below kinetic friction)");
-    if (scene.r) check_number(names, names.r, *scene.r, *scene.r > 0, "must be positive");
-    if (scene.beta) check_number(names, names.beta, *scene.beta, !(*scene.beta < 0), "must not be negative");
+    if (scene.r) check_number(names, names("r"), *scene.r, *scene.r > 0, "must be positive");
+    if (scene.beta) check_number(names, names("beta"), *scene.beta, !(*scene.beta < 0), "must not be negative");
 }
 
 template <class T>

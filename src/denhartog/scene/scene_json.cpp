@@ -264,22 +264,15 @@ void read_load(const json& object, System<T>& s) {
 
 template <class T>
 Scene<T> scene_from_json(const json& object) {
-    check_keys(object);
-    Scene<T> scene;
     SceneNames names;
+    names.dimensional = check_keys(object);
     names.places = true;
+    Scene<T> scene;
     T unit(1);
-    if (is_dimensional(object)) {
+    if (names.dimensional)
         unit = read_dimensional(object, scene);
-        names.masses = "masses";
-        names.stiffnesses = "stiffnesses";
-        names.mass_matrix = "masses";
-        names.stiffness_matrix = "stiffnesses";
-        names.r = "frequency";
-        names.beta = "friction";
-    } else {
+    else
         read_ratios(object, scene);
-    }
     read_damping(object, unit, scene.system);
     names.one_zeta = object.contains("damping_ratios") && !object.at("damping_ratios").is_array();
     read_contact(object, scene.system);

@@ -1,10 +1,10 @@
 #include "denhartog/program/output/result_files.hpp"
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <type_traits>
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
@@ -21,11 +21,11 @@ struct NpyField {
 // Appends a number to the records, least significant byte first.
 template <class T>
 void append(std::string& records, T x) {
-    using Bits =
-        std::conditional_t<sizeof(T) == 8, std::uint64_t, std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint8_t>>;
-    static_assert(sizeof(T) == sizeof(Bits));
-    const Bits bits = std::bit_cast<Bits>(x);
-    for (std::size_t byte = 0; byte < sizeof(T); ++byte) records += static_cast<char>((bits >> (8 * byte)) & 0xff);
+    const auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(x);
+    if constexpr (std::endian::native == std::endian::little)
+        records.append(bytes.begin(), bytes.end());
+    else
+        records.append(bytes.rbegin(), bytes.rend());
 }
 
 // The beginning of an array of records in NumPy's file format, version 1.0: magic string, version, length and a dictionary padded to a
@@ -41,10 +41,8 @@ std::string npy_header(const std::vector<NpyField>& fields, const std::vector<st
     dictionary.append(63 - (before + dictionary.size()) % 64, ' ');
     dictionary += '\n';
     std::string header = "\x93NUMPY";
-    append(header, std::uint8_t(1));
-    append(header, std::uint8_t(0));
-    append(header, static_cast<std::uint8_t>(dictionary.size() % 256));
-    append(header, static_cast<std::uint8_t>(dictionary.size() / 256));
+    append(header, std::uint16_t(1)); // 1 before the point of the version, 0 after it
+    append(header, static_cast<std::uint16_t>(dictionary.size()));
     return header + dictionary;
 }
 
