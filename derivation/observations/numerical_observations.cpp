@@ -5,7 +5,6 @@
 
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
-#include "denhartog/paper_algorithm/regime_seen.hpp"
 #include "observed_systems.hpp"
 
 namespace denhartog::derivation {

@@ -5,7 +5,7 @@
 #include <complex>
 
 #include "denhartog/answer/exact_cycles.hpp"
-#include "denhartog/paper_algorithm/regime_seen.hpp"
+#include "denhartog/paper_algorithm/paper_algorithm.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/half_period.hpp"
 #include "tests/support/paper_systems.hpp"

@@ -1,5 +1,3 @@
-#include "denhartog/c/denhartog.h"
-
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -7,10 +5,8 @@
 #include "denhartog/c/handles.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
 #include "denhartog/model/contact_and_load.hpp"
-#include "denhartog/scene/limits.hpp"
-#include "denhartog/scene/point_rules.hpp"
+#include "denhartog/number/number_text.hpp"
 #include "denhartog/solve/certain_modes.hpp"
-#include "denhartog/solve/quantities.hpp"
 #include "denhartog/solve/solve_by_reference.hpp"
 #include "denhartog/version.hpp"
 
@@ -22,7 +18,7 @@ namespace {
 void make_system(const SceneSource& source, dh_system** system) {
     auto made = std::make_unique<dh_system>(dh_system{prepare(source, Question{}, Prepared::every_regime)});
     made->modes = certain_modes(source, made->prepared.bounded);
-    need_finite(parts_of(made->modes->r_n, ValueOrError::value));
+    for (const Bounded<double>& r_n : made->modes->r_n) need_finite(std::array{r_n.x});
     *system = made.release();
 }
 
@@ -62,21 +58,7 @@ int boundaries(const dh_system* system, double r, double mu, ValueOrError part, 
     return guarded([&] {
         need(system, "system");
         need_struct(result, name);
-        const Solution found = closed_form_at(system, r, 0, mu, Asked::regime, std::nullopt);
-        if (!(found.limits->exact.value < boundary_of_antiresonance)) need_digits(found);
-        hand_out(struct_of(*found.limits, part), result);
-    });
-}
-
-// (86), or the bound of its error.
-int high_frequency_limit(const dh_system* system, double mu, ValueOrError part, double* result, const char* name) noexcept {
-    return guarded([&] {
-        need(system, "system");
-        need(result, name);
-        check_static_friction(mu);
-        const System<double>& s = system->prepared.scene().system;
-        if (contact_row(s) != load_row(s)) throw DomainError("(86) is for a contact that bears the load, j = l");
-        *result = part_of(paper::friction_ratio_limit_at_high_frequency(Bounded<double>(mu)), part);
+        hand_out(struct_of(limits_at(system, r, mu), part), result);
     });
 }
 
@@ -86,9 +68,7 @@ int sliding_motion(const dh_system* system, double r, double beta, double mu, si
     return guarded([&] {
         const Mass k = mass_from(mass, masses_of(system), "mass");
         need_struct(result, name);
-        const Solution found = closed_form_at(system, r, beta, mu, Asked::motion, k);
-        if (found.masses.empty()) throw_not_sliding(beta, found.limits->exact.value);
-        const SolvedMass& m = found.masses.front();
+        const SolvedMass m = sliding_at(system, r, beta, mu, k);
         const SlidingOfMass& of = *m.sliding;
         const dh_sliding_mass all{0,
                                   part_of(of.x0, part),
@@ -98,33 +78,64 @@ int sliding_motion(const dh_system* system, double r, double beta, double mu, si
                                   part_of(of.instant, part),
                                   part_of(of.amplitude_monoharmonic, part),
                                   part_of(of.phase_monoharmonic, part)};
-        need_digits(found);
         need_finite(std::array{all.initial_displacement, all.initial_velocity, all.amplitude, all.phase, all.instant,
                                all.amplitude_monoharmonic, all.phase_monoharmonic});
         hand_out(all, result);
     });
 }
 
+// (86), or the bound of its error.
+int high_frequency_limit(const dh_system* system, double mu, ValueOrError part, double* result, const char* name) noexcept {
+    return guarded([&] {
+        need(system, "system");
+        need(result, name);
+        hand_out(part, {{{c_interface::limit_at_high_frequency(system, mu)}, result}});
+    });
+}
+
 // Displacements, or the bounds of their errors.
 int displacements(const dh_system* system, double r, double beta, double mu, size_t mass, size_t count, const double* tau,
-                  ValueOrError part, double* result, const char* name) noexcept {
+                  ValueOrError part, double* result) noexcept {
     return guarded([&] {
         const Mass k = mass_from(mass, masses_of(system), "mass");
         need(tau, "tau");
-        need(result, name);
+        need(result, part, "x");
         if (count > 0) need_length(count, most_samples_of(masses_of(system)), "count");
-        const Quantities<Bounded<double>> q = quantities(system->prepared, point_of(system, r, beta, mu), std::span(tau, count),
-                                                         digits_of_formulas, PointNumbers::motion)
-                                                  .numbers;
-        if (!q.X_j) throw_not_sliding(beta, q.beta_lim.x);
-        std::vector<double> all;
-        for (std::size_t n = k.index; n < q.x.size(); n += q.x_size.size()) all.push_back(part_of(q.x[n], part));
-        need_finite(all);
-        hand_out(all, result);
+        hand_out(part, {{displacements_at(system, r, beta, mu, k, std::span(tau, count)), result}});
     });
 }
 
 } // namespace
+
+Limits c_interface::limits_at(const dh_system* system, double r, double mu) {
+    const Solution found = closed_form_at(system, r, 0, mu, Asked::regime, std::nullopt);
+    if (!(found.limits->exact.value < boundary_of_antiresonance)) need_digits(found);
+    return *found.limits;
+}
+
+SolvedMass c_interface::sliding_at(const dh_system* system, double r, double beta, double mu, Mass k) {
+    const Solution found = closed_form_at(system, r, beta, mu, Asked::motion, k);
+    if (found.masses.empty()) throw_not_sliding(beta, found.limits->exact.value);
+    need_digits(found);
+    return found.masses.front();
+}
+
+Bounded<double> c_interface::limit_at_high_frequency(const dh_system* system, double mu) {
+    check_static_friction(mu);
+    const System<double>& s = system->prepared.scene().system;
+    if (contact_row(s) != load_row(s)) throw DomainError("(86) is for a contact that bears the load, j = l");
+    return paper::friction_ratio_limit_at_high_frequency(Bounded<double>(mu));
+}
+
+Numbers c_interface::displacements_at(const dh_system* system, double r, double beta, double mu, Mass k,
+                                      std::span<const double> tau) {
+    const Quantities<Bounded<double>> q =
+        quantities(system->prepared, point_of(system, r, beta, mu), tau, digits_of_formulas, PointNumbers::motion).numbers;
+    if (!q.X_j) throw_not_sliding(beta, q.beta_lim.x);
+    Numbers x;
+    for (std::size_t n = k.index; n < q.x.size(); n += q.x_size.size()) x.push_back(q.x[n]);
+    return x;
+}
 
 extern "C" {
 
@@ -231,12 +242,12 @@ int dh_sliding_motion_errors(const dh_system* system, double r, double beta, dou
 
 int dh_displacement(const dh_system* system, double r, double beta, double mu, size_t mass, size_t count, const double* tau,
                     double* x) noexcept {
-    return displacements(system, r, beta, mu, mass, count, tau, ValueOrError::value, x, "x");
+    return displacements(system, r, beta, mu, mass, count, tau, ValueOrError::value, x);
 }
 
 int dh_displacement_errors(const dh_system* system, double r, double beta, double mu, size_t mass, size_t count,
                            const double* tau, double* x_error) noexcept {
-    return displacements(system, r, beta, mu, mass, count, tau, ValueOrError::error, x_error, "x_error");
+    return displacements(system, r, beta, mu, mass, count, tau, ValueOrError::error, x_error);
 }
 
 } // extern "C"

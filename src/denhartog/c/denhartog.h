@@ -178,11 +178,10 @@ DH_EXPORT int dh_system_masses(const dh_system* system, size_t* N, size_t* conta
 DH_EXPORT int dh_natural_frequency_ratios(const dh_system* system, size_t count, double* r_n, double* zeta) DH_NOEXCEPT;
 
 /// @brief Bounds of the errors of these numbers.
-/// @param system      a system
-/// @param count       N
-/// @param r_n_error   receives N bounds, of the frequency ratios
-/// @param zeta_error  receives N bounds, of the damping ratios; may be null
-/// @return            as dh_natural_frequency_ratios()
+/// @param system,count  as for dh_natural_frequency_ratios()
+/// @param r_n_error     receives N bounds, of the frequency ratios
+/// @param zeta_error    receives N bounds, of the damping ratios; may be null
+/// @return              as dh_natural_frequency_ratios()
 DH_EXPORT int dh_natural_frequency_ratio_errors(const dh_system* system, size_t count, double* r_n_error,
                                                 double* zeta_error) DH_NOEXCEPT;
 
@@ -196,11 +195,9 @@ DH_EXPORT int dh_natural_frequency_ratio_errors(const dh_system* system, size_t 
 DH_EXPORT int dh_mode_shapes(const dh_system* system, double r, size_t count, double* psi) DH_NOEXCEPT;
 
 /// @brief Bounds of the errors of these numbers; a shape and its negative are the same mode.
-/// @param system     a system
-/// @param r          frequency ratio, Eq. (10), positive
-/// @param count      N times N
-/// @param psi_error  receives the bound of psi_ki at position (k - 1) N + i - 1
-/// @return           as dh_mode_shapes()
+/// @param system,r,count  as for dh_mode_shapes()
+/// @param psi_error       receives the bound of psi_ki at position (k - 1) N + i - 1
+/// @return                as dh_mode_shapes()
 DH_EXPORT int dh_mode_shape_errors(const dh_system* system, double r, size_t count, double* psi_error) DH_NOEXCEPT;
 
 /// @brief What each mode contributes: (22), (23), (28), (29); to at least 6 digits.
@@ -217,14 +214,11 @@ DH_EXPORT int dh_modal_functions(const dh_system* system, double r, size_t count
                                  double* g) DH_NOEXCEPT;
 
 /// @brief Bounds of the errors of these numbers, in the same places.
-/// @param system   a system
-/// @param r        frequency ratio, Eq. (10), positive
-/// @param count    N
-/// @param R_error  receives N bounds
-/// @param v_error  receives 2 N bounds: of real and imaginary part; may be null
-/// @param u_error  receives N bounds; may be null
-/// @param g_error  receives N bounds; may be null
-/// @return         as dh_modal_functions()
+/// @param system,r,count   as for dh_modal_functions()
+/// @param R_error          receives N bounds
+/// @param v_error          receives 2 N bounds: of real and imaginary part; may be null
+/// @param u_error,g_error  receive N bounds; may be null
+/// @return                 as dh_modal_functions()
 DH_EXPORT int dh_modal_function_errors(const dh_system* system, double r, size_t count, double* R_error, double* v_error,
                                        double* u_error, double* g_error) DH_NOEXCEPT;
 
@@ -246,15 +240,11 @@ DH_EXPORT int dh_sums(const dh_system* system, double r, size_t count, double* V
                       double* S_j) DH_NOEXCEPT;
 
 /// @brief Bounds of the errors of these numbers, in the same places.
-/// @param system     a system
-/// @param r          frequency ratio, Eq. (10), positive
-/// @param count      N
-/// @param V_error    receives 2 N bounds: of real and imaginary part
-/// @param U_error    receives N bounds; may be null
-/// @param G_error    receives N bounds; may be null
-/// @param H_j_error  receives a bound; may be null
-/// @param S_j_error  receives a bound; may be null
-/// @return           as dh_sums()
+/// @param system,r,count       as for dh_sums()
+/// @param V_error              receives 2 N bounds: of real and imaginary part
+/// @param U_error,G_error      receive N bounds; may be null
+/// @param H_j_error,S_j_error  receive a bound each; may be null
+/// @return                     as dh_sums()
 DH_EXPORT int dh_sum_errors(const dh_system* system, double r, size_t count, double* V_error, double* U_error, double* G_error,
                             double* H_j_error, double* S_j_error) DH_NOEXCEPT;
 
@@ -269,23 +259,20 @@ DH_EXPORT int dh_sum_errors(const dh_system* system, double r, size_t count, dou
 DH_EXPORT int dh_boundaries(const dh_system* system, double r, double mu, dh_boundary* boundary) DH_NOEXCEPT;
 
 /// @brief Bounds of the errors of these numbers.
-/// @param system  a system
-/// @param r       frequency ratio, Eq. (10), positive
-/// @param mu      static over kinetic friction, Eq. (3), at least 1
-/// @param errors  receives in each member the bound of the error of that number; the caller has set its size
-/// @return        as dh_boundaries()
+/// @param system,r,mu  as for dh_boundaries()
+/// @param errors       receives in each member the bound of the error of that number; the caller has set its size
+/// @return             as dh_boundaries()
 DH_EXPORT int dh_boundary_errors(const dh_system* system, double r, double mu, dh_boundary* errors) DH_NOEXCEPT;
 
 /// @brief The same friction ratios with a proof: the reference computes them in ball arithmetic, see dh_solve_proved().
 ///
 /// `sticking_exists` is 0 also where it is not proved that some friction holds the contact.
-/// @param system    a system
-/// @param r         frequency ratio, Eq. (10), positive
-/// @param mu        static over kinetic friction, Eq. (3), at least 1
-/// @param boundary  receives the result, to 10 digits; the caller has set its size
-/// @param errors    receives in each member the proved bound of the error of that number; the caller has set its size; may be null
-/// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_INPUT, #DH_ERROR_PRECISION if something is not proved or the
-///                  library was built without the reference, #DH_ERROR_MEMORY
+/// @param system,r,mu  as for dh_boundaries()
+/// @param boundary     receives the result, to 10 digits; the caller has set its size
+/// @param errors       receives in each member the proved bound of the error of that number; the caller has set its size; may be
+///                     null
+/// @return             #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_INPUT, #DH_ERROR_PRECISION if something is not proved or
+///                     the library was built without the reference, #DH_ERROR_MEMORY
 DH_EXPORT int dh_boundaries_proved(const dh_system* system, double r, double mu, dh_boundary* boundary,
                                    dh_boundary* errors) DH_NOEXCEPT;
 
@@ -297,10 +284,9 @@ DH_EXPORT int dh_boundaries_proved(const dh_system* system, double r, double mu,
 DH_EXPORT int dh_high_frequency_limit(const dh_system* system, double mu, double* beta_lim) DH_NOEXCEPT;
 
 /// @brief Bound of the error of this number.
-/// @param system  a system whose contact bears the load, j = l
-/// @param mu      static over kinetic friction, Eq. (3), at least 1
-/// @param error   receives the bound
-/// @return        as dh_high_frequency_limit()
+/// @param system,mu  as for dh_high_frequency_limit()
+/// @param error      receives the bound
+/// @return           as dh_high_frequency_limit()
 DH_EXPORT int dh_high_frequency_limit_error(const dh_system* system, double mu, double* error) DH_NOEXCEPT;
 
 /// @brief What a mass does while the contact slides throughout: (38), (39), (44), (45), (47), (52), (53) as corrected; to
@@ -316,13 +302,9 @@ DH_EXPORT int dh_sliding_motion(const dh_system* system, double r, double beta, 
                                 dh_sliding_mass* result) DH_NOEXCEPT;
 
 /// @brief Bounds of the errors of these numbers.
-/// @param system  a system
-/// @param r       frequency ratio, Eq. (10), positive
-/// @param beta    friction ratio, Eq. (11), not negative
-/// @param mu      static over kinetic friction, Eq. (3), at least 1
-/// @param mass    k, from 1 to N
-/// @param errors  receives in each member the bound of the error of that number; the caller has set its size
-/// @return        as dh_sliding_motion()
+/// @param system,r,beta,mu,mass  as for dh_sliding_motion()
+/// @param errors                 receives in each member the bound of the error of that number; the caller has set its size
+/// @return                       as dh_sliding_motion()
 DH_EXPORT int dh_sliding_motion_errors(const dh_system* system, double r, double beta, double mu, size_t mass,
                                        dh_sliding_mass* errors) DH_NOEXCEPT;
 
@@ -344,15 +326,9 @@ DH_EXPORT int dh_displacement(const dh_system* system, double r, double beta, do
                               const double* tau, double* x) DH_NOEXCEPT;
 
 /// @brief Bounds of the errors of these numbers.
-/// @param system   a system
-/// @param r        frequency ratio, Eq. (10), positive
-/// @param beta     friction ratio, Eq. (11), not negative
-/// @param mu       static over kinetic friction, Eq. (3), at least 1
-/// @param mass     k, from 1 to N
-/// @param count    number of instants, with the limits of dh_displacement()
-/// @param tau      the same instants
-/// @param x_error  receives `count` bounds; may be the array of tau
-/// @return         as dh_displacement()
+/// @param system,r,beta,mu,mass,count,tau  as for dh_displacement()
+/// @param x_error                          receives `count` bounds; may be the array of tau
+/// @return                                 as dh_displacement()
 DH_EXPORT int dh_displacement_errors(const dh_system* system, double r, double beta, double mu, size_t mass, size_t count,
                                      const double* tau, double* x_error) DH_NOEXCEPT;
 
@@ -388,14 +364,12 @@ DH_EXPORT int dh_solve(const dh_system* system, double r, double beta, double mu
 /// dh_solution_stop_errors(), and that the samples of dh_solution_motion() have the digits that stand there. If several motions
 /// may be steady, as with mu above 1, the motion is proved, but that a start from rest leads to it is found in double; see
 /// docs/promises.md.
-/// @param system    a system
-/// @param r         frequency ratio, Eq. (10), positive
-/// @param beta      friction ratio, Eq. (11), not negative
-/// @param mu        static over kinetic friction, Eq. (3), at least 1
-/// @param digits    significant digits, 1 to 15; 0 for 6, which are reached or the call fails
-/// @param solution  receives the handle; to be destroyed by dh_solution_destroy()
-/// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_INPUT, #DH_ERROR_DOMAIN, #DH_ERROR_PRECISION if something is not proved, and
-///                  the message says what, or if the library was built without the reference, #DH_ERROR_MEMORY
+/// @param system,r,beta,mu  as for dh_solve()
+/// @param digits            significant digits, 1 to 15; 0 for 6, which are reached or the call fails
+/// @param solution          receives the handle; to be destroyed by dh_solution_destroy()
+/// @return                  #DH_OK, #DH_ERROR_NULL, #DH_ERROR_INPUT, #DH_ERROR_DOMAIN, #DH_ERROR_PRECISION if something is not
+///                          proved, and the message says what, or if the library was built without the reference,
+///                          #DH_ERROR_MEMORY
 DH_EXPORT int dh_solve_proved(const dh_system* system, double r, double beta, double mu, int digits,
                               dh_solution** solution) DH_NOEXCEPT;
 
@@ -440,11 +414,10 @@ DH_EXPORT int dh_solution_stops(const dh_solution* solution, size_t count, doubl
 ///
 /// Where what ends a phase hardly changes at its end, as where the load only just reaches static friction, no error is bounded:
 /// the bound is then half the period.
-/// @param solution     a solution
-/// @param count        the number of stops, from dh_solution_summary()
-/// @param start_error  receives `count` bounds for the instants where a rest begins; may be null where count is 0
-/// @param end_error    receives `count` bounds for the instants where it ends; may be null where count is 0
-/// @return             #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_PRECISION
+/// @param solution,count  as for dh_solution_stops()
+/// @param start_error     receives `count` bounds for the instants where a rest begins; may be null where count is 0
+/// @param end_error       receives `count` bounds for the instants where it ends; may be null where count is 0
+/// @return                #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_PRECISION
 DH_EXPORT int dh_solution_stop_errors(const dh_solution* solution, size_t count, double* start_error,
                                       double* end_error) DH_NOEXCEPT;
 
@@ -612,17 +585,11 @@ DH_EXPORT int dh_quantity(const dh_system* system, const char* name, double r, d
                           size_t size, double* values, size_t* count) DH_NOEXCEPT;
 
 /// @brief Bounds of the errors of these numbers. That of the regime is 1 where the neighbouring regime is possible, else 0.
-/// @param system  a system
-/// @param name    as for dh_quantity()
-/// @param r       frequency ratio, Eq. (10), positive
-/// @param beta    friction ratio, Eq. (11), not negative
-/// @param mu      static over kinetic friction, Eq. (3), at least 1
-/// @param mass    k, from 1 to N; ignored if the quantity belongs to no mass
-/// @param tau     for `displacement`; ignored otherwise
-/// @param size    length of `errors`, as for dh_quantity()
-/// @param errors  receives the bounds
-/// @param count   receives how many there are
-/// @return        as dh_quantity()
+/// @param system,name,r,beta,mu,mass,tau  as for dh_quantity()
+/// @param size                            length of `errors`, as for dh_quantity()
+/// @param errors                          receives the bounds
+/// @param count                           receives how many there are
+/// @return                                as dh_quantity()
 DH_EXPORT int dh_quantity_errors(const dh_system* system, const char* name, double r, double beta, double mu, size_t mass,
                                  double tau, size_t size, double* errors, size_t* count) DH_NOEXCEPT;
 

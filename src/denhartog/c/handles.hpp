@@ -19,6 +19,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/solve/quantities.hpp"
 #include "denhartog/solve/solve.hpp"
 
 // A system prepared for every regime at mu = 1, with its modes. Nothing in it changes.
@@ -130,17 +131,6 @@ inline void need_finite(std::span<const double> numbers) {
         if (!std::isfinite(x)) throw PrecisionError("a result is beyond the range of double");
 }
 
-// An array of the caller.
-struct Output {
-    double* numbers;  // where it is
-    const char* name; // what the header calls it
-};
-
-// Hands out numbers, all of them finite, to an array as long, or to nobody.
-inline void hand_out(std::span<const double> numbers, double* output) noexcept {
-    for (std::size_t i = 0; output != nullptr && i < numbers.size(); ++i) output[i] = numbers[i];
-}
-
 static_assert(DH_MOST_MASSES == most_masses && DH_MOST_SAMPLES == most_samples && DH_MOST_DISPLACEMENTS == most_displacements);
 
 // Digits from C; none for 0. Throws InputError for more than a double has.
@@ -169,22 +159,41 @@ inline constexpr int digits_of_formulas = 10;
 // Which part of a number is handed out.
 enum class ValueOrError : std::uint8_t { value, error };
 
-// A bound that C gets: where there is none, the largest double.
-[[nodiscard]] inline double finite_bound(double error) { return std::min(error, std::numeric_limits<double>::max()); }
+// The same of an array that has numbers, or the bounds of their errors.
+inline void need(const void* pointer, ValueOrError part, const std::string& name) {
+    need(pointer, (part == ValueOrError::value ? name : name + "_error").c_str());
+}
 
-// A part of a number, or of each of several.
+// A number with its bound, which C gets: where there is none, the largest double.
+[[nodiscard]] inline Bounded<double> bounded(double x, double error) {
+    return {x, std::min(error, std::numeric_limits<double>::max())};
+}
+[[nodiscard]] inline Bounded<double> bounded(const Certified& x) { return bounded(x.value, x.error); }
+
 [[nodiscard]] inline double part_of(const Bounded<double>& x, ValueOrError part) {
-    return part == ValueOrError::value ? x.x : finite_bound(x.e);
+    return part == ValueOrError::value ? x.x : bounded(x.x, x.e).e;
 }
+[[nodiscard]] inline double part_of(const Certified& x, ValueOrError part) { return part_of(bounded(x), part); }
 
-[[nodiscard]] inline double part_of(const Certified& x, ValueOrError part) {
-    return part == ValueOrError::value ? x.value : finite_bound(x.error);
-}
+// Numbers with their bounds, and where the ones or the others go: null for nowhere.
+using Numbers = std::vector<Bounded<double>>;
+struct Output {
+    Numbers numbers;
+    double* to;
+};
 
-[[nodiscard]] inline std::vector<double> parts_of(std::span<const Bounded<double>> numbers, ValueOrError part) {
+// Hands out that part of all numbers, once each of them is known to be finite.
+inline void hand_out(ValueOrError part, const std::vector<Output>& all) {
     std::vector<double> parts;
-    for (const Bounded<double>& x : numbers) parts.push_back(part_of(x, part));
-    return parts;
+    for (const Output& each : all)
+        for (const Bounded<double>& x : each.numbers) parts.push_back(part_of(x, part));
+    need_finite(parts);
+    auto from = parts.begin();
+    for (const Output& each : all) {
+        const auto end = from + std::ssize(each.numbers);
+        if (each.to != nullptr) std::copy(from, end, each.to);
+        from = end;
+    }
 }
 
 // Checks the size that a caller has set. Throws CallError where it is too small.
@@ -202,5 +211,16 @@ void hand_out(Struct from, Struct* to) noexcept {
     from.size = to->size;
     *to = from;
 }
+
+// What the functions hand out a part of. Each throws where the function has the status of a fault.
+[[nodiscard]] Numbers shapes_at(const dh_system* system, double r); // psi_ki, mass after mass
+[[nodiscard]] Numbers frequency_ratios_at(const dh_system* system, double r);
+[[nodiscard]] Quantities<Bounded<double>> sums_at(const dh_system* system, double r);
+[[nodiscard]] Limits limits_at(const dh_system* system, double r, double mu);
+[[nodiscard]] Bounded<double> limit_at_high_frequency(const dh_system* system, double mu);
+[[nodiscard]] SolvedMass sliding_at(const dh_system* system, double r, double beta, double mu, Mass k);
+[[nodiscard]] Numbers displacements_at(const dh_system* system, double r, double beta, double mu, Mass k,
+                                       std::span<const double> tau);
+[[nodiscard]] dh_solution solution_at(const dh_system* system, double r, double beta, double mu, int digits, bool proved);
 
 } // namespace denhartog::c_interface

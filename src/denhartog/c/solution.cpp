@@ -1,12 +1,8 @@
 #include <algorithm>
 #include <array>
-#include <memory>
 
-#include "denhartog/c/denhartog.h"
 #include "denhartog/c/handles.hpp"
 #include "denhartog/number/number_text.hpp"
-#include "denhartog/scene/limits.hpp"
-#include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 
 using namespace denhartog;
@@ -22,22 +18,22 @@ void hand_out_mass(const SolvedMass& m, dh_mass* result) {
     hand_out(all, result);
 }
 
-// The instants at which stops begin and end, or their errors.
-void hand_out_of_stops(const std::vector<SolvedStop>& stops, std::size_t count, ValueOrError part, Output of_starts,
-                       Output of_ends) {
-    need_count(count, stops.size());
-    if (count == 0) return;
-    need(of_starts.numbers, of_starts.name);
-    need(of_ends.numbers, of_ends.name);
-    std::vector<double> starts, ends;
-    for (const SolvedStop& stop : stops) {
-        starts.push_back(part_of(stop.start, part));
-        ends.push_back(part_of(stop.end, part));
-    }
-    need_finite(starts);
-    need_finite(ends);
-    hand_out(starts, of_starts.numbers);
-    hand_out(ends, of_ends.numbers);
+// The instants at which stops begin and end, or the bounds of their errors.
+int stops(const dh_solution* solution, size_t count, ValueOrError part, double* start, double* end) noexcept {
+    return guarded([&] {
+        need(solution, "solution");
+        const std::vector<SolvedStop>& all = solution->solution.stops;
+        need_count(count, all.size());
+        if (count == 0) return;
+        need(start, part, "start");
+        need(end, part, "end");
+        Numbers starts, ends;
+        for (const SolvedStop& stop : all) {
+            starts.push_back(bounded(stop.start));
+            ends.push_back(bounded(stop.end));
+        }
+        hand_out(part, {{starts, start}, {ends, end}});
+    });
 }
 
 int solve_at(const dh_system* system, double r, double beta, double mu, int digits, bool proved,
@@ -45,19 +41,21 @@ int solve_at(const dh_system* system, double r, double beta, double mu, int digi
     return guarded([&] {
         need(system, "system");
         need(solution, "solution");
-        check_static_friction(mu);
-        Question question;
-        question.digits = digits_from(digits);
-        question.proved = proved;
-        auto made = std::make_unique<dh_solution>();
-        made->source = at_point(with_static_friction(system->prepared.source, mu), r, beta);
-        made->solution = mu == 1 ? solve(system->prepared, r, beta, question)
-                                 : solve(with_static_friction(system->prepared, mu), r, beta, question);
-        *solution = made.release();
+        *solution = new dh_solution(solution_at(system, r, beta, mu, digits, proved));
     });
 }
 
 } // namespace
+
+dh_solution c_interface::solution_at(const dh_system* system, double r, double beta, double mu, int digits, bool proved) {
+    check_static_friction(mu);
+    Question question;
+    question.digits = digits_from(digits);
+    question.proved = proved;
+    return {at_point(with_static_friction(system->prepared.source, mu), r, beta),
+            mu == 1 ? solve(system->prepared, r, beta, question)
+                    : solve(with_static_friction(system->prepared, mu), r, beta, question)};
+}
 
 extern "C" {
 
@@ -131,18 +129,11 @@ int dh_solution_contact(const dh_solution* solution, dh_mass* result) noexcept {
 }
 
 int dh_solution_stops(const dh_solution* solution, size_t count, double* start, double* end) noexcept {
-    return guarded([&] {
-        need(solution, "solution");
-        hand_out_of_stops(solution->solution.stops, count, ValueOrError::value, {start, "start"}, {end, "end"});
-    });
+    return stops(solution, count, ValueOrError::value, start, end);
 }
 
 int dh_solution_stop_errors(const dh_solution* solution, size_t count, double* start_error, double* end_error) noexcept {
-    return guarded([&] {
-        need(solution, "solution");
-        hand_out_of_stops(solution->solution.stops, count, ValueOrError::error, {start_error, "start_error"},
-                          {end_error, "end_error"});
-    });
+    return stops(solution, count, ValueOrError::error, start_error, end_error);
 }
 
 int dh_solution_motion(const dh_solution* solution, size_t samples, size_t count, double* x, double* x_prime) noexcept {
@@ -158,8 +149,8 @@ int dh_solution_motion(const dh_solution* solution, size_t samples, size_t count
             need_finite(state.x_prime);
         }
         for (std::size_t n = 0; n < samples; ++n) {
-            hand_out(motion.states[n].x, x + n * N);
-            if (x_prime != nullptr) hand_out(motion.states[n].x_prime, x_prime + n * N);
+            std::ranges::copy(motion.states[n].x, x + n * N);
+            if (x_prime != nullptr) std::ranges::copy(motion.states[n].x_prime, x_prime + n * N);
         }
     });
 }

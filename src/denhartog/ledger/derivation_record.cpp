@@ -30,16 +30,12 @@ void check_record(const Json& record, const std::string& file) {
 std::string plain_in_latex(const std::string& text) {
     std::string plain;
     for (const char c : text) {
-        if (c == '\\')
-            plain += "\\textbackslash{}";
-        else if (c == '^')
-            plain += "\\textasciicircum{}";
-        else if (c == '~')
-            plain += "\\textasciitilde{}";
-        else if (std::string("{}_&%$#").find(c) != std::string::npos)
-            plain += std::string("\\") + c;
-        else
-            plain += c;
+        const bool is_command = std::string("{}_&%$#").find(c) != std::string::npos;
+        plain += is_command ? "\\" : "";
+        plain += c == '\\'  ? "\\textbackslash{}"
+                 : c == '^' ? "\\textasciicircum{}"
+                 : c == '~' ? "\\textasciitilde{}"
+                            : std::string(1, c);
     }
     return plain;
 }

@@ -25,17 +25,13 @@ std::string short_name(const Json& functions) {
 }
 
 std::string counts_of(const Json& entries, const std::string& key) {
-    std::vector<std::pair<std::string, int>> counts;
+    Json counts;
     for (const Json& entry : entries) {
-        const std::string word = entry.at(key);
-        const auto found = std::find_if(counts.begin(), counts.end(), [&](const auto& item) { return item.first == word; });
-        if (found == counts.end())
-            counts.emplace_back(word, 1);
-        else
-            ++found->second;
+        Json& count = counts[entry.at(key).get<std::string>()];
+        count = count.is_null() ? 1 : count.get<int>() + 1;
     }
     std::string text;
-    for (const auto& [word, count] : counts) text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + word;
+    for (const auto& [word, count] : counts.items()) text += (text.empty() ? "" : ", ") + count.dump() + " " + word;
     return text;
 }
 

@@ -60,13 +60,11 @@ ContactEquations::ContactEquations(const ContactProblem& p) : beta(p.beta), mu(p
     const auto& [M, C, K] = p.matrices;
     const Eigen::Index rows = M.rows();
     contact = contact_of(p.contact, p.contact_with, M);
-    Eigen::VectorXd w = Eigen::VectorXd::Unit(rows, static_cast<Eigen::Index>(p.contact.index));
-    if (p.contact_with) w(static_cast<Eigen::Index>(p.contact_with->index)) = -1;
-    Eigen::VectorXd load = Eigen::VectorXd::Zero(rows);
-    if (p.load_vector.empty())
-        load(static_cast<Eigen::Index>(p.load.index)) = 1;
-    else
-        load = Eigen::Map<const Eigen::VectorXd>(p.load_vector.data(), rows);
+    System<double> places; // of contact and load
+    places.mass_ratios.resize(static_cast<std::size_t>(rows));
+    places.contact = p.contact, places.load = p.load, places.contact_with = p.contact_with, places.load_vector = p.load_vector;
+    const std::vector<double> of_w = contact_vector(places), of_p = load_vector(places);
+    const Eigen::Map<const Eigen::VectorXd> w(of_w.data(), rows), load(of_p.data(), rows);
     const Eigen::LLT<Matrix<double>> factor(M);
     if (factor.info() != Eigen::Success) throw InputError("M", "must be positive definite", "");
     const Matrix<double> inverse = factor.solve(Matrix<double>::Identity(rows, rows));
@@ -86,39 +84,29 @@ ContactEquations::ContactEquations(const ContactProblem& p) : beta(p.beta), mu(p
     contact.hold(held_load);
     // The contact's row with the accelerations of the others eliminated; for a diagonal M it is row j itself.
     const Matrix<double> row = of_contact.transpose() / compliance * forces;
-    sliding_.resize(N * 2 * N);
-    sticking_.resize(N * 2 * N);
-    for (auto* each : {&friction_, &sliding_load_, &sticking_load_, &contact_column_}) each->resize(N);
-    contact_row_.resize(2 * N);
-    for (std::size_t k = 0; k < N; ++k) {
-        const auto a = static_cast<Eigen::Index>(k);
-        for (std::size_t n = 0; n < 2 * N; ++n) {
-            const auto b = static_cast<Eigen::Index>(n);
-            sliding_[k * 2 * N + n] = accelerations(a, b);
-            sticking_[k * 2 * N + n] = held_accelerations(a, b);
-        }
-        sliding_load_[k] = of_load(a, 0);
-        sticking_load_[k] = held_load(a, 0);
-        contact_column_[k] = of_contact(a);
-    }
-    for (std::size_t n = 0; n < 2 * N; ++n) contact_row_[n] = -row(0, static_cast<Eigen::Index>(n));
+    contact_row_ = -row;
+    sliding_ = accelerations;
+    sticking_ = held_accelerations;
+    sliding_load_ = of_load;
+    sticking_load_ = held_load;
+    contact_column_ = of_contact;
+    friction_.resize(rows);
     harmonic_load = of_contact.dot(load) / compliance;
     direct_load_ = contact.sign * load(static_cast<Eigen::Index>(contact.a));
     inertial_load_ = harmonic_load - direct_load_;
-    for (const std::vector<double>& each : {sliding_, sticking_, sliding_load_, contact_row_})
-        for (const double x : each)
-            if (!std::isfinite(x)) throw InputError("M", "must not be singular to working precision", "");
+    if (!(sliding_.allFinite() && sticking_.allFinite() && sliding_load_.allFinite() && contact_row_.allFinite()))
+        throw InputError("M", "must not be singular to working precision", "");
     set(1);
 }
 
 void ContactEquations::set(int direction) {
     rows_ = (direction == 0 ? sticking_ : sliding_).data();
     load_column_ = (direction == 0 ? sticking_load_ : sliding_load_).data();
-    for (std::size_t k = 0; k < N; ++k) friction_[k] = -direction * beta * contact_column_[k];
+    friction_ = (-direction * beta) * contact_column_;
 }
 
 double ContactEquations::load_on_contact(std::span<const double> y, double tau) const {
-    const std::span<const double> row = contact_row_;
+    const std::span<const double> row(contact_row_.data(), 2 * N);
     const double load =
         paper::dynamic_load_on_contact<double>(row.subspan(N), row.first(N), y.first(N), y.subspan(N), direct_load_, tau);
     return inertial_load_ == 0 ? -load : inertial_load_ * elementary::cos(tau) - load;
@@ -126,7 +114,7 @@ double ContactEquations::load_on_contact(std::span<const double> y, double tau) 
 
 double ContactEquations::load_error(std::span<const double> y) const {
     double size = std::abs(harmonic_load) + mu * beta;
-    for (std::size_t n = 0; n < 2 * N; ++n) size += std::abs(contact_row_[n] * y[n]);
+    for (std::size_t n = 0; n < 2 * N; ++n) size += std::abs(contact_row_.data()[n] * y[n]);
     return 16 * std::numeric_limits<double>::epsilon() * size;
 }
 

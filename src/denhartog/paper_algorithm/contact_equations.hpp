@@ -57,7 +57,7 @@ public:
         const double force = elementary::cos(tau);
         const double* row = rows_;
         for (std::size_t k = 0; k < N; ++k, row += 2 * N) {
-            double sum = friction_[k] + load_column_[k] * force;
+            double sum = friction_.data()[k] + load_column_[k] * force;
             for (std::size_t n = 0; n < 2 * N; ++n) sum += row[n] * y[n];
             y_prime[k] = y[N + k];
             y_prime[N + k] = sum;
@@ -80,12 +80,12 @@ public:
     /// @brief The load's part from displacements and velocities. @param y a state or its derivative @return its linear function
     [[nodiscard]] double linear_load(std::span<const double> y) const {
         double sum = 0;
-        for (std::size_t n = 0; n < 2 * N; ++n) sum -= contact_row_[n] * y[n];
+        for (std::size_t n = 0; n < 2 * N; ++n) sum -= contact_row_.data()[n] * y[n];
         return sum;
     }
 
     std::size_t N;        ///< number of masses
-    Contact contact;  ///< the contact
+    Contact contact;      ///< the contact
     double beta;          ///< friction ratio
     double mu;            ///< static over kinetic friction
     double harmonic_load; ///< amplitude of the force's part of the load on the contact
@@ -93,15 +93,12 @@ public:
     long evaluations = 0; ///< right-hand sides evaluated
 
 private:
-    const double* rows_ = nullptr;
-    const double* load_column_ = nullptr;
-    std::vector<double> friction_;                     // acceleration by friction in this phase
-    std::vector<double> sliding_, sticking_;           // N x 2N, row-major: accelerations per unit of y
-    std::vector<double> sliding_load_, sticking_load_; // accelerations per unit of force
-    std::vector<double> contact_column_;               // accelerations per unit force on the contact
-    std::vector<double> contact_row_;                  // K and C of the contact's row, 2N
-    double direct_load_;                               // part of the force that acts on the contact itself
-    double inertial_load_;
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> sliding_, sticking_; // N x 2N, per unit of y
+    Eigen::VectorXd sliding_load_, sticking_load_, contact_column_; // accelerations per unit of force, and on the contact
+    Eigen::VectorXd friction_;                                      // acceleration by friction in this phase
+    Eigen::RowVectorXd contact_row_;                                // K and C of the contact's row, 2N
+    const double *rows_ = nullptr, *load_column_ = nullptr;         // of this phase
+    double direct_load_, inertial_load_; // of the force: what acts on the contact itself, and what the others pass on
 };
 
 } // namespace denhartog

@@ -1,5 +1,4 @@
-/// @file
-/// @brief One step of the Runge-Kutta method of Dormand and Prince with its dense output.
+// One step of the Runge-Kutta method of Dormand and Prince with its dense output.
 #pragma once
 
 #include <algorithm>
@@ -15,25 +14,18 @@
 
 namespace denhartog {
 
-/// @brief Steps of variable length; keeps both ends of the last one. Times are theta in [0, 1] of the step.
+// Steps of variable length; keeps both ends of the last one. Times are theta in [0, 1] of the step.
 class DenseStep {
 public:
-    using Y = std::vector<double>; ///< a state, x and x', 2N values
+    using Y = std::vector<double>; // a state, x and x', 2N values
 
-    /// @param N                   number of masses
-    /// @param absolute_tolerance  of each component
-    /// @param relative_tolerance  times the size of each component
-    /// @param longest             longest step
     DenseStep(std::size_t N, double absolute_tolerance, double relative_tolerance, double longest)
         : stepper_(Checker(absolute_tolerance, relative_tolerance, 1, 0), Adjuster(longest)), y_0(2 * N), f_0(2 * N), y_1(2 * N),
           f_1(2 * N), third_(2 * N), two_thirds_(2 * N) {}
 
-    /// @brief Tries one step of length `next` from y_0; where its error is too large `next` is shortened.
-    ///
-    /// The length is rounded so that its end is a double: else rounding of the time adds up over the steps.
-    /// @param equations  the right-hand side
-    /// @param tau        time at the start
-    /// @return           whether the step is taken; y_1, f_1 and h are then those of its end
+    // Tries one step of length `next` from y_0 at tau; where its error is too large `next` is shortened. True where the step is
+    // taken: y_1, f_1 and h are then those of its end. The length is rounded so that its end is a double: else rounding of the
+    // time adds up over the steps.
     bool attempt(ContactEquations& equations, double tau) {
         const double end = tau + next;
         h = next = end - tau;
@@ -41,18 +33,16 @@ public:
         return stepper_.try_step(std::ref(equations), y_0, f_0, tau, y_1, f_1, next) == boost::numeric::odeint::success;
     }
 
-    /// @brief The end of the step becomes the start of the next.
+    // The end of the step becomes the start of the next.
     void advance() {
         y_0.swap(y_1);
         f_0.swap(f_1);
     }
 
-    /// @brief The state within the step. @param theta where @param y gets the state
+    // The state within the step.
     void state(double theta, Y& y) { stepper_.stepper().calc_state(theta * h, y, y_0, f_0, 0.0, y_1, f_1, h); }
 
-    /// @brief A linear function of the state over the step.
-    /// @param f  from a state or its derivative to a number
-    /// @return   its dense output
+    // A linear function of the state, or of its derivative, over the step.
     template <class Linear>
     [[nodiscard]] StepFunction over_step(const Linear& f) {
         if (!inner_known_) {
@@ -82,12 +72,12 @@ private:
     boost::numeric::odeint::controlled_runge_kutta<Stepper, Checker, Adjuster> stepper_;
 
 public:
-    Y y_0;           ///< state at the start
-    Y f_0;           ///< its derivative
-    Y y_1;           ///< state at the end
-    Y f_1;           ///< its derivative
-    double h = 0;    ///< length of the step taken
-    double next = 0; ///< length of the step to try
+    Y y_0;           // state at the start
+    Y f_0;           // its derivative
+    Y y_1;           // state at the end
+    Y f_1;           // its derivative
+    double h = 0;    // length of the step taken
+    double next = 0; // length of the step to try
 
 private:
     Y third_, two_thirds_;

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "denhartog/paper_algorithm/contact_equations.hpp"
+#include "denhartog/sliding/regime_at_point.hpp"
 #include "denhartog/stick_slip/motion_record.hpp"
 
 namespace denhartog {
@@ -76,6 +77,14 @@ struct PaperMotion {
     long right_hand_sides = 0;          ///< evaluations of (6)
     long phases = 0;                    ///< phases of sliding and sticking
 };
+
+/// @brief The regime of the last period. A stop that has not ended by then counts, though it is not yet among the stops.
+/// @param motion  a complete motion
+/// @return        the regime; of the steady motion only where that has been reached
+[[nodiscard]] inline Regime regime_seen(const PaperMotion& motion) {
+    if (motion.rests) return Regime::permanent_sticking;
+    return motion.slides ? Regime::continuous : Regime::stick_slip;
+}
 
 /// @brief Checks settings. @param settings the settings @param N number of masses @throws InputError for the first rule broken
 void check(const PaperSettings& settings, std::size_t N);

@@ -1,7 +1,9 @@
 // The exit status of the program, and how faults and interruptions get there.
 #pragma once
 
+#include <array>
 #include <atomic>
+#include <csignal>
 #include <string>
 
 namespace denhartog::program {
@@ -35,9 +37,8 @@ public:
     [[nodiscard]] int caught() const;
 
 private:
-    void (*interrupt)(int);
-    void (*terminate)(int);
-    void (*hang_up)(int);
+    static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
+    std::array<void (*)(int), signals.size()> before{};
 };
 
 } // namespace denhartog::program

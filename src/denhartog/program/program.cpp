@@ -1,7 +1,6 @@
 #include "denhartog/program/program.hpp"
 
 #include <CLI/CLI.hpp>
-#include <csignal>
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/program/commands/commands.hpp"
@@ -62,16 +61,12 @@ void catch_signal(int signal) {
 
 Interruptible::Interruptible(std::atomic<bool>& stop) {
     flag = &stop;
-    interrupt = std::signal(SIGINT, catch_signal);
-    terminate = std::signal(SIGTERM, catch_signal);
-    hang_up = std::signal(SIGHUP, catch_signal);
-    if (hang_up == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+    for (std::size_t n = 0; n < signals.size(); ++n) before[n] = std::signal(signals[n], catch_signal);
+    if (before.back() == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 
 Interruptible::~Interruptible() {
-    std::signal(SIGINT, interrupt);
-    std::signal(SIGTERM, terminate);
-    std::signal(SIGHUP, hang_up);
+    for (std::size_t n = 0; n < signals.size(); ++n) std::signal(signals[n], before[n]);
 }
 
 int Interruptible::caught() const { return signal_caught; }

@@ -69,11 +69,14 @@ public:
 
 private:
     std::string pointer() const {
-        std::string out;
-        for (std::size_t i = 0; i < open_.size(); ++i)
-            out += open_[i]->is_object() ? pointer_step(keys_[i])
-                                         : pointer_step(std::to_string(open_[i]->size() - (i + 1 < open_.size() ? 1 : 0)));
-        return out;
+        json::json_pointer place;
+        for (std::size_t i = 0; i < open_.size(); ++i) {
+            if (open_[i]->is_object())
+                place.push_back(keys_[i]);
+            else
+                place /= open_[i]->size() - (i + 1 < open_.size() ? 1 : 0);
+        }
+        return place.to_string();
     }
     std::string quantity() const { return open_.empty() || !open_.front()->is_object() ? "scene" : keys_.front(); }
     [[noreturn]] void refuse_number(const std::string& raw) const {
@@ -141,18 +144,7 @@ json json_or_nothing(std::string_view text) {
 
 bool is_json(std::string_view text) { return text.find('\0') == text.npos && json::accept(text); }
 
-std::string pointer_step(std::string_view key) {
-    std::string out = "/";
-    for (const char c : key) {
-        if (c == '~')
-            out += "~0";
-        else if (c == '/')
-            out += "~1";
-        else
-            out += c;
-    }
-    return out;
-}
+std::string pointer_step(std::string_view key) { return (json::json_pointer() / std::string(key)).to_string(); }
 
 json read_json(std::string_view text, std::size_t line) {
     refuse_zero_byte("scene", text, line);

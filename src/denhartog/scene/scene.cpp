@@ -20,11 +20,17 @@ namespace {
                      names.places ? std::string("/").append(quantity).append(within) : "");
 }
 
-/// The rule of every number that one breaks; null where it keeps it.
+/// What a number breaks: it must be finite, and keep the rule of its own; null where it does.
 template <class T>
-const char* broken_rule(const T& x) {
+const char* broken_rule(const T& x, bool kept = true, const char* rule = nullptr) {
     using std::isfinite;
-    return isfinite(x) ? nullptr : "must be finite";
+    return !isfinite(x) ? "must be finite" : kept ? nullptr : rule;
+}
+
+/// A number of the scene by itself.
+template <class T>
+void check_number(const SceneNames& names, std::string_view name, const T& x, bool kept, const char* rule) {
+    if (const char* broken = broken_rule(x, kept, rule)) fail(names, name, broken, number_to_text(x));
 }
 
 std::string at(std::size_t i) { return std::string("/").append(std::to_string(i)); }
@@ -46,14 +52,12 @@ template <class T>
 void check_ratios(const std::vector<T>& x, std::size_t N, const SceneNames& names, std::string_view name, const char* of) {
     if (x.size() != N)
         fail(names, name, "must have as many values as there are masses (" + std::to_string(N) + ")", std::to_string(x.size()));
-    const auto rule_of = [of](std::size_t i, const char* rule) {
-        return std::string("of ").append(of).append(" ").append(number(i)).append(" ").append(rule);
-    };
     for (std::size_t i = 0; i < N; ++i) {
-        if (const char* rule = broken_rule(x[i])) fail(names, name, rule_of(i, rule), number_to_text(x[i]), at(i));
-        if (!(x[i] > 0)) fail(names, name, rule_of(i, "must be positive"), number_to_text(x[i]), at(i));
+        const char* rule = broken_rule(x[i], x[i] > 0, "must be positive");
+        if (rule == nullptr && i == 0 && x[i] != 1) rule = "must be 1, its own unit";
+        if (rule != nullptr)
+            fail(names, name, std::string("of ") + of + " " + number(i) + " " + rule, number_to_text(x[i]), at(i));
     }
-    if (x[0] != 1) fail(names, name, rule_of(0, "must be 1, its own unit"), number_to_text(x[0]), at(0));
 }
 
 template <class T>
@@ -93,21 +97,12 @@ void check_damping_ratios(const std::vector<T>& zeta, std::size_t N, const Scene
         fail(names, name, "must have as many values as there are masses (" + std::to_string(N) + ")",
              std::to_string(zeta.size()));
     for (std::size_t i = 0; i < N; ++i) {
-        const char* rule = broken_rule(zeta[i]);
-        if (rule == nullptr && zeta[i] < 0) rule = "must not be negative";
+        const char* rule = broken_rule(zeta[i], !(zeta[i] < 0), "must not be negative");
         if (rule == nullptr && zeta[i] > largest_damping_ratio) rule = "must be at most 1e300";
         if (rule != nullptr)
             fail(names, name, std::string("of mode ").append(number(i)).append(" ").append(rule), number_to_text(zeta[i]),
                  names.one_zeta ? "" : at(i));
     }
-}
-
-template <class T>
-void check_between(const System<T>& s, const SceneNames& names) {
-    const std::size_t N = number_of_masses(s);
-    if (s.contact_with->index >= N) fail(names, "contact", mass_rule(N), number(s.contact_with->index), at(1));
-    if (*s.contact_with == s.contact)
-        fail(names, "contact", "must be between two masses, not between one and itself", number(s.contact.index), at(1));
 }
 
 template <class T>
@@ -128,25 +123,26 @@ void check_load(const System<T>& s, const SceneNames& names) {
 
 template <class T>
 void check_system(const System<T>& s, const SceneNames& names) {
-    check_given_once(s.mass_ratios, s.mass_matrix, names, names.masses, "mass_matrix");
-    check_given_once(s.stiffness_ratios, s.stiffness_matrix, names, names.stiffnesses, "stiffness_matrix");
+    check_given_once(s.mass_ratios, s.mass_matrix, names, names("mass_ratios"), "mass_matrix");
+    check_given_once(s.stiffness_ratios, s.stiffness_matrix, names, names("stiffness_ratios"), "stiffness_matrix");
     check_given_once(s.damping_ratios, s.damping_matrix, names, "damping_ratios", "damping_matrix");
     const std::size_t N = number_of_masses(s);
     if (N > most_masses) {
         const bool matrix = s.mass_matrix.size() > 0;
-        fail(names, matrix ? names.mass_matrix : names.masses, most_masses_rule(matrix ? "rows" : "values"), std::to_string(N));
+        fail(names, matrix ? names("mass_matrix") : names("mass_ratios"), most_masses_rule(matrix ? "rows" : "values"),
+             std::to_string(N));
     }
     if (s.mass_matrix.size() > 0) {
-        check_symmetric(s.mass_matrix, N, names, names.mass_matrix);
-        check_positive_definite(s.mass_matrix, names, names.mass_matrix);
+        check_symmetric(s.mass_matrix, N, names, names("mass_matrix"));
+        check_positive_definite(s.mass_matrix, names, names("mass_matrix"));
     } else {
-        check_ratios(s.mass_ratios, N, names, names.masses, "mass");
+        check_ratios(s.mass_ratios, N, names, names("mass_ratios"), "mass");
     }
     if (s.stiffness_matrix.size() > 0) {
-        check_symmetric(s.stiffness_matrix, N, names, names.stiffness_matrix);
-        check_positive_definite(s.stiffness_matrix, names, names.stiffness_matrix);
+        check_symmetric(s.stiffness_matrix, N, names, names("stiffness_matrix"));
+        check_positive_definite(s.stiffness_matrix, names, names("stiffness_matrix"));
     } else {
-        check_ratios(s.stiffness_ratios, N, names, names.stiffnesses, "spring");
+        check_ratios(s.stiffness_ratios, N, names, names("stiffness_ratios"), "spring");
     }
     if (!(s.damping_tolerance >= 0 && s.damping_tolerance <= largest_damping_tolerance))
         fail(names, "damping_tolerance", "must be from 0 to 2", number_to_text(s.damping_tolerance));
@@ -156,7 +152,9 @@ void check_system(const System<T>& s, const SceneNames& names) {
         check_damping_ratios(s.damping_ratios, N, names);
     if (s.contact.index >= N) fail(names, "contact", mass_rule(N), number(s.contact.index));
     if (s.load_vector.empty() && s.load.index >= N) fail(names, "load", mass_rule(N), number(s.load.index));
-    if (s.contact_with) check_between(s, names);
+    if (s.contact_with && s.contact_with->index >= N) fail(names, "contact", mass_rule(N), number(s.contact_with->index), at(1));
+    if (s.contact_with && *s.contact_with == s.contact)
+        fail(names, "contact", "must be between two masses, not between one and itself", number(s.contact.index), at(1));
     if (!s.load_vector.empty()) check_load(s, names);
 }
 
@@ -165,17 +163,9 @@ void check_system(const System<T>& s, const SceneNames& names) {
 template <class T>
 void check_under_names(const Scene<T>& scene, const SceneNames& names) {
     check_system(scene.system, names);
-    if (const char* rule = broken_rule(scene.mu)) fail(names, "mu", rule, number_to_text(scene.mu));
-    if (scene.mu < 1)
-        fail(names, "mu", "must be at least 1 (static friction is not below kinetic friction)", number_to_text(scene.mu));
-    if (scene.r) {
-        if (const char* rule = broken_rule(*scene.r)) fail(names, names.r, rule, number_to_text(*scene.r));
-        if (!(*scene.r > 0)) fail(names, names.r, "must be positive", number_to_text(*scene.r));
-    }
-    if (scene.beta) {
-        if (const char* rule = broken_rule(*scene.beta)) fail(names, names.beta, rule, number_to_text(*scene.beta));
-        if (*scene.beta < 0) fail(names, names.beta, "must not be negative", number_to_text(*scene.beta));
-    }
+    check_number(names, "mu", scene.mu, !(scene.mu < 1), "must be at least 1 (static friction is not below kinetic friction)");
+    if (scene.r) check_number(names, names("r"), *scene.r, *scene.r > 0, "must be positive");
+    if (scene.beta) check_number(names, names("beta"), *scene.beta, !(*scene.beta < 0), "must not be negative");
 }
 
 template <class T>

@@ -1,6 +1,5 @@
 #include "denhartog/scene/scene_json.hpp"
 
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -27,7 +26,7 @@ struct SceneItem {
 
     /// An entry; a value that stands without its brackets is the only one.
     SceneItem operator[](std::size_t i) const {
-        return value.is_array() ? SceneItem{value[i], key, place + pointer_step(std::to_string(i))} : *this;
+        return value.is_array() ? SceneItem{value[i], key, place + "/" + std::to_string(i)} : *this;
     }
     [[noreturn]] void fail(const std::string& rule) const { throw InputError(key, rule, value_text(value), place); }
 };
@@ -255,22 +254,15 @@ void read_load(const json& object, System<T>& s) {
 
 template <class T>
 Scene<T> scene_from_json(const json& object) {
-    check_keys(object);
-    Scene<T> scene;
     SceneNames names;
+    names.dimensional = check_keys(object);
     names.places = true;
+    Scene<T> scene;
     T unit(1);
-    if (is_dimensional(object)) {
+    if (names.dimensional)
         unit = read_dimensional(object, scene);
-        names.masses = "masses";
-        names.stiffnesses = "stiffnesses";
-        names.mass_matrix = "masses";
-        names.stiffness_matrix = "stiffnesses";
-        names.r = "frequency";
-        names.beta = "friction";
-    } else {
+    else
         read_ratios(object, scene);
-    }
     read_damping(object, unit, scene.system);
     names.one_zeta = object.contains("damping_ratios") && !object.at("damping_ratios").is_array();
     read_contact(object, scene.system);

@@ -23,16 +23,6 @@ namespace denhartog {
 /// @return  the keys, in the order of the documentation
 [[nodiscard]] std::span<const std::string_view> scene_keys();
 
-/// @brief Checks the keys of a scene. The error for an unknown key names the nearest key and lists them all.
-/// @param object  the value
-/// @throws        InputError if it is not an object, has an unknown key, or has keys of both ratios and physical units
-void check_keys(const nlohmann::json& object);
-
-/// @brief Whether a scene is in physical units.
-/// @param object  an object with the keys of a scene
-/// @return        true if it has a key of physical units
-[[nodiscard]] bool is_dimensional(const nlohmann::json& object);
-
 /// @brief Reads a scene from a JSON value.
 /// @param object  the value
 /// @return        the scene, checked; physical quantities are divided by k_1, m_1 and P, Eqs. (7)-(11), (73)

@@ -11,6 +11,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/scene/json_document.hpp"
+#include "denhartog/scene/scene_rules.hpp"
 
 namespace denhartog {
 namespace {
@@ -45,15 +46,8 @@ constexpr auto ratio_keys = std::to_array<std::pair<const char*, const char*>>({
                                                                                 {"stiffness_ratios", "stiffnesses"},
                                                                                 {"mass_matrix", "masses"},
                                                                                 {"stiffness_matrix", "stiffnesses"},
-                                                                                {"r", "frequency or frequency_hz"},
+                                                                                {"r", "frequency"},
                                                                                 {"beta", "friction"}});
-
-/// The first key of physical units that a scene has; null where it has none.
-const char* first_dimensional_key(const json& object) {
-    for (const char* key : dimensional_keys)
-        if (object.contains(key)) return key;
-    return nullptr;
-}
 
 /// How many letters have to be added, left out or changed to make one word of another.
 std::size_t letters_apart(std::string_view a, std::string_view b) {
@@ -92,7 +86,7 @@ std::string rule_of_keys(std::string_view unknown) {
 
 std::span<const std::string_view> scene_keys() { return keys; }
 
-void check_keys(const json& object) {
+bool check_keys(const json& object) {
     if (!object.is_object())
         throw InputError("scene", "must be a JSON object",
                          legible(object.dump(-1, ' ', true, json::error_handler_t::replace), most_of_a_value));
@@ -104,16 +98,21 @@ void check_keys(const json& object) {
                     ". A scene has one contact with Coulomb friction and one harmonic load: for several contacts, "
                     "several harmonics or another law of friction take an integrator over time, e.g. SUNDIALS or Siconos",
                 "", pointer_step(entry.key()));
-    const char* dimensional = first_dimensional_key(object);
-    if (dimensional == nullptr) return;
+    const auto dimensional = std::ranges::find_if(dimensional_keys, [&](const char* key) { return object.contains(key); });
+    if (dimensional == dimensional_keys.end()) return false;
     for (const auto& [key, dimensional_key] : ratio_keys)
         if (object.contains(key))
             throw InputError(key,
-                             std::string("must not be given together with ") + dimensional +
-                                 ": a scene is dimensional or it is not; a dimensional one has " + dimensional_key + " instead",
+                             std::string("must not be given together with ") + *dimensional +
+                                 ": a scene is dimensional or it is not; a dimensional one has " + dimensional_key +
+                                 (key == std::string_view("r") ? " or frequency_hz" : "") + " instead",
                              "", pointer_step(key));
+    return true;
 }
 
-bool is_dimensional(const json& object) { return first_dimensional_key(object) != nullptr; }
+std::string_view SceneNames::operator()(std::string_view in_ratios) const {
+    const auto names = std::ranges::find(ratio_keys, in_ratios, [](const auto& each) { return std::string_view(each.first); });
+    return dimensional ? names->second : in_ratios;
+}
 
 } // namespace denhartog

@@ -1,6 +1,7 @@
 // The rules of a scene under the names that its author used.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
@@ -20,16 +21,18 @@ inline constexpr double largest_damping_tolerance = 2;
     return "must have at most " + std::to_string(most_masses) + " " + of + ", one a mass";
 }
 
+// Whether a scene is in physical units. Throws InputError where it is no object, has a key that is none (the nearest one and all
+// are named), or has keys of both ratios and physical units.
+bool check_keys(const nlohmann::json& object);
+
 // What the author of a scene calls its quantities, and whether messages point into a JSON text.
 struct SceneNames {
-    std::string_view masses = "mass_ratios";                // `masses` in a dimensional scene
-    std::string_view stiffnesses = "stiffness_ratios";      // `stiffnesses` in a dimensional scene
-    std::string_view mass_matrix = "mass_matrix";           // `masses` in a dimensional scene
-    std::string_view stiffness_matrix = "stiffness_matrix"; // `stiffnesses` in a dimensional scene
-    std::string_view r = "r";                               // `frequency` in a dimensional scene
-    std::string_view beta = "beta";                         // `friction` in a dimensional scene
-    bool one_zeta = false;                             // one damping ratio was given for all modes
-    bool places = false;                               // errors carry the JSON pointer
+    bool dimensional = false; // `masses` in place of `mass_ratios`, and so on
+    bool one_zeta = false;    // one damping ratio was given for all modes
+    bool places = false;      // errors carry the JSON pointer
+
+    // The name of a quantity that is called so in ratios.
+    [[nodiscard]] std::string_view operator()(std::string_view in_ratios) const;
 };
 
 // Checks every rule of a scene. Throws InputError naming quantity, rule, value and, if asked for, place of the first rule that is

@@ -36,12 +36,8 @@ bool one_scene_a_line(const std::vector<SceneText>& lines) {
 }
 
 nlohmann::json matrix_to_json(const Matrix<double>& matrix) {
-    nlohmann::json rows = nlohmann::json::array();
-    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-        nlohmann::json row = nlohmann::json::array();
-        for (Eigen::Index k = 0; k < matrix.cols(); ++k) row.push_back(matrix(i, k));
-        rows.push_back(std::move(row));
-    }
+    nlohmann::json rows;
+    for (const auto& row : matrix.rowwise()) rows.push_back(std::vector<double>(row.begin(), row.end()));
     return rows;
 }
 

@@ -7,7 +7,6 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
-#include "denhartog/paper_algorithm/regime_seen.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/speed_accuracy/peers/closed_form_peers.hpp"
 #include "tests/support/multiprecision.hpp"

@@ -1,6 +1,7 @@
 #include "denhartog/program/commands/commands.hpp"
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -8,10 +9,9 @@
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
-#include "denhartog/paper_algorithm/regime_seen.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/json/solution_json.hpp"
-#include "denhartog/program/output/motion_file.hpp"
+#include "denhartog/program/output/result_files.hpp"
 
 namespace denhartog::program {
 namespace {
@@ -23,13 +23,8 @@ struct IntegrateOptions : SceneOptions {
 };
 
 std::string name(IntegrationStatus status) {
-    switch (status) {
-    case IntegrationStatus::complete: return "complete";
-    case IntegrationStatus::chattering: return "chattering";
-    case IntegrationStatus::step_limit: return "step_limit";
-    case IntegrationStatus::overflow: return "overflow";
-    }
-    return {};
+    constexpr std::array names{"complete", "chattering", "step_limit", "overflow"};
+    return names.at(static_cast<std::size_t>(status));
 }
 
 Json mass_json(std::size_t k, const PaperMassMotion& m) {

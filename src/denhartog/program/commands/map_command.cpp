@@ -14,7 +14,7 @@
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/output/files.hpp"
-#include "denhartog/program/output/map_file.hpp"
+#include "denhartog/program/output/result_files.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/scene/scene_json.hpp"
 #include "denhartog/scene/scene_rules.hpp"

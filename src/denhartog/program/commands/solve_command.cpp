@@ -6,7 +6,7 @@
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/json/solution_json.hpp"
-#include "denhartog/program/output/motion_file.hpp"
+#include "denhartog/program/output/result_files.hpp"
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/sampled_solution.hpp"

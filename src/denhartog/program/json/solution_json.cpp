@@ -7,12 +7,7 @@ namespace denhartog::program {
 namespace {
 
 std::string name(BindingCondition binding) {
-    switch (binding) {
-    case BindingCondition::velocity: return "54a";
-    case BindingCondition::static_friction: return "54b";
-    case BindingCondition::both: return "54a and 54b";
-    }
-    return {};
+    return binding == BindingCondition::velocity ? "54a" : binding == BindingCondition::static_friction ? "54b" : "54a and 54b";
 }
 
 // Of each friction ratio what `write` makes of it, by its key.

@@ -91,13 +91,6 @@ private:
     sigset_t before{};
 };
 
-// A folder whose list of files may not be read can be written into all the same.
-#ifdef O_PATH
-constexpr int only_to_be_found = O_PATH;
-#else
-constexpr int only_to_be_found = O_RDONLY;
-#endif
-
 // A pipe, a terminal and the like: no file can take its place.
 bool is_no_file(const std::string& path) {
     std::error_code fault;
@@ -110,63 +103,46 @@ bool is_no_file(const std::string& path) {
 // that place.
 class NewFile {
 public:
-    explicit NewFile(const std::string& name);
-    ~NewFile();
+    explicit NewFile(const std::string& name_) : name(name_), target(followed(name_)) {
+        std::random_device random;
+        do {
+            char text[40];
+            std::snprintf(text, sizeof text, ".denhartog-%08x%08x.part", random(), random());
+            own_path = target.parent_path() / text;
+            file = ::open(own_path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+        } while (file < 0 && errno == EEXIST);
+        if (file < 0) cannot_be_written(name, last_fault());
+    }
+    ~NewFile() {
+        if (file >= 0) ::close(file);
+        if (!own_path.empty()) ::unlink(own_path.c_str());
+    }
     NewFile(const NewFile&) = delete;
     NewFile& operator=(const NewFile&) = delete;
 
-    void write(std::string_view text) const;
-    void take_place(); // with the permissions of the file that was there
+    void write(std::string_view text) const {
+        while (!text.empty()) {
+            const ssize_t size = ::write(file, text.data(), text.size());
+            if (size < 0 && errno != EINTR) cannot_be_written(name, last_fault());
+            text.remove_prefix(size < 0 ? 0 : static_cast<std::size_t>(size));
+        }
+    }
+    // With the permissions of the file that was there.
+    void take_place() {
+        struct stat earlier {};
+        const bool there = ::lstat(target.c_str(), &earlier) == 0;
+        if (there && ::fchmod(file, earlier.st_mode & 0777U) != 0) cannot_be_written(name, last_fault());
+        const int closed = ::close(file);
+        file = -1;
+        if (closed != 0 || ::rename(own_path.c_str(), target.c_str()) != 0) cannot_be_written(name, last_fault());
+        own_path.clear();
+    }
 
 private:
     std::string name;
-    fs::path target;
-    int folder = -1, file = -1;
-    std::string own_name;
+    fs::path target, own_path;
+    int file = -1;
 };
-
-NewFile::NewFile(const std::string& name_) : name(name_), target(followed(name_)) {
-    const fs::path parent = target.parent_path();
-    folder = ::open(parent.empty() ? "." : parent.c_str(), only_to_be_found | O_DIRECTORY | O_CLOEXEC);
-    if (folder < 0) cannot_be_written(name, last_fault());
-    std::random_device random;
-    do {
-        char text[40];
-        std::snprintf(text, sizeof text, "%08x%08x", random(), random());
-        own_name = std::string(".denhartog-") + text + ".part";
-        file = ::openat(folder, own_name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-    } while (file < 0 && errno == EEXIST);
-    if (file >= 0) return;
-    const std::string why = last_fault();
-    ::close(folder);
-    cannot_be_written(name, why);
-}
-
-NewFile::~NewFile() {
-    if (file >= 0) ::close(file);
-    if (!own_name.empty()) ::unlinkat(folder, own_name.c_str(), 0);
-    ::close(folder);
-}
-
-void NewFile::write(std::string_view text) const {
-    while (!text.empty()) {
-        const ssize_t size = ::write(file, text.data(), text.size());
-        if (size < 0 && errno != EINTR) cannot_be_written(name, last_fault());
-        text.remove_prefix(size < 0 ? 0 : static_cast<std::size_t>(size));
-    }
-}
-
-void NewFile::take_place() {
-    const std::string of_target = target.filename();
-    struct stat earlier {};
-    const bool there = ::fstatat(folder, of_target.c_str(), &earlier, AT_SYMLINK_NOFOLLOW) == 0;
-    if (there && ::fchmod(file, earlier.st_mode & 0777U) != 0) cannot_be_written(name, last_fault());
-    const int closed = ::close(file);
-    file = -1;
-    if (closed != 0 || ::renameat(folder, own_name.c_str(), folder, of_target.c_str()) != 0)
-        cannot_be_written(name, last_fault());
-    own_name.clear();
-}
 
 // A path of the build or, where there is none of that name, what was installed with the program.
 std::string found(const std::string& built, const std::string& installed) {

@@ -1,11 +1,14 @@
-#include "denhartog/program/output/map_file.hpp"
+#include "denhartog/program/output/result_files.hpp"
 
+#include <CLI/CLI.hpp>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <type_traits>
 
+#include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
+#include "denhartog/scene/point_rules.hpp"
 
 namespace denhartog::program {
 namespace {
@@ -18,11 +21,11 @@ struct NpyField {
 // Appends a number to the records, least significant byte first.
 template <class T>
 void append(std::string& records, T x) {
-    using Bits =
-        std::conditional_t<sizeof(T) == 8, std::uint64_t, std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint8_t>>;
-    static_assert(sizeof(T) == sizeof(Bits));
-    const Bits bits = std::bit_cast<Bits>(x);
-    for (std::size_t byte = 0; byte < sizeof(T); ++byte) records += static_cast<char>((bits >> (8 * byte)) & 0xff);
+    const auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(x);
+    if constexpr (std::endian::native == std::endian::little)
+        records.append(bytes.begin(), bytes.end());
+    else
+        records.append(bytes.rbegin(), bytes.rend());
 }
 
 // The beginning of an array of records in NumPy's file format, version 1.0: magic string, version, length and a dictionary padded to a
@@ -38,10 +41,8 @@ std::string npy_header(const std::vector<NpyField>& fields, const std::vector<st
     dictionary.append(63 - (before + dictionary.size()) % 64, ' ');
     dictionary += '\n';
     std::string header = "\x93NUMPY";
-    append(header, std::uint8_t(1));
-    append(header, std::uint8_t(0));
-    append(header, static_cast<std::uint8_t>(dictionary.size() % 256));
-    append(header, static_cast<std::uint8_t>(dictionary.size() / 256));
+    append(header, std::uint16_t(1)); // 1 before the point of the version, 0 after it
+    append(header, static_cast<std::uint16_t>(dictionary.size()));
     return header + dictionary;
 }
 
@@ -130,6 +131,46 @@ std::string curves_npy(const MapAxis& axis, const std::vector<BoundaryPoint>& cu
         append(bytes, static_cast<std::int8_t>(b.status));
     }
     return bytes;
+}
+
+void add_units_option(CLI::App& command, std::string& units) {
+    command
+        .add_option(
+            "--units", units,
+            "units of the motion: ratios, or scene for those of its masses, stiffnesses and force, with t from the\nsame instant "
+            "instead of tau")
+        ->check(CLI::IsMember({in_ratios, in_scene}))
+        ->capture_default_str();
+}
+
+std::optional<MotionUnits> motion_units(const Scene<double>& scene, const std::string& units) {
+    if (units == in_ratios) return std::nullopt;
+    if (!scene.units) throw InputError("units", "must be ratios where the scene has no masses and stiffnesses", units);
+    const double omega = angular_frequency(*scene.units, frequency_ratio_of(scene));
+    const std::optional<double> P = scene.units->force_at(omega);
+    if (!P) throw InputError("units", "must be ratios where the scene has no force", units);
+    return MotionUnits{omega, displacement_unit(*scene.units, *P)};
+}
+
+std::string motion_csv(const SampledSolution& motion, const std::optional<MotionUnits>& units) {
+    const double time = units ? 1 / units->omega : 1, length = units ? units->length : 1;
+    const double velocity = units ? units->length * units->omega : 1;
+    const auto cell = [](double x) {
+        if (!std::isfinite(x)) throw PrecisionError("the motion holds a number beyond the range of a double");
+        return "," + number_to_text(x == 0 ? 0.0 : x);
+    };
+    std::string csv = units ? "t" : "tau";
+    for (const char* letter : {"x", "v"})
+        for (std::size_t k = 1; k <= motion.states.front().x.size(); ++k)
+            csv += std::string(",") + letter + "_" + std::to_string(k);
+    csv += "\n";
+    for (std::size_t n = 0; n < motion.tau.size(); ++n) {
+        csv += number_to_text(time * motion.tau[n]);
+        for (const double x : motion.states[n].x) csv += cell(length * x);
+        for (const double v : motion.states[n].x_prime) csv += cell(velocity * v);
+        csv += "\n";
+    }
+    return csv;
 }
 
 } // namespace denhartog::program
