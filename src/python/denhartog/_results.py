@@ -1,9 +1,8 @@
 """What the methods of a System return. Displacements are in units of P / k_1, phases in radians."""
 from __future__ import annotations
 
-import ctypes
-import weakref
-from dataclasses import dataclass, field
+from ctypes import c_void_p
+from dataclasses import dataclass
 from typing import NamedTuple, Optional, Union
 
 import numpy as np
@@ -162,8 +161,8 @@ class Solution:
     contact_phase_error: float
     relative_error: float
     proved: bool
-    _handle: "Handle" = field(repr=False)
-    _N: int = field(repr=False)
+    _handle: c_void_p
+    _N: int
 
     def motion(self, samples: int = 400) -> Motion:
         """The motion of all N masses over its period.
@@ -181,8 +180,7 @@ class Solution:
         if not 1 <= samples <= 10_000_000:
             raise InputError.of("samples", "must be from 1 to 10000000", samples)
         x, x_prime = np.empty((samples, self._N)), np.empty((samples, self._N))
-        _library.call("dh_solution_motion", self._handle.address, samples, x.size, _library.pointer(x),
-                      _library.pointer(x_prime))
+        _library.call("dh_solution_motion", self._handle, samples, x.size, x.ctypes, x_prime.ctypes)
         return Motion(2 * np.pi * self.periods * np.arange(samples) / samples, x, x_prime)
 
     def __repr__(self) -> str:
@@ -191,11 +189,19 @@ class Solution:
                 f"{np.array2string(self.amplitude, precision=6)}, phase {np.array2string(self.phase, precision=6)}>")
 
 
+@dataclass(frozen=True, eq=False, repr=False)
 class _Points:
     """What a map and the solutions at many points share."""
 
-    regime: np.ndarray
+    r: np.ndarray
+    beta: np.ndarray
+    mu: Union[float, np.ndarray]
+    masses: np.ndarray
     status: np.ndarray
+    regime: np.ndarray
+    stops: np.ndarray
+    periods: np.ndarray
+    amplitude: np.ndarray
     regime_names = REGIMES  #: names of the numbers in `regime`
     status_names = STATUSES  #: names of the numbers in `status`
 
@@ -248,15 +254,6 @@ class Solutions(_Points):
         In (-pi, pi], with bounds of their errors; NaN also where a mass does not move.
     """
 
-    r: np.ndarray
-    beta: np.ndarray
-    mu: Union[float, np.ndarray]
-    masses: np.ndarray
-    status: np.ndarray
-    regime: np.ndarray
-    stops: np.ndarray
-    periods: np.ndarray
-    amplitude: np.ndarray
     amplitude_error: np.ndarray
     phase: np.ndarray
     phase_error: np.ndarray
@@ -265,7 +262,6 @@ class Solutions(_Points):
         return f"<solutions of shape {self.regime.shape}, masses {self.masses.tolist()}: {self._told()}>"
 
 
-@dataclass(frozen=True, eq=False, repr=False)
 class Map(_Points):
     """Regimes, stops and amplitudes over a grid of R frequency ratios by B friction ratios, for M masses.
 
@@ -287,24 +283,6 @@ class Map(_Points):
         In units of P / k_1; NaN where there are no numbers.
     """
 
-    r: np.ndarray
-    beta: np.ndarray
-    mu: float
-    masses: np.ndarray
-    status: np.ndarray
-    regime: np.ndarray
-    stops: np.ndarray
-    periods: np.ndarray
-    amplitude: np.ndarray
-
     def __repr__(self) -> str:
         r, beta = (f"{a.size} from {a[0]:.6g} to {a[-1]:.6g}" for a in (self.r, self.beta))
         return f"<map, r: {r}, beta: {beta}, masses {self.masses.tolist()}: {self._told()}>"
-
-
-class Handle:
-    """A handle of the library, destroyed with this object."""
-
-    def __init__(self, address: ctypes.c_void_p, destroy: str) -> None:
-        self.address = address
-        weakref.finalize(self, getattr(_library.library(), destroy), address)

@@ -55,10 +55,3 @@ def read(source: Source) -> tuple[dict[str, Any], str]:
         return json.loads(text), text
     except ValueError:
         return {}, text  # the library says what is wrong with it
-
-
-def first(value: Any) -> float:
-    """The first mass or spring of a dimensional scene: of a list, of a matrix, or the only one."""
-    while isinstance(value, list):
-        value = value[0]
-    return float(value)

@@ -67,6 +67,12 @@ class Plan:
                 return [name for name in self.names_of(r.get("of", "")) if name not in r["over"]]
         return list(self.axes)
 
+    def axes_of(self, r: Mapping[str, Any]) -> tuple[list[str], tuple[int, ...], list[int]]:
+        """The axes that a reduction begins with; which of them it is over, and the sizes of these."""
+        names = self.names_of(r.get("of", ""))
+        over = tuple(n for n, name in enumerate(names) if name in r["over"])
+        return names, over, [self.axes[names[n]].size for n in over]
+
 
 def must(holds: bool, quantity: str, rule: str, value: object) -> None:
     """Raises an InputError unless a rule holds."""
@@ -367,14 +373,14 @@ def _forces(system: System, hertz: np.ndarray) -> np.ndarray:
 
 def _points_of(system: System, plan: Plan, f: np.ndarray, F: np.ndarray, units: bool, progress: _batch.Report) -> Arrays:
     """The points of one system: f by F points, amplitudes and phases with the masses last."""
-    handle, mu, study = system._handle.address, system.mu, plan.study
+    handle, mu, study = system._handle, system.mu, plan.study
     further = (np.array(study["masses"], dtype=np.uintp), 1, progress, study.get("effort"))
 
     def column(r: np.ndarray, beta: np.ndarray) -> Arrays:
         found = _batch.solve_map(handle, r, beta, mu, study["start"] == "sliding", *further)
         if needs_phases(study):
-            phase = _batch.solve_points(handle, r[:, None], beta[None, :], mu, 0, *further)["phase"]
-            found["phase"] = np.where((found["regime"] >= 0)[..., None], phase, np.nan)
+            solutions = _batch.solve(handle, {"r": r[:, None], "beta": beta}, *further, mu=mu, digits=0)
+            found["phase"] = np.where((found["regime"] >= 0)[..., None], solutions.phase, np.nan)
         return found
 
     if not units:
@@ -428,67 +434,63 @@ def fields_of(plan: Plan, K: int, progress: _batch.Report = None) -> Arrays:
 
 # ---- statistics --------------------------------------------------------------------------------------------------------------
 
-def reduced(plan: Plan, r: Mapping[str, Any], K: int, field: np.ndarray) -> Arrays:
-    """What chunk K has of a reduction: counts, quantiles, or an extreme value and its place over the reduced axes, -1 if none."""
-    names = plan.names_of(r.get("of", ""))
-    over = [name for name in names if name in r["over"]]
-    reduced_axes = [names.index(name) for name in over]
-    x = np.moveaxis(field, reduced_axes, range(-len(over), 0))
-    x = x.reshape(x.shape[:-len(over)] + (-1,))
+def reduced(plan: Plan, r: Mapping[str, Any], K: int, x: np.ndarray) -> Arrays:
+    """What chunk K has of a reduction, in which its reduced axes have one place: counts, quantiles, or what `extreme` gives."""
+    names, over, sizes = plan.axes_of(r)
     if r["statistic"] == "share":
-        return {"counts": np.stack([(x == regime).sum(-1) for regime in (0, 1, 2, -1)], -1)}
+        return {"counts": np.stack([(x == regime).sum(over, keepdims=True) for regime in (0, 1, 2, -1)], -1)}
     x = np.where(x < 0, np.nan, x) if r["of"] in ("stops_per_period", "periods") else x
     if r["statistic"] in ("maximum", "minimum"):
-        local = np.where(np.isnan(x), -np.inf, x if r["statistic"] == "maximum" else -x).argmax(-1)
-        value = np.take_along_axis(x, local[..., None], -1)[..., 0]
         part = plan.slices(K)
-        places = np.unravel_index(local, [field.shape[n] for n in reduced_axes])
-        of_grid = [n + part[name].start for n, name in zip(places, over)]
-        place = np.ravel_multi_index(of_grid, [plan.axes[name].size for name in over])
-        return {"value": value, "place": np.where(np.isnan(value), -1, place)}
+        places = np.ix_(*(np.arange(part[name].start, part[name].stop) for name in names))
+        value = np.where(np.isnan(x), -np.inf if r["statistic"] == "maximum" else np.inf, x)
+        return extreme(r, {"value": value, "place": np.ravel_multi_index([places[n] for n in over], sizes)}, over)
+    x = np.moveaxis(x, over, range(-len(over), 0))
+    x = x.reshape(x.shape[:-len(over)] + (-1,))
     if "bins" in r:
         edges = edges_of(r)
         bins = np.searchsorted(edges, x, "right")
         bins[x == edges[-1]] = edges.size - 1  # the last bin has its upper end
         cells = np.arange(bins[..., 0].size).reshape(x.shape[:-1] + (1,)) * (edges.size + 1)
         counts = np.bincount((cells + bins)[~np.isnan(x)], minlength=bins[..., 0].size * (edges.size + 1))
-        return {"counts": counts.reshape(x.shape[:-1] + (edges.size + 1,))}
+        return {"counts": np.expand_dims(counts.reshape(x.shape[:-1] + (edges.size + 1,)), over)}
     value = np.full(x.shape[:-1] + (len(r["probabilities"]),), np.nan)
     some = ~np.isnan(x).all(-1)
     value[some] = np.moveaxis(np.nanquantile(x[some], r["probabilities"], axis=-1), 0, -1)
-    return {"value": value}
+    return {"value": np.expand_dims(value, over)}
 
 
-def put_together(r: Mapping[str, Any], parts: list[Arrays]) -> Arrays:
-    """The parts of several chunks as one: counts add up; of equal extreme values the one with the earliest place counts."""
-    if len(parts) == 1:
-        return parts[0]
-    if "counts" in parts[0]:
-        return {"counts": sum(part["counts"] for part in parts)}
-    value, place = (np.stack([part[name] for part in parts]) for name in ("value", "place"))
-    ordered = np.where(np.isnan(value), -np.inf, value if r["statistic"] == "maximum" else -value)
-    place = np.where((ordered == ordered.max(0)) & (place >= 0), place, np.iinfo(np.int64).max).min(0)
-    best = np.take_along_axis(value, ordered.argmax(0)[None], 0)[0]
-    return {"value": best, "place": np.where(np.isnan(best), -1, place)}
+def extreme(r: Mapping[str, Any], parts: Mapping[str, Any], over: tuple[int, ...]) -> dict[str, Any]:
+    """The largest or smallest value over some axes, infinite if there is none, and of several places the first."""
+    value = (np.max if r["statistic"] == "maximum" else np.min)(parts["value"], axis=over, keepdims=True)
+    place = np.where(parts["value"] == value, parts["place"], np.iinfo(np.int64).max)
+    return {"value": value, "place": place.min(axis=over, keepdims=True)}
 
 
-def finished(plan: Plan, r: Mapping[str, Any], part: Arrays) -> Arrays:
-    """The results of a reduction that is complete, by their names."""
-    if r["statistic"] == "share":
-        return {r["name"]: part["counts"] / part["counts"].sum(-1, keepdims=True)}
-    if r["statistic"] == "histogram":
-        return {r["name"]: part["counts"]}
-    if "bins" in r:
-        return {r["name"]: _quantiles_of_counts(edges_of(r), part["counts"], r["probabilities"])}
-    out = {r["name"]: part["value"]}
-    if "place" in part:
-        over = [name for name in plan.names_of(r["of"]) if name in r["over"]]
-        places = np.unravel_index(np.maximum(part["place"], 0), [plan.axes[name].size for name in over])
-        out |= {f"{r['name']}_{name}": np.where(part["place"] < 0, np.nan, plan.axes[name][n]) for name, n in zip(over, places)}
-    return out
+def finished(plan: Plan, r: Mapping[str, Any], parts: Mapping[str, Any]) -> dict[str, Any]:
+    """The results of a reduction by their names, from what all chunks have of it; both are arrays of Dask."""
+    names, over, sizes = plan.axes_of(r)
+    if "counts" in parts:
+        result = parts["counts"].sum(over)
+        if r["statistic"] == "share":
+            result = result / result.sum(-1, keepdims=True)
+        elif r["statistic"] == "quantiles":
+            result = result.map_blocks(_quantiles_of_counts, edges=edges_of(r), probabilities=r["probabilities"], dtype=float,
+                                       chunks=(*result.chunks[:-1], (len(r["probabilities"]),)))
+        return {r["name"]: result}
+    if r["statistic"] == "quantiles":
+        return {r["name"]: parts["value"].squeeze(over)}
+    value, place = (array.squeeze(over) for array in extreme(r, parts, over).values())
+    out = {r["name"]: value} | {f"{r['name']}_{names[axis]}": place.map_blocks(
+        _coordinate, values=plan.axes[names[axis]], sizes=sizes, n=n, dtype=float) for n, axis in enumerate(over)}
+    return {name: np.where(np.isinf(value), np.nan, array) for name, array in out.items()}
 
 
-def _quantiles_of_counts(edges: np.ndarray, counts: np.ndarray, probabilities: list[float]) -> np.ndarray:
+def _coordinate(place: np.ndarray, values: np.ndarray, sizes: list[int], n: int) -> np.ndarray:
+    return values[np.unravel_index(place, sizes)[n]]
+
+
+def _quantiles_of_counts(counts: np.ndarray, edges: np.ndarray, probabilities: list[float]) -> np.ndarray:
     """Quantiles from a histogram, linear within a bin; NaN where they lie outside of the bins, or nothing was counted."""
     rows = counts.reshape(-1, counts.shape[-1])
     out = np.full((len(rows), len(probabilities)), np.nan)
@@ -517,6 +519,7 @@ def computed(plan: Plan, K: int, progress: _batch.Report = None) -> Arrays:
     out = {name: fields[name] for name in answers_of(plan.study)}
     for r in plan.study["reduce"]:
         part = reduced(plan, r, K, fields[r.get("of", "regime")])
-        fields[r["name"]] = part.get("value", np.empty(0))
+        if "place" in part:  # a reduction of it finds its axes in one chunk
+            fields[r["name"]] = np.where(np.isinf(part["value"]), np.nan, part["value"]).squeeze(plan.axes_of(r)[1])
         out |= {f"{r['name']}:{kind}": values for kind, values in part.items()}
     return out

@@ -17,6 +17,7 @@ import functools
 import hashlib
 import io
 import json
+import operator
 import os
 import pathlib
 import shlex
@@ -63,54 +64,36 @@ def dataset(study: Mapping[str, Any], grid: Any = None) -> Any:
 
 def _assembled(plan: Plan, name_of_study: str, function: Callable[..., Arrays], source: Any) -> Any:
     """The dataset whose chunk K is function(source, K). The names of all tasks, and so their order, follow from the study."""
-    import dask
+    import dask.array
     import xarray
+    from dask.highlevelgraph import HighLevelGraph
+    chunk, shared = f"chunk-{name_of_study}", f"source-{name_of_study}"
+    tasks = {(chunk, K): (function, shared, K) for K in range(plan.chunks)} | {shared: source}
+    sizes = dict(zip(plan.axes, dask.array.core.normalize_chunks(plan.chunk, plan.shape)))
 
-    def task(kind: str, n: int, call: Callable[..., Any], *arguments: Any) -> Any:
-        return dask.delayed(call, pure=True)(*arguments, dask_key_name=f"{kind}-{n}-{name_of_study}")
+    def stored(name: str, dtype: Any, axes: list[str], over: tuple[int, ...] = (), further: tuple[int, ...] = ()) -> Any:
+        """What all chunks have under a name; of the axes that it is over, a chunk has one place."""
+        layer = f"{name}-{name_of_study}"
+        blocks = [(1,) * len(sizes[axis]) if n in over else sizes[axis] for n, axis in enumerate(axes)] + [(n,) for n in further]
+        pieces = {(layer, *place): (operator.getitem, (chunk, K), name) for K, place in enumerate(np.ndindex(*map(len, blocks)))}
+        graph = HighLevelGraph({chunk: tasks, layer: pieces}, {chunk: set(), layer: {chunk}})
+        return dask.array.Array(graph, layer, blocks, dtype)
 
-    shared = dask.delayed(source, name=f"source-{name_of_study}", traverse=False)
-    blocks = [task("chunk", K, function, shared, K) for K in range(plan.chunks)]
-    sizes = [[plan.slices(K)[name].stop - plan.slices(K)[name].start for name in plan.axes] for K in range(plan.chunks)]
     data, coordinates = {name: xarray.Variable("sample", values) for name, values in plan.drawn.items()}, _coordinates(plan)
     for name in _study.answers_of(plan.study):
         dtype = {"status": np.int8, "regime": np.int8, "stops_per_period": np.int32, "periods": np.int32}.get(name, np.float64)
-        pieces = [(block[name], size) for block, size in zip(blocks, sizes)]
-        data[name] = xarray.Variable(list(plan.axes), _joined(pieces, plan.boxes, (), dtype), _attributes(plan, name))
+        data[name] = xarray.Variable(list(plan.axes), stored(name, dtype, list(plan.axes)), _attributes(plan, name))
     for r in plan.study["reduce"]:
-        left = plan.names_of(r["name"])
-        kept = [n for n, name in enumerate(plan.axes) if name in left]
-        chunks_of: dict[tuple[int, ...], list[int]] = {}
-        for K in range(plan.chunks):
-            place = np.unravel_index(K, plan.boxes)
-            chunks_of.setdefault(tuple(int(place[n]) for n in kept), []).append(K)
-        kinds, further = {"share": (["counts"], ("regime_class",)), "histogram": (["counts"], (r["name"] + "_bin",)),
-                          "quantiles": (["counts" if "bins" in r else "value"], (r["name"] + "_probability",))}.get(
-                              r["statistic"], (["value", "place"], ()))
-        parts = [[{kind: blocks[K][f"{r['name']}:{kind}"] for kind in kinds} for K in chunks] for chunks in chunks_of.values()]
-        results = [task(r["name"], n, _study.finished, plan, r, task(r["name"] + "-parts", n, _study.put_together, r, each))
-                   for n, each in enumerate(parts)]
-        boxes, shapes = tuple(plan.boxes[n] for n in kept), [[sizes[chunks[0]][n] for n in kept] for chunks in chunks_of.values()]
-        extra = tuple(coordinates[name].size for name in further)
-        over = [name for name in plan.names_of(r.get("of", "")) if name in r["over"]]
-        for name in [r["name"]] + ([f"{r['name']}_{axis}" for axis in over] if not further else []):
-            pieces = [(result[name], shape) for result, shape in zip(results, shapes)]
-            dtype = np.int64 if r["statistic"] == "histogram" else np.float64
-            about = {"over": " ".join(r["over"])} | ({"of": r["of"]} if "of" in r else {}) if name == r["name"] else {}
-            data[name] = xarray.Variable([*left, *further], _joined(pieces, boxes, extra, dtype), about)
+        name, (axes, over, _) = r["name"], plan.axes_of(r)
+        further = {"share": "regime_class", "histogram": f"{name}_bin", "quantiles": f"{name}_probability"}.get(r["statistic"])
+        kinds = {"counts": np.int64} if r["statistic"] == "share" or "bins" in r else {"value": np.float64} | (
+            {} if further else {"place": np.int64})
+        size = (len(_study.edges_of(r)) + 1 if "bins" in r else coordinates[further].size,) if further else ()
+        parts = {kind: stored(f"{name}:{kind}", dtype, axes, over, size) for kind, dtype in kinds.items()}
+        for result, values in _study.finished(plan, r, parts).items():
+            about = {"over": " ".join(r["over"])} | ({"of": r["of"]} if "of" in r else {}) if result == name else {}
+            data[result] = xarray.Variable(plan.names_of(name) + ([further] if further else []), values, about)
     return xarray.Dataset(data, coordinates, {"program": f"denhartog {_library.library().dh_version().decode()}"})
-
-
-def _joined(pieces: list[tuple[Any, list[int]]], boxes: tuple[int, ...], extra: tuple[int, ...], dtype: Any) -> Any:
-    """One lazy array of delayed ones, which count along the boxes with the last running fastest."""
-    import dask.array
-
-    def nested(arrays: list[Any], boxes: tuple[int, ...]) -> Any:
-        step = len(arrays) // boxes[0] if boxes else 1
-        return [nested(arrays[n:n + step], boxes[1:]) for n in range(0, len(arrays), step)] if boxes else arrays[0]
-
-    arrays = [dask.array.from_delayed(piece, (*shape, *extra), dtype) for piece, shape in pieces]
-    return dask.array.block(nested(arrays, boxes + (1,) * len(extra)))
 
 
 def _coordinates(plan: Plan) -> dict[str, Any]:
@@ -148,8 +131,11 @@ def plan(study: Mapping[str, Any], folder: Path, grid: Any = None) -> Plan:
     same = _about(folder).get("fingerprint") == about["fingerprint"]
     must(not folder.exists() or same or (folder.is_dir() and not any(folder.iterdir())), "FOLDER",
          "must be a new folder, or that of the same study planned by the same program", folder)
-    for name in ("chunks", "log"):
-        (folder / name).mkdir(parents=True, exist_ok=True)
+    try:
+        for name in ("chunks", "log"):
+            (folder / name).mkdir(parents=True, exist_ok=True)
+    except OSError as reason:
+        raise InputError.of("FOLDER", "must be a folder that can be written", f"{folder} ({reason.strerror})") from reason
     _write(folder / "grid.npz", _as_bytes(planned.axes))
     _write(folder / "samples.npz", _as_bytes(planned.drawn))
     for name, text in _scripts(folder.resolve(), planned.chunks).items():
@@ -361,13 +347,15 @@ def combine(folder: Path, to: Path) -> None:
     Raises
     ------
     InputError
-        The name does not end in .zarr or .nc; a chunk is missing, damaged, or of another study; a file is no chunk's.
+        The name does not end in .zarr or .nc, or is taken.
+    Incomplete
+        A chunk is missing, damaged, or of another study; a file is no chunk's.
     """
     import dask
     import xarray
     folder, to = pathlib.Path(folder), pathlib.Path(to)
     must(to.suffix in (".zarr", ".nc"), "RESULT", "must end in .zarr or .nc", to)
-    must(to.suffix == ".nc" or not to.exists(), "RESULT", "must not be there yet", to)
+    must(not to.exists(), "RESULT", "must not be there yet", to)
     planned, fingerprint = opened(folder)
     wrong = [f"{_ranges(chunks)}: {fault}" for fault, chunks in faults(folder).items()]
     known = {f"{K}.npz" for K in range(planned.chunks)}
