@@ -175,7 +175,7 @@ static mxArray* solve_point(double r, double beta, double mu, int digits, int pr
         point.amplitude[k] = mass.amplitude;
         point.error[k] = mass.error;
         point.phase[k] = mass.moves ? mass.phase : mxGetNaN();
-        point.phase_error[k] = mass.phase_error;
+        point.phase_error[k] = mass.moves ? mass.phase_error : mxGetNaN();
     }
     ends = doubles(result, "stop_start", 1, motion.stops);
     need(dh_solution_stops(held_solution, motion.stops, ends, doubles(result, "stop_end", 1, motion.stops)));
@@ -188,9 +188,9 @@ static mxArray* solve_point(double r, double beta, double mu, int digits, int pr
     }
     *doubles(result, "rest_error", 1, 1) = motion.rest_error;
     *doubles(result, "relative_error", 1, 1) = motion.relative_error;
-    *(signed char*)field(result, "unique", mxINT8_CLASS, 1, 1) = motion.unique != 0;
-    *(signed char*)field(result, "symmetric", mxINT8_CLASS, 1, 1) = motion.symmetric != 0;
-    *(signed char*)field(result, "proved", mxINT8_CLASS, 1, 1) = proved != 0;
+    mxSetFieldByNumber(result, 0, mxAddField(result, "unique"), mxCreateLogicalScalar(motion.unique != 0));
+    mxSetFieldByNumber(result, 0, mxAddField(result, "symmetric"), mxCreateLogicalScalar(motion.symmetric != 0));
+    mxSetFieldByNumber(result, 0, mxAddField(result, "proved"), mxCreateLogicalScalar(proved != 0));
     return result;
 }
 

@@ -9,29 +9,18 @@ import numpy as np
 
 from . import _library
 from ._errors import Cancelled, InputError
-from ._results import Solutions
+from ._results import Real, Solutions
 
 Report = Optional[Callable[[int, int], Any]]
 Arrays = dict[str, np.ndarray]
-Real = Union[float, np.ndarray]
 
 
 def run(name: str, handles: tuple[c_void_p, ...], request: Any, result: Any, progress: Report, arrays: Any,
         effort: Optional[float] = None) -> None:
     """Calls dh_map(), dh_solve_points() or dh_solve_systems() in a thread of its own and waits for it.
 
-    A thread in C does not see Ctrl-C. The thread that waits here does, and so does the function `progress`, which it calls.
-
-    Parameters
-    ----------
-    name, handles, request, result
-        The function and its arguments.
-    progress : callable or None
-        Called as ``progress(done, all)`` in the calling thread; the call ends where it returns something true.
-    arrays
-        What `request` and `result` point to: kept until the library is done, even where a second Ctrl-C ends the waiting.
-    effort : float or None
-        Operations allowed for each point, default those of the library.
+    A thread in C does not see Ctrl-C. The thread that waits here does, and so does `progress(done, all)`, which it calls. The
+    `arrays`, to which request and result point, are kept until the library is done, even where a second Ctrl-C ends the waiting.
     """
     news, stop, ended = threading.Event(), threading.Event(), threading.Event()
     told, kept, faults = (0, 0), [arrays], []

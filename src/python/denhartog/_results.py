@@ -10,17 +10,15 @@ import numpy as np
 from . import _library
 from ._errors import InputError
 
+Real = Union[float, np.ndarray]
 REGIMES = ("continuous", "stick_slip", "permanent_sticking")
 STATUSES = ("answered", "on_boundary", "not_converged", "at_a_pole", "failed")
 
 
-class BoundaryNumbers(NamedTuple):
-    """The numbers of a `Boundary`, or the bounds of their errors."""
-
-    exact: Union[float, np.ndarray]
-    paper: Union[float, np.ndarray]
-    approximate: Union[float, np.ndarray]
-    sticking: Union[float, np.ndarray]
+# The numbers of a boundary and of the sums over the modes, or the bounds of their errors.
+BoundaryNumbers = NamedTuple("BoundaryNumbers", [("exact", Real), ("paper", Real), ("approximate", Real), ("sticking", Real)])
+FunctionNumbers = NamedTuple("FunctionNumbers", [("V", np.ndarray), ("U", np.ndarray), ("G", np.ndarray), ("H_j", Real),
+                                                 ("S_j", Real)])
 
 
 class Boundary(BoundaryNumbers):
@@ -62,16 +60,6 @@ class Motion(NamedTuple):
     tau: np.ndarray
     x: np.ndarray
     x_prime: np.ndarray
-
-
-class FunctionNumbers(NamedTuple):
-    """The numbers of `Functions`, or the bounds of their errors."""
-
-    V: np.ndarray
-    U: np.ndarray
-    G: np.ndarray
-    H_j: Union[float, np.ndarray]
-    S_j: Union[float, np.ndarray]
 
 
 class Functions(FunctionNumbers):
@@ -195,7 +183,7 @@ class _Points:
 
     r: np.ndarray
     beta: np.ndarray
-    mu: Union[float, np.ndarray]
+    mu: Real
     masses: np.ndarray
     status: np.ndarray
     regime: np.ndarray

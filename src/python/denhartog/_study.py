@@ -363,12 +363,10 @@ def _scene_with(scene: Mapping[str, Any], values: Mapping[str, float]) -> dict[s
 
 def _forces(system: System, hertz: np.ndarray) -> np.ndarray:
     """The force P at each frequency, in the units of the scene."""
-    scene, omega = system.scene, 2 * np.pi * hertz
-    if "base_displacement" not in scene:
-        must("force" in scene, "force", "must be given (or base_displacement in its place)", "nothing")
-        return np.full(hertz.size, float(scene["force"]))
-    X = float(scene["base_displacement"])
-    return system.m_1 * omega * omega * X if scene["base_motion"] == "with_wall" else np.full(hertz.size, system.k_1 * X)
+    scene = system.scene
+    must("force" in scene or "base_displacement" in scene, "force", "must be given (or base_displacement in its place)", "nothing")
+    force = float(scene["force"]) if "force" in scene else system.base_force(float(scene["base_displacement"]), hz=hertz)
+    return np.broadcast_to(force, hertz.shape)
 
 
 def _points_of(system: System, plan: Plan, f: np.ndarray, F: np.ndarray, units: bool, progress: _batch.Report) -> Arrays:

@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _batch, _library, _plots, _scene
-from ._batch import Real, Report, like
+from ._batch import Report, like
 from ._errors import InputError
-from ._results import REGIMES, Boundary, BoundaryNumbers, FunctionNumbers, Functions, Map, Motion, Solution, Solutions
+from ._results import (REGIMES, Boundary, BoundaryNumbers, FunctionNumbers, Functions, Map, Motion, Real, Solution,
+                       Solutions)
 
 
 class System:
@@ -389,7 +390,10 @@ class System:
         base = self._scene.get("base_motion")
         if base is None:
             raise InputError.of("base_motion", "must be given for a base to have a force", "nothing")
-        return like(self.k_1 * X if base == "alone" else self.m_1 * self._circular(omega, hz) ** 2 * X)
+        if base == "alone":
+            return like(self.k_1 * X)
+        circular = self._circular(omega, hz)
+        return like(self.m_1 * circular * circular * X)
 
     plot_response = _plots.response
     plot_regimes = _plots.regimes
@@ -417,33 +421,18 @@ def solve_many(systems: Union[System, Sequence[System], np.ndarray], r: ArrayLik
     ----------
     systems : sequence of System, or ndarray of them
         Systems of any number of masses. One may be there more than once. It is broadcast with `r`, `beta` and `mu`.
-    r : float or array_like
-        Frequency ratio, Eq. (10), positive.
-    beta : float or array_like
-        Friction ratio, Eq. (11), not negative.
-    digits : int, from 1 to 15
-        Significant digits that must be reached; without it 6 are aimed at.
     mu : float or array_like
         Static over kinetic friction in place of that of each system.
     masses : int or sequence of ints
         Masses that are wanted, from 1, which every system must have; default all.
-    threads : int
-        0 for as many as the machine has. The numbers are the same for any.
-    progress : callable
-        Called as ``progress(done, all)``; the computation ends where it returns something true.
+    r, beta, digits, threads, progress
+        As of `System.solve`.
 
     Returns
     -------
     Solutions
         With arrays of the broadcast shape, those over masses with the masses last: as many as the largest system has, with NaN
         for a mass that a system does not have.
-
-    Raises
-    ------
-    InputError
-        Where a value breaks a rule; the message names quantity, rule and value.
-    Cancelled
-        Where `progress` ended it.
 
     Examples
     --------

@@ -174,21 +174,8 @@ def run(function: Function, program: Union[str, "os.PathLike[str]", None] = None
     ----------
     function : callable
         ``function(question: dict)`` returns the value; see the head of this module.
-    program : path
-        The command line program; default what the environment variable DENHARTOG_PROGRAM names, or `denhartog` of the PATH.
-    filter : str
-        Regular expression that the ids of the questions have to match somewhere; default all.
-    **selection
-        `vectors`, `group`, `tier`, `systems`, `method`: see `Vectors`.
-
-    Returns
-    -------
-    Report
-
-    Raises
-    ------
-    Error
-        Where the program or the vectors are not found.
+    program, filter, **selection
+        As of `Vectors`: also `vectors`, `group`, `tier`, `systems`, `method`.
     """
     vectors = Vectors(program, filter=filter, **selection)
     raised: dict[str, BaseException] = {}

@@ -71,7 +71,7 @@ def _assembled(plan: Plan, name_of_study: str, function: Callable[..., Arrays], 
     tasks = {(chunk, K): (function, shared, K) for K in range(plan.chunks)} | {shared: source}
     sizes = dict(zip(plan.axes, dask.array.core.normalize_chunks(plan.chunk, plan.shape)))
 
-    def stored(name: str, dtype: Any, axes: list[str], over: tuple[int, ...] = (), further: tuple[int, ...] = ()) -> Any:
+    def stored(name: str, dtype: Any, axes: list[str], over: tuple[int, ...] = (), *further: int) -> Any:
         """What all chunks have under a name; of the axes that it is over, a chunk has one place."""
         layer = f"{name}-{name_of_study}"
         blocks = [(1,) * len(sizes[axis]) if n in over else sizes[axis] for n, axis in enumerate(axes)] + [(n,) for n in further]
@@ -79,36 +79,32 @@ def _assembled(plan: Plan, name_of_study: str, function: Callable[..., Arrays], 
         graph = HighLevelGraph({chunk: tasks, layer: pieces}, {chunk: set(), layer: {chunk}})
         return dask.array.Array(graph, layer, blocks, dtype)
 
-    data, coordinates = {name: xarray.Variable("sample", values) for name, values in plan.drawn.items()}, _coordinates(plan)
+    coordinates = {name: xarray.Variable(name, values) for name, values in plan.axes.items()}
+    data = {name: xarray.Variable("sample", values) for name, values in plan.drawn.items()}
     for name in _study.answers_of(plan.study):
         dtype = {"status": np.int8, "regime": np.int8, "stops_per_period": np.int32, "periods": np.int32}.get(name, np.float64)
         data[name] = xarray.Variable(list(plan.axes), stored(name, dtype, list(plan.axes)), _attributes(plan, name))
     for r in plan.study["reduce"]:
-        name, (axes, over, _) = r["name"], plan.axes_of(r)
-        further = {"share": "regime_class", "histogram": f"{name}_bin", "quantiles": f"{name}_probability"}.get(r["statistic"])
-        kinds = {"counts": np.int64} if r["statistic"] == "share" or "bins" in r else {"value": np.float64} | (
-            {} if further else {"place": np.int64})
-        size = (len(_study.edges_of(r)) + 1 if "bins" in r else coordinates[further].size,) if further else ()
-        parts = {kind: stored(f"{name}:{kind}", dtype, axes, over, size) for kind, dtype in kinds.items()}
+        name, statistic, (axes, over, _) = r["name"], r["statistic"], plan.axes_of(r)
+        bins, further = np.insert(_study.edges_of(r), 0, -np.inf) if "bins" in r else np.arange(4), []
+        if statistic == "share":
+            further = [xarray.Variable("regime_class", bins, _flags([0, 1, 2, 3], [*REGIMES, "none"]))]
+        elif statistic == "histogram":
+            further = [xarray.Variable(f"{name}_bin", bins, {
+                "long_name": "lower end of the bin; the first is open below, the last above"})]
+        elif statistic == "quantiles":
+            further = [xarray.Variable(f"{name}_probability", np.array(r["probabilities"], dtype=float))]
+        if statistic == "share" or "bins" in r:
+            parts = {"counts": stored(f"{name}:counts", np.int64, axes, over, bins.size)}
+        else:
+            kinds = {"value": np.float64} if further else {"value": np.float64, "place": np.int64}
+            parts = {kind: stored(f"{name}:{kind}", dtype, axes, over, *(each.size for each in further))
+                     for kind, dtype in kinds.items()}
+        coordinates |= {each.dims[0]: each for each in further}
         for result, values in _study.finished(plan, r, parts).items():
             about = {"over": " ".join(r["over"])} | ({"of": r["of"]} if "of" in r else {}) if result == name else {}
-            data[result] = xarray.Variable(plan.names_of(name) + ([further] if further else []), values, about)
+            data[result] = xarray.Variable([*plan.names_of(name), *(each.dims[0] for each in further)], values, about)
     return xarray.Dataset(data, coordinates, {"program": f"denhartog {_library.library().dh_version().decode()}"})
-
-
-def _coordinates(plan: Plan) -> dict[str, Any]:
-    import xarray
-    out = {name: xarray.Variable(name, values) for name, values in plan.axes.items()}
-    for r in plan.study["reduce"]:
-        name = r["name"]
-        if r["statistic"] == "share":
-            out["regime_class"] = xarray.Variable("regime_class", np.arange(4), _flags([0, 1, 2, 3], [*REGIMES, "none"]))
-        elif r["statistic"] == "quantiles":
-            out[name + "_probability"] = xarray.Variable(name + "_probability", np.array(r["probabilities"], dtype=float))
-        elif r["statistic"] == "histogram":
-            out[name + "_bin"] = xarray.Variable(name + "_bin", np.insert(_study.edges_of(r), 0, -np.inf), {
-                "long_name": "lower end of the bin; the first is open below, the last above"})
-    return out
 
 
 def _flags(values: list[int], meanings: Iterable[str]) -> dict[str, Any]:
@@ -219,19 +215,24 @@ def _as_arrays(content: bytes) -> Arrays:
         return dict(file)
 
 
-def _write(path: pathlib.Path, content: bytes) -> None:
-    """A file that is there whole or not at all: it is written under another name, flushed to the disk, and renamed."""
+@contextlib.contextmanager
+def _whole(path: pathlib.Path) -> Iterator[pathlib.Path]:
+    """Another name for a file or a folder that is written: in its place it is there whole or not at all."""
     part = path.with_name(f".{path.name}.{uuid.uuid4().hex}.part")
     try:
-        with open(part, "xb") as file:
-            file.write(content)
-            file.flush()
-            os.fsync(file.fileno())
+        yield part
         os.replace(part, path)
-    except OSError as reason:
-        raise Error(f"{path} cannot be written ({reason.strerror})") from reason
+    except (OSError, RuntimeError) as reason:  # the latter is netCDF4's
+        raise Error(f"{path} cannot be written ({getattr(reason, 'strerror', None) or reason})") from reason
     finally:
-        part.unlink(missing_ok=True)
+        shutil.rmtree(part) if part.is_dir() else part.unlink(missing_ok=True)
+
+
+def _write(path: pathlib.Path, content: bytes) -> None:
+    with _whole(path) as part, open(part, "xb") as file:
+        file.write(content)
+        file.flush()
+        os.fsync(file.fileno())
 
 
 # ---- chunks ------------------------------------------------------------------------------------------------------------------
@@ -366,21 +367,14 @@ def combine(folder: Path, to: Path) -> None:
     for file in (folder / "chunks").glob(".*.part"):  # of a run that was killed while it wrote
         file.unlink(missing_ok=True)
     results = _assembled(planned, fingerprint, _loaded, str(folder))
-    part = to.with_name(f".{to.name}.{uuid.uuid4().hex}.part")
-    try:
-        with dask.config.set(scheduler="synchronous"):
-            if to.suffix == ".zarr":
-                plain = {name: {"compressor": None} for name in results.variables}  # Blosc's bytes depend on its threads
-                results.to_zarr(part, consolidated=True, encoding=plain)
-            else:  # one array after the other: the bytes of the file depend on the order in which they are written
-                results.drop_vars(results.data_vars).to_netcdf(part, engine="netcdf4")
-                for name in results.data_vars:
-                    xarray.Dataset({name: results[name].variable}).to_netcdf(part, mode="a", engine="netcdf4")
-        os.replace(part, to)
-    except (OSError, RuntimeError) as reason:  # the latter is netCDF4's
-        raise Error(f"{to} cannot be written ({getattr(reason, 'strerror', None) or reason})") from reason
-    finally:
-        shutil.rmtree(part) if part.is_dir() else part.unlink(missing_ok=True)
+    with _whole(to) as part, dask.config.set(scheduler="synchronous"):
+        if to.suffix == ".zarr":
+            plain = {name: {"compressor": None} for name in results.variables}  # Blosc's bytes depend on its threads
+            results.to_zarr(part, consolidated=True, encoding=plain)
+        else:  # one array after the other: the bytes of the file depend on the order in which they are written
+            results.drop_vars(results.data_vars).to_netcdf(part, engine="netcdf4")
+            for name in results.data_vars:
+                xarray.Dataset({name: results[name].variable}).to_netcdf(part, mode="a", engine="netcdf4")
 
 
 class Incomplete(Error):
@@ -405,16 +399,12 @@ def _duration(seconds: float) -> str:
     return f"{seconds:.0f} s" if seconds < 100 else f"{seconds / 60:.0f} min" if seconds < 6000 else f"{seconds / 3600:.1f} h"
 
 
-def _numbers(texts: Optional[list[str]], chunks: int) -> Optional[list[int]]:
-    if texts is None:
-        return None
-    out: list[int] = []
+def _numbers(texts: list[str], chunks: int) -> Iterator[int]:
     for text in texts:
         ends = text.split("-") if text.isascii() else []
         must(len(ends) in (1, 2) and all(end.isdigit() and int(end) < chunks for end in ends) and int(ends[0]) <= int(ends[-1]),
              "--chunk", f"must be a number from 0 to {chunks - 1}, or two with a hyphen, the lower first", text[:64])
-        out += range(int(ends[0]), int(ends[-1]) + 1)
-    return out
+        yield from range(int(ends[0]), int(ends[-1]) + 1)
 
 
 def _run_command(options: argparse.Namespace) -> None:
@@ -423,7 +413,7 @@ def _run_command(options: argparse.Namespace) -> None:
     def told(done: int, of: int, seconds: float) -> None:
         print(f"\r{_bar(done, of)}, {_duration(seconds)} left   ", end="\n" if done == of else "", file=sys.stderr, flush=True)
 
-    chunks = _numbers(options.chunk, opened(options.folder)[0].chunks)
+    chunks = None if options.chunk is None else list(_numbers(options.chunk, opened(options.folder)[0].chunks))
     done = run(options.folder, chunks, options.jobs, options.scheduler, *([told] if sys.stderr.isatty() else []))
     print(f"chunks: {done[0]} computed, {done[1]} done before")
 
@@ -448,33 +438,28 @@ def _plan_command(options: argparse.Namespace) -> None:
           f"next: python3 -m denhartog.sweep run {options.folder}, or a script in it: slurm.sh, parallel.sh")
 
 
-def _interrupted(number: int, _: Any) -> None:
-    raise SystemExit(128 + number)
-
-
 def main(arguments: Optional[list[str]] = None) -> int:
     """The command line; returns the exit status."""
     parser = argparse.ArgumentParser(prog="python3 -m denhartog.sweep", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
-    told = {"plan": "divide a study into chunks and write its folder", "run": "compute the chunks that are not there",
-            "status": "how much is done", "combine": "check that every chunk is there once, and write all results"}
-    added = {name: commands.add_parser(name, help=text, description=text) for name, text in told.items()}
+    told = {"plan": ("divide a study into chunks and write its folder", _plan_command),
+            "run": ("compute the chunks that are not there", _run_command), "status": ("how much is done", _status_command),
+            "combine": ("check that every chunk is there once, and write all results",
+                        lambda options: combine(options.folder, options.result))}
+    added = {name: commands.add_parser(name, help=text, description=text) for name, (text, _) in told.items()}
     added["plan"].add_argument("study", metavar="STUDY", help="the study as JSON; - for standard input")
-    for command in added.values():
+    for name, command in added.items():
         command.add_argument("folder", metavar="FOLDER", help="the folder of the study")
+        command.set_defaults(action=told[name][1])
     added["run"].add_argument("--chunk", action="append", metavar="K", help="this chunk, or a range such as 20-29; default all")
     added["run"].add_argument("--jobs", type=int, default=1, metavar="N", help="chunks at once (default 1)")
     added["run"].add_argument("--scheduler", metavar="ADDRESS", help="a scheduler of dask.distributed, e.g. tcp://127.0.0.1:8786")
     added["combine"].add_argument("result", metavar="RESULT", help="a Zarr store (.zarr) or a NetCDF file (.nc)")
-    actions = {"plan": _plan_command, "run": _run_command, "status": _status_command,
-               "combine": lambda options: combine(options.folder, options.result)}
-    for name, action in actions.items():
-        added[name].set_defaults(action=action)
     options = parser.parse_args(arguments)
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         if signal.getsignal(number) is not signal.SIG_IGN:
-            signal.signal(number, _interrupted)
+            signal.signal(number, lambda number, _: sys.exit(128 + number))
     try:
         options.action(options)
         sys.stdout.flush()
