@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import copy
 import difflib
+import functools
 import json
 import math
 import pathlib
@@ -17,14 +18,15 @@ from typing import Any, Mapping, Optional
 
 import numpy as np
 
-from . import _batch, _scene
+from . import _batch
 from ._errors import InputError
 from ._results import STATUSES
-from ._system import System
+from ._system import System, plain
 
 Arrays = dict[str, np.ndarray]
 NO_SCENE = len(STATUSES)  # the status of a point whose sample has numbers that make no scene
 MOST_POINTS_TOGETHER, MOST_CHUNKS = 2**24, 10_000_000
+KINDS = {"status": np.int8, "regime": np.int8, "stops_per_period": np.int32, "periods": np.int32}  # fields that count
 COLUMNS = ("r", "frequency_hz", "beta", "friction")
 KEYS = {"mu": ["mu"], "zeta": ["damping_ratios"], "mass": ["masses", "mass_ratios"],
         "stiffness": ["stiffnesses", "stiffness_ratios"], "contact": ["contact"], "load": ["load"]}
@@ -187,16 +189,16 @@ def _quantile(item: Mapping[str, Any], u: Any) -> np.ndarray:
     if kind == "loguniform":
         return stats.loguniform(low, high).ppf(u)
     if kind == "normal":
-        mean, deviation = x["mean"], x["standard_deviation"]
-        return stats.truncnorm((low - mean) / deviation, (high - mean) / deviation, mean, deviation).ppf(u)
-    if "median" in x:
-        mean, deviation = math.log(x["median"]), x["log_standard_deviation"]
-    else:
-        square = 1 + (x["standard_deviation"] / x["mean"]) ** 2
-        mean, deviation = math.log(x["mean"] / math.sqrt(square)), math.sqrt(math.log(square))
-    below, above = (math.log(bound) if bound > 0 else -math.inf for bound in (low, high))
-    drawn = np.exp(stats.truncnorm((below - mean) / deviation, (above - mean) / deviation, mean, deviation).ppf(u))
-    return np.clip(drawn, low, high)
+        mean, deviation, below, above = x["mean"], x["standard_deviation"], low, high
+    else:  # the logarithm is normal
+        below, above = (math.log(bound) if bound > 0 else -math.inf for bound in (low, high))
+        if "median" in x:
+            mean, deviation = math.log(x["median"]), x["log_standard_deviation"]
+        else:
+            square = 1 + (x["standard_deviation"] / x["mean"]) ** 2
+            mean, deviation = math.log(x["mean"] / math.sqrt(square)), math.sqrt(math.log(square))
+    drawn = stats.truncnorm((below - mean) / deviation, (above - mean) / deviation, mean, deviation).ppf(u)
+    return drawn if kind == "normal" else np.clip(np.exp(drawn), low, high)
 
 
 def drawn_of(samples: Mapping[str, Any]) -> Arrays:
@@ -218,7 +220,7 @@ def drawn_of(samples: Mapping[str, Any]) -> Arrays:
 def plan_of(study: Mapping[str, Any], grid: Any = None) -> Plan:
     """A study on its grid, after every rule of it is checked; the arguments are those of `sweep.dataset`."""
     import jsonschema
-    study = _scene.plain("the study", study)
+    study = plain("the study", study)
     faults = list(jsonschema.Draft202012Validator(_schema()).iter_errors(study))
     if faults:  # a word that is none tells more than what else the rules then ask for
         words = [each for each in faults if each.validator == "enum"]
@@ -370,16 +372,18 @@ def _forces(system: System, hertz: np.ndarray) -> np.ndarray:
 
 
 def _points_of(system: System, plan: Plan, f: np.ndarray, F: np.ndarray, units: bool, progress: _batch.Report) -> Arrays:
-    """The points of one system: f by F points, amplitudes and phases with the masses last."""
-    handle, mu, study = system._handle, system.mu, plan.study
-    further = (np.array(study["masses"], dtype=np.uintp), 1, progress, study.get("effort"))
+    """The fields of one system at f by F points."""
+    study, masses = plan.study, np.array(plan.study["masses"], dtype=np.uintp)
+    further = masses, 1, progress, study.get("effort")
 
     def column(r: np.ndarray, beta: np.ndarray) -> Arrays:
-        found = _batch.solve_map(handle, r, beta, mu, study["start"] == "sliding", *further)
+        found = _batch.solve_map(system._handle, r, beta, system.mu, study["start"] == "sliding", *further)
+        found["stops_per_period"] = found.pop("stops")
+        over_masses = {"amplitude": found.pop("amplitude")}
         if needs_phases(study):
-            solutions = _batch.solve(handle, {"r": r[:, None], "beta": beta}, *further, mu=mu, digits=0)
-            found["phase"] = np.where((found["regime"] >= 0)[..., None], solutions.phase, np.nan)
-        return found
+            phase = _batch.solve(system._handle, {"r": r[:, None], "beta": beta}, *further, mu=system.mu, digits=0).phase
+            over_masses["phase"] = np.where((found["regime"] >= 0)[..., None], phase, np.nan)
+        return found | {f"{kind}_{k}": values[..., n] for kind, values in over_masses.items() for n, k in enumerate(masses)}
 
     if not units:
         return column(f, F)
@@ -389,8 +393,8 @@ def _points_of(system: System, plan: Plan, f: np.ndarray, F: np.ndarray, units: 
     else:
         columns = [column(r[n:n + 1], F / force[n]) for n in range(f.size)]
         found = {name: np.concatenate([each[name] for each in columns]) for name in columns[0]}
-    found["amplitude"] *= (force / system.k_1)[:, None, None]
-    return found
+    unit = (force / system.k_1)[:, None]
+    return {name: values * unit if name.startswith("amplitude") else values for name, values in found.items()}
 
 
 def needs_phases(study: Mapping[str, Any]) -> bool:
@@ -400,18 +404,16 @@ def needs_phases(study: Mapping[str, Any]) -> bool:
 
 def fields_of(plan: Plan, K: int, progress: _batch.Report = None) -> Arrays:
     """What `map` finds at every point of chunk K, and the phases of `solve` where they are needed: a name for each field."""
-    part, masses = plan.slices(K), plan.study["masses"]
+    part = plan.slices(K)
     axes = {name: values[part[name]] for name, values in plan.axes.items()}
     units = "friction" in {*plan.axes, *plan.drawn}
     frequency, friction = ("frequency_hz", "friction") if units else ("r", "beta")
     outer = [name for name in axes if name not in (frequency, friction)]
     shape = tuple(axes[name].size for name in outer)
     inner = tuple(axes[name].size if name in axes else 1 for name in (frequency, friction))
-    out = {"status": np.full(shape + inner, NO_SCENE, np.int8), "regime": np.full(shape + inner, -1, np.int8),
-           "stops": np.full(shape + inner, -1, np.int32), "periods": np.full(shape + inner, -1, np.int32),
-           "amplitude": np.full(shape + inner + (len(masses),), np.nan)}
-    if needs_phases(plan.study):
-        out["phase"] = out["amplitude"].copy()
+    none = {"status": NO_SCENE} | {name: -1 for name in KINDS if name != "status"} | {
+        f"{kind}_{k}": np.nan for kind in ["amplitude", *["phase"] * needs_phases(plan.study)] for k in plan.study["masses"]}
+    out = {name: np.full(shape + inner, value, KINDS.get(name, np.float64)) for name, value in none.items()}
     for place in np.ndindex(*shape):
         at = {name: float(axes[name][n]) for name, n in zip(outer, place)}
         sample = int(at.pop("sample", 0))
@@ -421,13 +423,9 @@ def fields_of(plan: Plan, K: int, progress: _batch.Report = None) -> Arrays:
             found = _points_of(System.from_scene(_scene_with(plan.study["scene"], at)), plan, f, F, units, progress)
         except InputError:  # the numbers of the sample make no scene: those of the axes were tried before
             continue
-        for name, values in out.items():
-            values[place] = found[name]
-    grid = tuple(axes[name].size for name in axes)
-    fields = {"status": out["status"], "regime": out["regime"], "stops_per_period": out["stops"], "periods": out["periods"]}
-    for kind in ("amplitude", "phase"):
-        fields |= {f"{kind}_{k}": out[kind][..., n] for n, k in enumerate(masses) if kind in out}
-    return {name: np.ascontiguousarray(values).reshape(grid) for name, values in fields.items()}
+        for name, values in found.items():
+            out[name][place] = values
+    return {name: values.reshape([each.size for each in axes.values()]) for name, values in out.items()}
 
 
 # ---- statistics --------------------------------------------------------------------------------------------------------------
@@ -479,13 +477,11 @@ def finished(plan: Plan, r: Mapping[str, Any], parts: Mapping[str, Any]) -> dict
     if r["statistic"] == "quantiles":
         return {r["name"]: parts["value"].squeeze(over)}
     value, place = (array.squeeze(over) for array in extreme(r, parts, over).values())
-    out = {r["name"]: value} | {f"{r['name']}_{names[axis]}": place.map_blocks(
-        _coordinate, values=plan.axes[names[axis]], sizes=sizes, n=n, dtype=float) for n, axis in enumerate(over)}
+    out = {r["name"]: value}
+    for n, axis in enumerate(over):
+        index = place // math.prod(sizes[n + 1:]) % sizes[n]
+        out[f"{r['name']}_{names[axis]}"] = index.map_blocks(functools.partial(np.take, plan.axes[names[axis]]), dtype=float)
     return {name: np.where(np.isinf(value), np.nan, array) for name, array in out.items()}
-
-
-def _coordinate(place: np.ndarray, values: np.ndarray, sizes: list[int], n: int) -> np.ndarray:
-    return values[np.unravel_index(place, sizes)[n]]
 
 
 def _quantiles_of_counts(counts: np.ndarray, edges: np.ndarray, probabilities: list[float]) -> np.ndarray:

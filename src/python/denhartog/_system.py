@@ -3,17 +3,34 @@ from __future__ import annotations
 
 import json
 import math
+import os
+import pathlib
 from ctypes import byref, c_int, c_size_t
-from typing import Any, Optional, Sequence, Union
+from typing import Any, Mapping, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _batch, _library, _plots, _scene
+from . import _batch, _library, _plots
 from ._batch import Report, like
 from ._errors import InputError
 from ._results import (REGIMES, Boundary, BoundaryNumbers, FunctionNumbers, Functions, Map, Motion, Real, Solution,
                        Solutions)
+
+
+def plain(key: str, value: Any) -> Any:
+    """`value` as lists and numbers of Python; a number that is not finite is refused."""
+    if isinstance(value, (np.ndarray, np.generic)):
+        value = value.tolist()
+    if isinstance(value, Mapping):
+        return {name: plain(str(name), entry) for name, entry in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(key, entry) for entry in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        raise InputError.of(key, "must be finite", value)
+    if value is None or isinstance(value, (bool, int, float, str)):
+        return value
+    raise InputError.of(key, "must be numbers, lists of numbers or arrays", repr(value))
 
 
 class System:
@@ -60,14 +77,15 @@ class System:
                  damping_ratios: Optional[ArrayLike] = None, damping_matrix: Optional[ArrayLike] = None,
                  damping_tolerance: Optional[float] = None, contact: Union[int, Sequence[int], None] = None,
                  load: Union[int, ArrayLike, None] = None, base_motion: Optional[str] = None, mu: float = 1.0) -> None:
-        scene = _scene.scene_of({
-            "masses": masses, "stiffnesses": stiffnesses, "mass_ratios": mass_ratios, "stiffness_ratios": stiffness_ratios,
-            "damping_ratios": damping_ratios, "damping_matrix": damping_matrix, "damping_tolerance": damping_tolerance,
-            "contact": contact, "load": load, "base_motion": base_motion, "mu": mu})
+        scene = {key: plain(key, value) for key, value in locals().items() if key != "self" and value is not None}
+        for ratios, matrix in (("mass_ratios", "mass_matrix"), ("stiffness_ratios", "stiffness_matrix")):
+            value = scene.get(ratios)
+            if isinstance(value, list) and value and isinstance(value[0], list):
+                scene[matrix] = scene.pop(ratios)
         self._prepare(scene, json.dumps(scene))
 
     @classmethod
-    def from_scene(cls, source: _scene.Source) -> "System":
+    def from_scene(cls, source: Union[Mapping[str, Any], str, "os.PathLike[str]"]) -> "System":
         """A system from a scene, as the command line takes it.
 
         Parameters
@@ -77,7 +95,20 @@ class System:
             are checked and not used; they stay in `scene`.
         """
         system = cls.__new__(cls)
-        system._prepare(*_scene.read(source))
+        if isinstance(source, Mapping):
+            scene = plain("scene", source)
+            text = json.dumps(scene)
+        else:
+            try:
+                is_text = isinstance(source, str) and source.lstrip().startswith("{")
+                text = source if is_text else pathlib.Path(source).read_text(encoding="utf-8")
+            except OSError as reason:
+                raise InputError(f"{source} cannot be read ({reason.strerror})") from reason
+            try:
+                scene = json.loads(text)
+            except ValueError:
+                scene = {}  # the library says what is wrong with it
+        system._prepare(scene, text)
         return system
 
     def _prepare(self, scene: dict[str, Any], text: str) -> None:

@@ -97,7 +97,12 @@ class Vectors:
                  vectors: Union[str, "os.PathLike[str]", None] = None, filter: Optional[str] = None,
                  group: Union[str, Sequence[str], None] = None, tier: Union[str, Sequence[str], None] = None,
                  systems: bool = False, method: str = "closed-form") -> None:
-        self.program = _program(program)
+        named = str(program or os.environ.get("DENHARTOG_PROGRAM") or "denhartog")
+        found = shutil.which(named)
+        if found is None:
+            raise Error(f"the program that has the certified vectors is not found: {named}. Build denhartog from its sources and "
+                        "give the path of bin/denhartog as program, or in the environment variable DENHARTOG_PROGRAM")
+        self.program = found
         self.folder = pathlib.Path(vectors) if vectors is not None else self._folder_of_program()
         if not any(self.folder.glob("*.jsonl")):
             raise InputError(f"vectors must be a folder with files *.jsonl (in a clone tests/conformance/vectors), but is "
@@ -129,6 +134,11 @@ class Vectors:
             text = self._run(grade).replace(str(path), "answers")
         return Report(found["conforms"], found["counts"], found["scores"], found["diagnosis"],
                       {result["id"]: result for result in found["results"]}, raised or {}, text)
+
+    def ask(self, function: Function, questions: Iterable[Question]) -> Report:
+        """Asks a function questions of the selection, and judges its answers."""
+        raised: dict[str, BaseException] = {}
+        return self.grade([answer(function, question, raised) for question in questions], raised)
 
     def _run(self, arguments: list[str]) -> str:
         done = subprocess.run([self.program, "conform", *arguments], capture_output=True, text=True, check=False)
@@ -178,14 +188,4 @@ def run(function: Function, program: Union[str, "os.PathLike[str]", None] = None
         As of `Vectors`: also `vectors`, `group`, `tier`, `systems`, `method`.
     """
     vectors = Vectors(program, filter=filter, **selection)
-    raised: dict[str, BaseException] = {}
-    return vectors.grade([answer(function, question, raised) for question in vectors.questions()], raised)
-
-
-def _program(given: Union[str, "os.PathLike[str]", None]) -> str:
-    named = str(given or os.environ.get("DENHARTOG_PROGRAM") or "denhartog")
-    found = shutil.which(named)
-    if found is None:
-        raise Error(f"the program that has the certified vectors is not found: {named}. Build denhartog from its sources and "
-                    "give the path of bin/denhartog as program, or in the environment variable DENHARTOG_PROGRAM")
-    return found
+    return vectors.ask(function, vectors.questions())

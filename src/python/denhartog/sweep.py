@@ -82,8 +82,8 @@ def _assembled(plan: Plan, name_of_study: str, function: Callable[..., Arrays], 
     coordinates = {name: xarray.Variable(name, values) for name, values in plan.axes.items()}
     data = {name: xarray.Variable("sample", values) for name, values in plan.drawn.items()}
     for name in _study.answers_of(plan.study):
-        dtype = {"status": np.int8, "regime": np.int8, "stops_per_period": np.int32, "periods": np.int32}.get(name, np.float64)
-        data[name] = xarray.Variable(list(plan.axes), stored(name, dtype, list(plan.axes)), _attributes(plan, name))
+        values = stored(name, _study.KINDS.get(name, np.float64), list(plan.axes))
+        data[name] = xarray.Variable(list(plan.axes), values, _attributes(plan, name))
     for r in plan.study["reduce"]:
         name, statistic, (axes, over, _) = r["name"], r["statistic"], plan.axes_of(r)
         bins, further = np.insert(_study.edges_of(r), 0, -np.inf) if "bins" in r else np.arange(4), []
@@ -241,13 +241,6 @@ def _path(folder: Path, K: int) -> pathlib.Path:
     return pathlib.Path(folder) / "chunks" / f"{K}.npz"
 
 
-def _store(folder: Path, K: int, fingerprint: str, arrays: Arrays) -> None:
-    """A line in JSON that says which chunk this is of which study, with a checksum; then the arrays."""
-    content = _as_bytes(arrays)
-    head = {"chunk": K, "fingerprint": fingerprint, "sha256": hashlib.sha256(content).hexdigest()}
-    _write(_path(folder, K), json.dumps(head).encode() + b"\n" + content)
-
-
 def _fault(folder: Path, K: int, fingerprint: str, whole: bool = True) -> Optional[str]:
     """What is wrong with a chunk; None where nothing is, and "missing" where it is not there. `whole` reads all of it."""
     try:
@@ -270,14 +263,19 @@ def _loaded(folder: Path, K: int) -> Arrays:
 
 
 def run_chunk(folder: Path, K: int, stop: Optional[threading.Event] = None, told: Callable[[str], Any] = print) -> bool:
-    """Computes chunk K unless it is there already, and says whether it did."""
+    """Computes chunk K unless it is there already, and says whether it did.
+
+    Its file has a line in JSON that says which chunk this is of which study, with a checksum; then the arrays.
+    """
     planned, fingerprint = opened(folder)
     fault = _fault(folder, K, fingerprint)
     if fault is None:
         return False
     if fault != "missing":
         told(f"chunk {K} is computed again: {fault}")
-    _store(folder, K, fingerprint, _study.computed(planned, K, None if stop is None else lambda done, of: stop.is_set()))
+    content = _as_bytes(_study.computed(planned, K, None if stop is None else lambda done, of: stop.is_set()))
+    head = {"chunk": K, "fingerprint": fingerprint, "sha256": hashlib.sha256(content).hexdigest()}
+    _write(_path(folder, K), json.dumps(head).encode() + b"\n" + content)
     return True
 
 
