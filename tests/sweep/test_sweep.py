@@ -245,8 +245,12 @@ class Sweep(unittest.TestCase):
         folder = self.planned(STUDY)
         sweep.run(folder)
         (folder / "chunks/.3.npz.00.part").write_bytes(b"a run was killed while it wrote")
-        self.combined(folder)
+        before = self.combined(folder)
         self.assertEqual(sorted(os.listdir(folder / "chunks")), [f"{K}.npz" for K in range(5)])
+        status, out, err = self.called("combine", folder, folder / "result.nc")  # a result is not overwritten
+        self.assertEqual((status, out), (2, ""))
+        self.assertIn("RESULT must not be there yet", err)
+        self.assertEqual((folder / "result.nc").read_bytes(), before)
         (folder / "chunks/99.npz").write_bytes(b"")
         self.assertIn("chunks/99.npz is a file that no chunk of this plan wrote", self.called("combine", folder, folder / "x.nc")[2])
 

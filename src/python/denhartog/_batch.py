@@ -134,19 +134,18 @@ def solve(handle: Optional[c_void_p], points: Arrays, masses: Union[np.ndarray, 
     number takes all of each system, and is that of the largest."""
     shape, listed = shape_of(**points), np.arange(1, masses + 1) if isinstance(masses, int) else masses.astype(int)
     out, found = _room(shape, listed.size, ("amplitude", "amplitude_error", "phase", "phase_error"))
-    full = {name: np.broadcast_to(array, shape) for name, array in points.items()}
+    full = {name: np.array(np.broadcast_to(array, shape), order="C") for name, array in points.items()}
+    for name, array in full.items():
+        settings |= {name: array.ctypes.data, name + "_step": 1}
     if out["status"].size > 0:
-        flat = {name: np.ascontiguousarray(full[name] if array.ndim else array).ravel() for name, array in points.items()}
-        for name, array in flat.items():
-            settings |= {name: array.ctypes.data, name + "_step": int(points[name].ndim > 0)}  # one element is taken for all
         name, handles, kind = ("dh_solve_points", (handle,), _library.PointsRequest) if handle is not None else (
             "dh_solve_systems", (), _library.SystemsRequest)
         request = kind(count=out["status"].size, mass_count=listed.size, threads=threads,
                        masses=None if isinstance(masses, int) else masses.ctypes.data, **settings)
         result = _library.Points(step=1, masses_step=listed.size, mass_step=1, **found)
-        run(name, handles, request, result, progress, (flat, masses, out), effort)
-    asked = {name: array.copy() for name, array in full.items() if name != "systems"}
-    return Solutions(masses=listed, **{"mu": settings.get("mu")} | asked, **out)
+        run(name, handles, request, result, progress, (full, masses, out), effort)
+    full.pop("systems", None)
+    return Solutions(masses=listed, **{"mu": settings["mu"]} | full, **out)
 
 
 def solve_map(handle: c_void_p, r: np.ndarray, beta: np.ndarray, mu: float, from_sliding: bool, masses: np.ndarray,

@@ -255,20 +255,12 @@ class Map(_Points):
 
     Attributes
     ----------
-    r : ndarray, shape (R,)
-        Frequency ratios.
-    beta : ndarray, shape (B,)
-        Friction ratios.
-    mu : float
-        Static over kinetic friction.
-    masses : ndarray of int, shape (M,)
-        The masses asked for, counted from 1.
-    status, regime : ndarray of int8, shape (R, B)
-        Index into `status_names`; index into `regime_names`, or -1 where there are no numbers.
-    stops, periods : ndarray of int, shape (R, B)
-        As of `Solutions`.
+    r, beta : ndarray, shapes (R,) and (B,)
+        Frequency ratios and friction ratios.
     amplitude : ndarray, shape (R, B, M)
         In units of P / k_1; NaN where there are no numbers.
+    mu, masses, status, regime, stops, periods
+        As of `Solutions`, where S is (R, B) and mu one number.
     """
 
     def __repr__(self) -> str:

@@ -116,13 +116,10 @@ class Vectors:
     def questions(self) -> list[Question]:
         """The questions of the selection, in the order of the vectors."""
         listed = self._run(["list", *self._selection]).splitlines()[1:]
-        wanted = {line.split()[0]: None for line in listed if line.strip()}
-        for path in sorted(self.folder.glob("*.jsonl")):
-            for line in path.read_text(encoding="utf-8").splitlines():
-                vector = json.loads(line)
-                if vector["id"] in wanted:
-                    wanted[vector["id"]] = {name: vector[name] for name in _ASKED if name in vector}
-        return [question for question in wanted.values() if question is not None]
+        lines = [line for path in self.folder.glob("*.jsonl") for line in path.read_text(encoding="utf-8").splitlines()]
+        vectors = {vector["id"]: vector for vector in map(json.loads, lines)}
+        found = [vectors[line.split()[0]] for line in listed if line.strip()]
+        return [{name: vector[name] for name in _ASKED if name in vector} for vector in found]
 
     def grade(self, answers: Iterable[Mapping[str, Any]], raised: Optional[dict[str, BaseException]] = None) -> Report:
         """Judges answers: dicts with ``id`` and ``value``, ``skip`` or ``reject``; what is missing counts as skipped."""

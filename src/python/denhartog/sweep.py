@@ -86,20 +86,17 @@ def _assembled(plan: Plan, name_of_study: str, function: Callable[..., Arrays], 
         data[name] = xarray.Variable(list(plan.axes), values, _attributes(plan, name))
     for r in plan.study["reduce"]:
         name, statistic, (axes, over, _) = r["name"], r["statistic"], plan.axes_of(r)
-        bins, further = np.insert(_study.edges_of(r), 0, -np.inf) if "bins" in r else np.arange(4), []
-        if statistic == "share":
-            further = [xarray.Variable("regime_class", bins, _flags([0, 1, 2, 3], [*REGIMES, "none"]))]
-        elif statistic == "histogram":
-            further = [xarray.Variable(f"{name}_bin", bins, {
-                "long_name": "lower end of the bin; the first is open below, the last above"})]
-        elif statistic == "quantiles":
-            further = [xarray.Variable(f"{name}_probability", np.array(r["probabilities"], dtype=float))]
+        bins = np.insert(_study.edges_of(r), 0, -np.inf) if "bins" in r else np.arange(4)
+        further = {"share": [xarray.Variable("regime_class", bins, _flags([0, 1, 2, 3], [*REGIMES, "none"]))],
+                   "histogram": [xarray.Variable(f"{name}_bin", bins, {
+                       "long_name": "lower end of the bin; the first is open below, the last above"})],
+                   "quantiles": [xarray.Variable(f"{name}_probability", np.array(r.get("probabilities", ()), dtype=float))],
+                   }.get(statistic, [])
         if statistic == "share" or "bins" in r:
-            parts = {"counts": stored(f"{name}:counts", np.int64, axes, over, bins.size)}
+            kinds, more = {"counts": np.int64}, [bins.size]
         else:
-            kinds = {"value": np.float64} if further else {"value": np.float64, "place": np.int64}
-            parts = {kind: stored(f"{name}:{kind}", dtype, axes, over, *(each.size for each in further))
-                     for kind, dtype in kinds.items()}
+            kinds, more = {"value": np.float64} | ({} if further else {"place": np.int64}), [each.size for each in further]
+        parts = {kind: stored(f"{name}:{kind}", dtype, axes, over, *more) for kind, dtype in kinds.items()}
         coordinates |= {each.dims[0]: each for each in further}
         for result, values in _study.finished(plan, r, parts).items():
             about = {"over": " ".join(r["over"])} | ({"of": r["of"]} if "of" in r else {}) if result == name else {}
@@ -262,7 +259,7 @@ def _loaded(folder: Path, K: int) -> Arrays:
     return _as_arrays(_path(folder, K).read_bytes().split(b"\n", 1)[1])
 
 
-def run_chunk(folder: Path, K: int, stop: Optional[threading.Event] = None, told: Callable[[str], Any] = print) -> bool:
+def run_chunk(folder: Path, K: int, stop: Optional[threading.Event] = None) -> bool:
     """Computes chunk K unless it is there already, and says whether it did.
 
     Its file has a line in JSON that says which chunk this is of which study, with a checksum; then the arrays.
@@ -272,7 +269,7 @@ def run_chunk(folder: Path, K: int, stop: Optional[threading.Event] = None, told
     if fault is None:
         return False
     if fault != "missing":
-        told(f"chunk {K} is computed again: {fault}")
+        print(f"chunk {K} is computed again: {fault}", file=sys.stderr, flush=True)
     content = _as_bytes(_study.computed(planned, K, None if stop is None else lambda done, of: stop.is_set()))
     head = {"chunk": K, "fingerprint": fingerprint, "sha256": hashlib.sha256(content).hexdigest()}
     _write(_path(folder, K), json.dumps(head).encode() + b"\n" + content)
@@ -317,9 +314,8 @@ def _results(folder: str, wanted: list[int], jobs: int, scheduler: Optional[str]
                 yield future.result()
         return
     stop = threading.Event()
-    say = functools.partial(print, file=sys.stderr, flush=True)
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        futures = [pool.submit(run_chunk, folder, K, stop, say) for K in wanted]
+        futures = [pool.submit(run_chunk, folder, K, stop) for K in wanted]
         try:
             for future in concurrent.futures.as_completed(futures):
                 yield future.result()
@@ -383,9 +379,8 @@ class Incomplete(Error):
 
 def _ranges(numbers: list[int]) -> str:
     """Ascending numbers as a text: 0-3, 7."""
-    starts = [n for n in numbers if n - 1 not in set(numbers)]
-    ends = [n for n in numbers if n + 1 not in set(numbers)]
-    listed = [str(a) if a == b else f"{a}-{b}" for a, b in zip(starts, ends)]
+    pieces = np.split(numbers, np.flatnonzero(np.diff(numbers) != 1) + 1)
+    listed = [str(each[0]) if each.size == 1 else f"{each[0]}-{each[-1]}" for each in pieces]
     return ", ".join(listed[:12] + ["..."] * (len(listed) > 12))
 
 
