@@ -40,12 +40,10 @@ def response(self: "System", r: ArrayLike, beta: ArrayLike, mass: Optional[int] 
         Friction ratios.
     mass : int
         The mass, from 1; default the mass in contact, of two the first.
-    mu : float
-        Static over kinetic friction in place of that of the system.
     axes : sequence of two matplotlib axes
         For amplitude and phase; default those of a new figure.
-    threads : int
-        0 for as many as the machine has.
+    mu, threads
+        As of `System.solve`.
 
     Returns
     -------

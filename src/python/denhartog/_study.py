@@ -385,16 +385,14 @@ def _points_of(system: System, plan: Plan, f: np.ndarray, F: np.ndarray, units: 
             over_masses["phase"] = np.where((found["regime"] >= 0)[..., None], phase, np.nan)
         return found | {f"{kind}_{k}": values[..., n] for kind, values in over_masses.items() for n, k in enumerate(masses)}
 
-    if not units:
-        return column(f, F)
-    force, r = _forces(system, f), np.asarray(system.frequency_ratio(hz=f))
-    if np.all(force == force[0]):
-        found = column(r, F / force[0])
-    else:
-        columns = [column(r[n:n + 1], F / force[n]) for n in range(f.size)]
-        found = {name: np.concatenate([each[name] for each in columns]) for name in columns[0]}
-    unit = (force / system.k_1)[:, None]
-    return {name: values * unit if name.startswith("amplitude") else values for name, values in found.items()}
+    force, unit, r = np.ones(f.size), np.ones(f.size), f
+    if units:
+        force, r = _forces(system, f), np.asarray(system.frequency_ratio(hz=f))
+        unit = force / system.k_1
+    parts = [slice(0, f.size)] if np.all(force == force[0]) else [slice(n, n + 1) for n in range(f.size)]
+    columns = [column(r[part], F / force[part][0]) for part in parts]
+    found = {name: np.concatenate([each[name] for each in columns]) for name in columns[0]}
+    return {name: values * unit[:, None] if name.startswith("amplitude") else values for name, values in found.items()}
 
 
 def needs_phases(study: Mapping[str, Any]) -> bool:

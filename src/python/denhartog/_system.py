@@ -257,17 +257,13 @@ class System:
             Frequency ratios, positive.
         beta : array_like, shape (B,)
             Friction ratios, not negative; ascending ones help each other.
-        masses : int or sequence of ints
-            Masses whose amplitudes are wanted, from 1; default all.
         start : {"rest", "sliding"}
             Which motion, where mu > 1 and there is more than one: that from rest, or the sliding motion as far as it exists.
-        threads : int
-            0 for as many as the machine has. The numbers are the same for any.
         progress : callable
             Called as ``progress(done, all)`` with columns, one for each frequency ratio; the computation ends where it returns
             something true.
-        mu : float
-            Static over kinetic friction in place of that of the system.
+        masses, threads, mu
+            As of `solve`.
 
         Returns
         -------
