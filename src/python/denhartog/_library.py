@@ -69,15 +69,7 @@ _FUNCTIONS = {  # by their arguments
 
 @functools.lru_cache(maxsize=None)
 def library() -> ctypes.CDLL:
-    """The loaded library with its functions declared.
-
-    It is that of the package, else the one that DENHARTOG_LIBRARY names, else the one that the system finds.
-
-    Raises
-    ------
-    ImportError
-        Where it is not found, or is of another ABI version than this package.
-    """
+    """The library with its functions declared: of the package, else what DENHARTOG_LIBRARY names, else what the system finds."""
     beside = pathlib.Path(__file__).with_name(NAME)
     try:
         found = ctypes.CDLL(str(beside) if beside.exists() else os.environ.get("DENHARTOG_LIBRARY") or NAME)

@@ -366,9 +366,10 @@ def _scene_with(scene: Mapping[str, Any], values: Mapping[str, float]) -> dict[s
 def _forces(system: System, hertz: np.ndarray) -> np.ndarray:
     """The force P at each frequency, in the units of the scene."""
     scene = system.scene
-    must("force" in scene or "base_displacement" in scene, "force", "must be given (or base_displacement in its place)", "nothing")
-    force = float(scene["force"]) if "force" in scene else system.base_force(float(scene["base_displacement"]), hz=hertz)
-    return np.broadcast_to(force, hertz.shape)
+    if "base_displacement" in scene:
+        return np.broadcast_to(system.base_force(float(scene["base_displacement"]), hz=hertz), hertz.shape)
+    must("force" in scene, "force", "must be given (or base_displacement in its place)", "nothing")
+    return np.full(hertz.shape, float(scene["force"]))
 
 
 def _points_of(system: System, plan: Plan, f: np.ndarray, F: np.ndarray, units: bool, progress: _batch.Report) -> Arrays:
