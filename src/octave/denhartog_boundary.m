@@ -15,11 +15,10 @@ function boundary = denhartog_boundary(scene, r)
 %   forces. To 10 digits. One r that has no answer is an error; among many it has its status, and NaN.
   if nargin < 2, r = []; end
   if isempty(r)
-    point = scene_point(scene, [], []);
+    point = scene_point(scene, [], [], false);
   else
     point = scene_point(scene, r, 0);
   end
-  need_point(point, false);
   raw = denhartog_mex('boundary', point.text, point.r, point.mu);
   boundary = struct('r', point.r);
   kinds = {'exact', 'paper', 'approximate', 'sticking'};
@@ -27,11 +26,7 @@ function boundary = denhartog_boundary(scene, r)
   for k = 1:numel(kinds)
     boundary.(kinds{k}) = reshape(raw.(kinds{k}), size(point.r));
   end
-  names = names_of('status');
-  boundary.status = reshape(names(double(raw.status) + 1), size(point.r));
-  if isscalar(point.r)
-    boundary.status = boundary.status{1};
-  end
+  boundary.status = names_of('status', raw.status, size(point.r));
   if ~isempty(point.units)
     for k = 1:numel(kinds)
       boundary.dimensional.(kinds{k}) = point.units.force * boundary.(kinds{k});

@@ -7,11 +7,8 @@ function text = denhartog_json(scene)
 %   A number stays a number, a vector becomes a list, a matrix a list of its rows. A cell array becomes a list of any
 %   length, one included. Numbers are written with 17 digits, so that the library reads the same doubles. Numbers given
 %   as text, such as '0.1', stay text. A field "comment" is left out.
-  if isa(scene, 'string') && isscalar(scene)
-    scene = char(scene);
-  end
-  if ischar(scene)
-    text = reshape(scene, 1, []);
+  if is_text(scene)
+    text = reshape(char(scene), 1, []);
     return
   end
   if ~isstruct(scene) || numel(scene) ~= 1
@@ -26,11 +23,8 @@ function text = denhartog_json(scene)
 end
 
 function text = value_text(key, value)
-  if isa(value, 'string') && isscalar(value)
-    value = char(value);
-  end
-  if ischar(value)
-    text = jsonencode(value);
+  if is_text(value)
+    text = jsonencode(char(value));
   elseif iscell(value)
     text = list(cellfun(@(each) value_text(key, each), reshape(value, 1, []), 'UniformOutput', false));
   elseif ~(isnumeric(value) || islogical(value)) || ndims(value) > 2
@@ -59,4 +53,8 @@ end
 
 function text = list(items)
   text = ['[', strjoin(items, ','), ']'];
+end
+
+function yes = is_text(value)
+  yes = ischar(value) || (isa(value, 'string') && isscalar(value));
 end

@@ -34,20 +34,13 @@ static void fail(const char* identifier, const char* message) {
     mexErrMsgIdAndTxt(identifier, "%s", message);
 }
 
-static const char* identifier_of(int status) {
-    switch (status) {
-    case DH_ERROR_NULL: return "denhartog:null";
-    case DH_ERROR_SIZE: return "denhartog:size";
-    case DH_ERROR_INPUT: return "denhartog:input";
-    case DH_ERROR_DOMAIN: return "denhartog:domain";
-    case DH_ERROR_PRECISION: return "denhartog:precision";
-    case DH_ERROR_MEMORY: return "denhartog:memory";
-    default: return "denhartog:internal";
-    }
-}
-
 static void need(int status) {
-    if (status != DH_OK) fail(identifier_of(status), dh_last_message());
+    static const char* const identifiers[] = {
+        [DH_ERROR_NULL] = "denhartog:null",           [DH_ERROR_SIZE] = "denhartog:size",
+        [DH_ERROR_INPUT] = "denhartog:input",         [DH_ERROR_DOMAIN] = "denhartog:domain",
+        [DH_ERROR_PRECISION] = "denhartog:precision", [DH_ERROR_MEMORY] = "denhartog:memory"};
+    const int known = status > DH_OK && status <= DH_ERROR_MEMORY;
+    if (status != DH_OK) fail(known ? identifiers[status] : "denhartog:internal", dh_last_message());
 }
 
 /// Numbers of an argument, which stay the caller's.
@@ -114,29 +107,22 @@ static mxArray* boundary(size_t N, const mxArray* const* arguments) {
     const Numbers r = numbers(arguments[0], "r must be real, of class double");
     const double mu = number(arguments[1], "mu must be one number");
     mxArray* result = empty_struct();
-    double *values[4], *errors[4];
-    static const char* const names[] = {"exact", "paper", "approximate", "sticking"};
-    static const char* const names_of_errors[] = {"exact_error", "paper_error", "approximate_error", "sticking_error"};
+    static const char* const names[] = {"exact",       "paper",       "approximate",       "sticking",
+                                        "exact_error", "paper_error", "approximate_error", "sticking_error"};
+    double* values[8];
     signed char* states = (signed char*)field(result, "status", mxINT8_CLASS, r.count, 1);
     size_t n, k;
     (void)N;
-    for (k = 0; k < 4; ++k) {
-        values[k] = doubles(result, names[k], r.count, 1);
-        errors[k] = doubles(result, names_of_errors[k], r.count, 1);
-    }
+    for (k = 0; k < 8; ++k) values[k] = doubles(result, names[k], r.count, 1);
     for (n = 0; n < r.count; ++n) {
         dh_boundary at = {.size = sizeof at}, error = {.size = sizeof error};
         int status = dh_boundaries(held_system, r.values[n], mu, &at);
         if (status == DH_OK) status = dh_boundary_errors(held_system, r.values[n], mu, &error);
         if (r.count == 1 || (status != DH_ERROR_DOMAIN && status != DH_ERROR_PRECISION)) need(status);
         states[n] = status == DH_OK ? DH_POINT_ANSWERED : status == DH_ERROR_DOMAIN ? DH_POINT_AT_A_POLE : DH_POINT_FAILED;
-        const double found[] = {at.exact, at.paper, at.approximate, at.sticking};
-        const double bounds[] = {error.exact, error.paper, error.approximate, error.sticking};
-        for (k = 0; k < 4; ++k) {
-            const int exists = status == DH_OK && (k < 3 || at.sticking_exists);
-            values[k][n] = exists ? found[k] : mxGetNaN();
-            errors[k][n] = exists ? bounds[k] : mxGetNaN();
-        }
+        const double found[] = {at.exact,    at.paper,    at.approximate,    at.sticking,
+                                error.exact, error.paper, error.approximate, error.sticking};
+        for (k = 0; k < 8; ++k) values[k][n] = status == DH_OK && (k % 4 < 3 || at.sticking_exists) ? found[k] : mxGetNaN();
     }
     return result;
 }
@@ -175,7 +161,7 @@ static mxArray* solve_point(double r, double beta, double mu, int digits, int pr
         point.amplitude[k] = mass.amplitude;
         point.error[k] = mass.error;
         point.phase[k] = mass.moves ? mass.phase : mxGetNaN();
-        point.phase_error[k] = mass.phase_error;
+        point.phase_error[k] = mass.moves ? mass.phase_error : mxGetNaN();
     }
     ends = doubles(result, "stop_start", 1, motion.stops);
     need(dh_solution_stops(held_solution, motion.stops, ends, doubles(result, "stop_end", 1, motion.stops)));
@@ -188,9 +174,9 @@ static mxArray* solve_point(double r, double beta, double mu, int digits, int pr
     }
     *doubles(result, "rest_error", 1, 1) = motion.rest_error;
     *doubles(result, "relative_error", 1, 1) = motion.relative_error;
-    *(signed char*)field(result, "unique", mxINT8_CLASS, 1, 1) = motion.unique != 0;
-    *(signed char*)field(result, "symmetric", mxINT8_CLASS, 1, 1) = motion.symmetric != 0;
-    *(signed char*)field(result, "proved", mxINT8_CLASS, 1, 1) = proved != 0;
+    mxSetFieldByNumber(result, 0, mxAddField(result, "unique"), mxCreateLogicalScalar(motion.unique != 0));
+    mxSetFieldByNumber(result, 0, mxAddField(result, "symmetric"), mxCreateLogicalScalar(motion.symmetric != 0));
+    mxSetFieldByNumber(result, 0, mxAddField(result, "proved"), mxCreateLogicalScalar(proved != 0));
     return result;
 }
 
@@ -241,13 +227,12 @@ static mxArray* map(size_t N, const mxArray* const* arguments) {
     const double mu = number(arguments[2], "mu must be one number");
     const Numbers wanted = numbers(arguments[3], "masses must be real, of class double");
     const size_t points = r.count * beta.count, mass_count = wanted.count > 0 ? wanted.count : N;
-    size_t* masses = (size_t*)mxCalloc(mass_count, sizeof *masses);
+    size_t* masses = wanted.count > 0 ? (size_t*)mxCalloc(mass_count, sizeof *masses) : NULL; // null asks for all
     size_t n;
     mxArray* result = empty_struct();
-    for (n = 0; n < mass_count; ++n) {
-        const double mass = wanted.count > 0 ? wanted.values[n] : (double)(n + 1);
-        if (!whole_number(mass, 1, (double)N)) fail("denhartog:input", "masses must be whole numbers from 1 to N");
-        masses[n] = (size_t)mass;
+    for (n = 0; n < wanted.count; ++n) {
+        if (!whole_number(wanted.values[n], 1, (double)N)) fail("denhartog:input", "masses must be whole numbers from 1 to N");
+        masses[n] = (size_t)wanted.values[n];
     }
     const dh_map_request request = {.size = sizeof request,
                                     .r_count = r.count,

@@ -14,7 +14,6 @@ function [tau, x, v] = denhartog_motion(scene, r, beta, samples)
   if nargin < 3, beta = []; end
   if nargin < 4, samples = 256; end
   point = scene_point(scene, r, beta);
-  need_point(point, true);
   raw = denhartog_mex('motion', point.text, point.r, point.beta, point.mu, samples);
   tau = 2 * pi * raw.periods * (0:samples - 1)' / samples;
   x = raw.x';

@@ -40,7 +40,6 @@ function solution = denhartog_solve(scene, r, beta, digits, proved)
   if nargin < 4, digits = 0; end
   if nargin < 5, proved = false; end
   point = scene_point(scene, r, beta);
-  need_point(point, true);
   shape = size(point.r);
   if isscalar(point.r)
     shape = size(point.beta);
@@ -49,41 +48,15 @@ function solution = denhartog_solve(scene, r, beta, digits, proved)
   end
   raw = denhartog_mex('solve', point.text, point.r, point.beta, point.mu, digits, double(proved));
   solution = struct('r', point.r + zeros(shape), 'beta', point.beta + zeros(shape));
-  solution.regime = named('regime', raw.regime, shape);
-  solution.status = named('status', raw.status, shape);
+  solution.regime = names_of('regime', raw.regime, shape);
+  solution.status = names_of('status', raw.status, shape);
   solution.stops = counted(raw.stops, shape);
   solution.periods = counted(raw.periods, shape);
-  solution.amplitude = raw.amplitude;
-  solution.amplitude_error = raw.amplitude_error;
-  solution.phase = raw.phase;
-  solution.phase_error = raw.phase_error;
-  solution.phase_error(isnan(raw.phase)) = NaN;
-  if ~isfield(raw, 'stop_start')
-    return
+  for key = setdiff(fieldnames(raw)', fieldnames(solution)', 'stable')
+    solution.(key{1}) = raw.(key{1});
   end
-  solution.stop_start = raw.stop_start;
-  solution.stop_end = raw.stop_end;
-  solution.stop_start_error = raw.stop_start_error;
-  solution.stop_end_error = raw.stop_end_error;
-  solution.rest_interval = raw.rest_interval;
-  solution.rest_error = raw.rest_error;
-  solution.relative_error = raw.relative_error;
-  solution.unique = raw.unique ~= 0;
-  solution.symmetric = raw.symmetric ~= 0;
-  solution.proved = raw.proved ~= 0;
   if ~isempty(point.units)
     solution.dimensional = in_units(solution, point.units);
-  end
-end
-
-function names = named(what, codes, shape)
-  names = names_of(what);
-  codes = double(codes);
-  codes(codes < 0) = numel(names) - 1;
-  if isscalar(codes)
-    names = names{codes + 1};
-  else
-    names = reshape(names(codes + 1), shape);
   end
 end
 

@@ -245,8 +245,12 @@ class Sweep(unittest.TestCase):
         folder = self.planned(STUDY)
         sweep.run(folder)
         (folder / "chunks/.3.npz.00.part").write_bytes(b"a run was killed while it wrote")
-        self.combined(folder)
+        before = self.combined(folder)
         self.assertEqual(sorted(os.listdir(folder / "chunks")), [f"{K}.npz" for K in range(5)])
+        status, out, err = self.called("combine", folder, folder / "result.nc")  # a result is not overwritten
+        self.assertEqual((status, out), (2, ""))
+        self.assertIn("RESULT must not be there yet", err)
+        self.assertEqual((folder / "result.nc").read_bytes(), before)
         (folder / "chunks/99.npz").write_bytes(b"")
         self.assertIn("chunks/99.npz is a file that no chunk of this plan wrote", self.called("combine", folder, folder / "x.nc")[2])
 
@@ -332,6 +336,7 @@ class Sweep(unittest.TestCase):
                                 (("run", folder, "--chunk", "²"), "--chunk"), (("run", folder, "--jobs", 0), "--jobs must be at least 1"),
                                 (("run", self.scratch / "none"), "`plan` has written"),
                                 (("combine", folder, "x.h5"), ".zarr or .nc"), (("plan", self.scratch / "none.json", "x"), "STUDY"),
+                                (("plan", SOURCE / "docs/study_best_friction.json", folder / "study.json/new"), "FOLDER must be"),
                                 (("plan", "-", self.scratch / "new"), "JSON"), (("run",), "FOLDER"),
                                 (("status", self.scratch), "`plan` has written")):
             with self.subTest(arguments):
@@ -363,17 +368,22 @@ class Sweep(unittest.TestCase):
 
     def test_ties(self):
         """of equal largest values in several chunks the one with the earliest place counts, and a cell without numbers has none"""
-        r = {"name": "peak", "statistic": "maximum", "of": "amplitude_1", "over": ["r"]}
-        part = lambda value, place: {"value": np.array([value, np.nan]), "place": np.array([place, -1])}
-        for parts in ([part(3.0, 7), part(3.0, 2), part(1.0, 0), part(np.nan, -1)], [part(np.nan, -1), part(1.0, 0), part(3.0, 2), part(3.0, 7)]):
-            together = _study.put_together(r, parts)
-            np.testing.assert_array_equal(together["value"], [3, np.nan])
-            np.testing.assert_array_equal(together["place"], [2, -1])
+        numbers = {"value": np.array([[3.0, 3, 1, -np.inf]] + [[-np.inf] * 4]), "place": np.array([[7, 2, 0, 9]] * 2)}
+        for order in ([0, 1, 2, 3], [3, 2, 1, 0]):
+            together = _study.extreme({"statistic": "maximum"}, {kind: each[:, order] for kind, each in numbers.items()}, (1,))
+            np.testing.assert_array_equal(together["value"], [[3], [-np.inf]])
+            self.assertEqual(together["place"][0], 2)
+        pole = {"scene": {"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": 0, "contact": 1, "load": 1}, "points_of_a_chunk": 2,
+                "reduce": [{"name": "least", "statistic": "minimum", "of": "amplitude_1", "over": ["r"]}]}
+        for r, place in (([1, 1], np.nan), ([1, 0.5], 0.5)):
+            data = sweep.dataset(pole | {"axes": [{"quantity": "r", "values": r}, {"quantity": "beta", "values": [0, 0.1]}]}).compute()
+            np.testing.assert_array_equal(data.least_r, [place] * 2)
+            np.testing.assert_array_equal(np.isnan(data.least), [np.isnan(place)] * 2)
 
     def test_histogram(self):
         """quantiles of a histogram are linear within a bin, and not a number where they lie outside of the bins"""
         edges, counts = np.array([0.0, 1, 2, 3]), np.array([[0, 2, 0, 2, 0], [1, 2, 1, 0, 0], [0, 0, 0, 0, 0], [0, 0, 4, 0, 4]])
-        found = _study._quantiles_of_counts(edges, counts, [0, 0.25, 0.5, 0.75, 1])
+        found = _study._quantiles_of_counts(counts, edges, [0, 0.25, 0.5, 0.75, 1])
         nan = np.nan
         np.testing.assert_array_equal(found, [[0, 0.5, 1, 2.5, 3], [nan, 0, 0.5, 1, 2], [nan] * 5, [1, 1.5, 2, nan, nan]])
 

@@ -1,7 +1,7 @@
-function point = scene_point(scene, r, beta)
+function point = scene_point(scene, r, beta, needs_beta)
 % SCENE_POINT  The text of a scene, its mu, and the point asked for: r and beta as given, or the scene's own where both are [].
 %   Fields: text, mu, r, beta, and units, a struct with omega, length (P / k_1) and force; [] where the point is given or
-%   the scene is not dimensional.
+%   the scene is not dimensional. Fails where there is no frequency, or no friction unless needs_beta is false.
   point = struct('text', denhartog_json(scene), 'mu', 1, 'r', r, 'beta', beta, 'units', []);
   own = isempty(r) && isempty(beta);
   if ~isstruct(scene)
@@ -15,45 +15,60 @@ function point = scene_point(scene, r, beta)
     denhartog_mex('natural_frequencies', point.text); % says what is wrong with the scene
   end
   if isfield(scene, 'mu')
-    point.mu = as_number(scene.mu);
+    point.mu = value_of(scene, 'mu');
   end
-  if ~own
-    return
-  end
-  if ~isfield(scene, 'masses')
+  if own && isfield(scene, 'masses')
+    point = dimensional_point(point, scene);
+  elseif own
     point.r = value_of(scene, 'r');
     point.beta = value_of(scene, 'beta');
-    return
   end
-  m_1 = as_number(scene.masses);
-  k_1 = as_number(scene.stiffnesses);
-  if isfield(scene, 'frequency')
-    omega = as_number(scene.frequency);
-  elseif isfield(scene, 'frequency_hz')
-    omega = 2 * pi * as_number(scene.frequency_hz);
-  else
-    omega = [];
+  if isempty(point.r)
+    error('denhartog:input', 'the frequency is missing: give r, or a scene with r, frequency or frequency_hz');
+  end
+  if isempty(point.beta) && (nargin < 4 || needs_beta)
+    error('denhartog:input', 'the friction is missing: give r and beta, or a scene with beta, or with friction and force');
+  end
+end
+
+function point = dimensional_point(point, scene)
+  m_1 = value_of(scene, 'masses');
+  k_1 = value_of(scene, 'stiffnesses');
+  omega = value_of(scene, 'frequency');
+  if isempty(omega)
+    omega = 2 * pi * value_of(scene, 'frequency_hz');
   end
   point.r = omega * sqrt(m_1 / k_1);
-  P = [];
-  if isfield(scene, 'force')
-    P = as_number(scene.force);
-  elseif isfield(scene, 'base_displacement') && strcmp(scene.base_motion, 'alone')
-    P = k_1 * as_number(scene.base_displacement);
-  elseif isfield(scene, 'base_displacement')
-    P = m_1 * omega ^ 2 * as_number(scene.base_displacement);
+  P = value_of(scene, 'force');
+  X = value_of(scene, 'base_displacement');
+  if ~isempty(X) && strcmp(scene.base_motion, 'alone')
+    P = k_1 * X;
+  elseif ~isempty(X)
+    P = m_1 * omega ^ 2 * X;
   end
   if ~isempty(P)
-    point.beta = as_number(scene.friction) / P;
+    point.beta = value_of(scene, 'friction') / P;
   end
   if ~isempty(P) && ~isempty(omega)
     point.units = struct('omega', omega, 'length', P / k_1, 'force', P);
   end
 end
 
+% The first number of a list, a matrix, a cell array or a text; [] where the scene has none.
 function x = value_of(scene, key)
   x = [];
-  if isfield(scene, key)
-    x = as_number(scene.(key));
+  if ~isfield(scene, key)
+    return
+  end
+  value = scene.(key);
+  while iscell(value) && ~isempty(value)
+    value = value{1};
+  end
+  if ischar(value) || isa(value, 'string')
+    x = str2double(value);
+  elseif (isnumeric(value) || islogical(value)) && ~isempty(value)
+    x = double(value(1));
+  else
+    x = NaN;
   end
 end

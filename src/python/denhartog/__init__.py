@@ -13,9 +13,8 @@ beta = F / P, and mu is static over kinetic friction.
 from typing import Any
 
 from ._errors import Cancelled, DomainError, Error, InputError, PrecisionError
-from ._many import solve_many
 from ._results import Boundary, Functions, Map, Motion, Solution, Solutions
-from ._system import System
+from ._system import System, solve_many
 
 __all__ = ["Boundary", "Cancelled", "DomainError", "Error", "Functions", "InputError", "Map", "Motion", "PrecisionError",
            "Solution", "Solutions", "System", "solve_many"]

@@ -2,10 +2,8 @@
 from __future__ import annotations
 
 import re
-from typing import Optional
 
-_PLACE = re.compile(r" \(at ([^()]*)\)$")
-_BUT_IS = ", but is "
+_PARTS = re.compile(r"(?:(.*), but is )?(.*?)(?: \(at ([^()]*)\))?", re.S)  # QUANTITY RULE, but is VALUE (at PLACE)
 
 
 class Error(Exception):
@@ -30,12 +28,17 @@ class InputError(Error, ValueError):
 
     def __init__(self, message: str) -> None:
         super().__init__(message)
-        self.quantity, self.rule, self.value, self.place = _parts(message)
+        rest, value, self.place = _PARTS.fullmatch(message).groups()
+        rest, self.value = (value, None) if rest is None else (rest, value)
+        words = re.match(r"((?:the|a|an) .*?|\S+) (.*)", rest, re.S)  # "the selection must ...": the verb ends the quantity
+        if words and words[1].startswith(("the ", "a ", "an ")):
+            words = re.match(r"(.*?) ((?:must|is|cannot) .*)", rest, re.S) or words
+        self.quantity, self.rule = words.groups() if words else ("", rest)
 
     @classmethod
     def of(cls, quantity: str, rule: str, value: object) -> "InputError":
         """An error with the message that the library would write."""
-        return cls(f"{quantity} {rule}{_BUT_IS}{value}")
+        return cls(f"{quantity} {rule}, but is {value}")
 
 
 class DomainError(Error):
@@ -48,17 +51,3 @@ class PrecisionError(Error):
 
 class Cancelled(Error):
     """The function given as ``progress`` ended the computation. There is no result."""
-
-
-def _parts(message: str) -> tuple[str, str, Optional[str], Optional[str]]:
-    """Quantity, rule, value and place of `QUANTITY RULE, but is VALUE (at PLACE)`."""
-    place = _PLACE.search(message)
-    text = message[: place.start()] if place else message
-    rest, separator, value = text.rpartition(_BUT_IS)
-    if not separator:
-        rest, value = text, ""
-    words = re.match(r"((?:the|a|an) .*?|\S+) (.*)", rest, re.S)  # "the selection must ...": the verb ends the quantity
-    if words and words[1].startswith(("the ", "a ", "an ")):
-        words = re.match(r"(.*?) ((?:must|is|cannot) .*)", rest, re.S) or words
-    quantity, rule = (words[1], words[2]) if words else ("", rest)
-    return quantity, rule, value if separator else None, place[1] if place else None

@@ -5,177 +5,104 @@ import ctypes
 import functools
 import os
 import pathlib
-from ctypes import POINTER, c_char_p, c_double, c_int, c_size_t, c_ssize_t, c_uint, c_void_p
+import weakref
+from ctypes import byref, c_char_p, c_double, c_int, c_size_t, c_ssize_t, c_uint, c_void_p
 from typing import Any
 
 from ._errors import DomainError, Error, InputError, PrecisionError
 
 NAME = "libdenhartog.so.0"
-ABI_VERSION = 0  # DH_ABI_VERSION of the header that the structs below are taken from
+ABI_VERSION = 0  # DH_ABI_VERSION of the header that structs and arguments are taken from
 
 Progress = ctypes.CFUNCTYPE(c_int, c_size_t, c_size_t, c_void_p)
-_numbers, _bytes, _integers, _indices = POINTER(c_double), POINTER(ctypes.c_byte), POINTER(c_int), POINTER(c_size_t)
+_KINDS = {"double": c_double, "int": c_int, "unsigned": c_uint, "size_t": c_size_t, "ptrdiff_t": c_ssize_t, "void*": c_void_p,
+          "dh_progress": Progress}
 
 
-class Sized(ctypes.Structure):
+class _Sized(ctypes.Structure):
     """A struct whose first member is its size."""
 
     def __init__(self, **members: Any) -> None:
         super().__init__(size=ctypes.sizeof(type(self)), **members)
 
 
-class Boundary(Sized):
-    """dh_boundary"""
-
-    _fields_ = [("size", c_size_t), ("exact", c_double), ("paper", c_double), ("approximate", c_double),
-                ("sticking", c_double), ("sticking_exists", c_int)]
-
-
-class Summary(Sized):
-    """dh_summary"""
-
-    _fields_ = [("size", c_size_t), ("regime", c_int), ("on_boundary", c_int), ("unique", c_int), ("symmetric", c_int),
-                ("periods", c_int), ("rest_interval_exists", c_int), ("stops", c_size_t), ("rest_from", c_double),
-                ("rest_to", c_double), ("rest_error", c_double), ("relative_error", c_double)]
+def _struct(name: str, members: str) -> Any:
+    """A struct of the header, of which every pointer is a void*."""
+    kinds = [each.split(" ", 1) for each in f"size_t size; {members}".split("; ")]
+    return type(name, (_Sized,), {"_fields_": [(name, _KINDS[kind]) for kind, names in kinds for name in names.split(", ")]})
 
 
-class Mass(Sized):
-    """dh_mass"""
+Boundary = _struct("dh_boundary", "double exact, paper, approximate, sticking; int sticking_exists")
+Summary = _struct("dh_summary", "int regime, on_boundary, unique, symmetric, periods, rest_interval_exists; size_t stops; "
+                                "double rest_from, rest_to, rest_error, relative_error")
+Mass = _struct("dh_mass", "double amplitude, error, phase, phase_error; int moves")
+MapRequest = _struct("dh_map_request", "size_t r_count; void* r; size_t beta_count; void* beta; double mu; int from_sliding; "
+                                       "size_t mass_count; void* masses; unsigned threads; dh_progress progress; void* context")
+MapResult = _struct("dh_map_result", "ptrdiff_t r_step, beta_step; void* status, regime, stops, periods; "
+                                     "ptrdiff_t amplitude_r_step, amplitude_beta_step, mass_step; void* amplitude")
+PointsRequest = _struct("dh_points_request", "size_t count; void* r; ptrdiff_t r_step; void* beta; ptrdiff_t beta_step; "
+                                             "double mu; int digits; size_t mass_count; void* masses; unsigned threads; "
+                                             "dh_progress progress; void* context")
+SystemsRequest = _struct("dh_systems_request", "size_t count; void* systems; ptrdiff_t systems_step; void* r; ptrdiff_t r_step; "
+                                               "void* beta; ptrdiff_t beta_step; void* mu; ptrdiff_t mu_step; int digits; "
+                                               "size_t mass_count; void* masses; unsigned threads; dh_progress progress; "
+                                               "void* context")
+Points = _struct("dh_points", "ptrdiff_t step; void* status, regime, stops, periods; ptrdiff_t masses_step, mass_step; "
+                              "void* amplitude, amplitude_error, phase, phase_error")
 
-    _fields_ = [("size", c_size_t), ("amplitude", c_double), ("error", c_double), ("phase", c_double),
-                ("phase_error", c_double), ("moves", c_int)]
-
-
-class MapRequest(Sized):
-    """dh_map_request"""
-
-    _fields_ = [("size", c_size_t), ("r_count", c_size_t), ("r", _numbers), ("beta_count", c_size_t), ("beta", _numbers),
-                ("mu", c_double), ("from_sliding", c_int), ("mass_count", c_size_t), ("masses", _indices),
-                ("threads", c_uint), ("progress", Progress), ("context", c_void_p)]
-
-
-class MapResult(Sized):
-    """dh_map_result"""
-
-    _fields_ = [("size", c_size_t), ("r_step", c_ssize_t), ("beta_step", c_ssize_t), ("status", _bytes),
-                ("regime", _bytes), ("stops", _integers), ("periods", _integers), ("amplitude_r_step", c_ssize_t),
-                ("amplitude_beta_step", c_ssize_t), ("mass_step", c_ssize_t), ("amplitude", _numbers)]
-
-
-class PointsRequest(Sized):
-    """dh_points_request"""
-
-    _fields_ = [("size", c_size_t), ("count", c_size_t), ("r", _numbers), ("r_step", c_ssize_t), ("beta", _numbers),
-                ("beta_step", c_ssize_t), ("mu", c_double), ("digits", c_int), ("mass_count", c_size_t),
-                ("masses", _indices), ("threads", c_uint), ("progress", Progress), ("context", c_void_p)]
-
-
-class SystemsRequest(Sized):
-    """dh_systems_request"""
-
-    _fields_ = [("size", c_size_t), ("count", c_size_t), ("systems", POINTER(c_void_p)), ("system_step", c_ssize_t),
-                ("r", _numbers), ("r_step", c_ssize_t), ("beta", _numbers), ("beta_step", c_ssize_t), ("mu", _numbers),
-                ("mu_step", c_ssize_t), ("digits", c_int), ("mass_count", c_size_t), ("masses", _indices),
-                ("threads", c_uint), ("progress", Progress), ("context", c_void_p)]
-
-
-class Points(Sized):
-    """dh_points"""
-
-    _fields_ = [("size", c_size_t), ("step", c_ssize_t), ("status", _bytes), ("regime", _bytes), ("stops", _integers),
-                ("periods", _integers), ("masses_step", c_ssize_t), ("mass_step", c_ssize_t), ("amplitude", _numbers),
-                ("error", _numbers), ("phase", _numbers), ("phase_error", _numbers)]
-
-
-_PROTOTYPES = {
-    "dh_system_from_json": [c_char_p, c_size_t, POINTER(c_void_p)],
-    "dh_system_masses": [c_void_p, _indices, _indices, _indices],
-    "dh_natural_frequency_ratios": [c_void_p, c_size_t, _numbers, _numbers],
-    "dh_natural_frequency_ratio_errors": [c_void_p, c_size_t, _numbers, _numbers],
-    "dh_sum_errors": [c_void_p, c_double, c_size_t, _numbers, _numbers, _numbers, _numbers, _numbers],
-    "dh_boundary_errors": [c_void_p, c_double, c_double, POINTER(Boundary)],
-    "dh_sums": [c_void_p, c_double, c_size_t, _numbers, _numbers, _numbers, _numbers, _numbers],
-    "dh_boundaries": [c_void_p, c_double, c_double, POINTER(Boundary)],
-    "dh_boundaries_proved": [c_void_p, c_double, c_double, POINTER(Boundary), POINTER(Boundary)],
-    "dh_set_effort": [c_double, c_void_p, c_void_p],
-    "dh_solve": [c_void_p, c_double, c_double, c_double, c_int, POINTER(c_void_p)],
-    "dh_solve_proved": [c_void_p, c_double, c_double, c_double, c_int, POINTER(c_void_p)],
-    "dh_solution_is_proved": [c_void_p, _integers],
-    "dh_solution_summary": [c_void_p, POINTER(Summary)],
-    "dh_solution_mass": [c_void_p, c_size_t, POINTER(Mass)],
-    "dh_solution_contact": [c_void_p, POINTER(Mass)],
-    "dh_solution_stops": [c_void_p, c_size_t, _numbers, _numbers],
-    "dh_solution_stop_errors": [c_void_p, c_size_t, _numbers, _numbers],
-    "dh_solution_motion": [c_void_p, c_size_t, c_size_t, _numbers, _numbers],
-    "dh_map": [c_void_p, POINTER(MapRequest), POINTER(MapResult)],
-    "dh_solve_points": [c_void_p, POINTER(PointsRequest), POINTER(Points)],
-    "dh_solve_systems": [POINTER(SystemsRequest), POINTER(Points)],
+_LETTERS = {"p": c_void_p, "n": c_size_t, "i": c_int, "d": c_double}
+_FUNCTIONS = {  # by their arguments
+    "p": "dh_system_destroy dh_solution_destroy",
+    "pp": "dh_solution_is_proved dh_solution_summary dh_solution_contact dh_solve_systems",
+    "ppp": "dh_map dh_solve_points",
+    "pppp": "dh_system_masses",
+    "pnp": "dh_system_from_json dh_solution_mass",
+    "pnpp": "dh_natural_frequency_ratios dh_natural_frequency_ratio_errors dh_solution_stops dh_solution_stop_errors",
+    "pnnpp": "dh_solution_motion",
+    "pddp": "dh_boundaries dh_boundary_errors",
+    "pddpp": "dh_boundaries_proved",
+    "pdnppppp": "dh_sums dh_sum_errors",
+    "pdddip": "dh_solve dh_solve_proved",
+    "dpp": "dh_set_effort",
 }
 
 
-def _candidates() -> list[str]:
-    """Where the library may be: in the package, where DENHARTOG_LIBRARY says, where the system looks."""
+@functools.lru_cache(maxsize=None)
+def library() -> ctypes.CDLL:
+    """The library with its functions declared: of the package, else what DENHARTOG_LIBRARY names, else what the system finds."""
     beside = pathlib.Path(__file__).with_name(NAME)
-    if beside.exists():
-        return [str(beside)]
-    named = os.environ.get("DENHARTOG_LIBRARY")
-    return [named] if named else [NAME]
-
-
-def _loaded() -> ctypes.CDLL:
-    path = _candidates()[0]
     try:
-        return ctypes.CDLL(path)
+        found = ctypes.CDLL(str(beside) if beside.exists() else os.environ.get("DENHARTOG_LIBRARY") or NAME)
     except OSError as reason:
         raise ImportError(
             f"denhartog cannot load its shared library: {reason}. It needs {NAME} in the package's folder, at the path that the "
             "environment variable DENHARTOG_LIBRARY names, or where the system's loader looks, and the system's MPFR, GMP, FLINT "
             "and Arb (on Debian 12 the packages libmpfr6, libgmp10, libflint17 and libflint-arb2)") from reason
-
-
-@functools.lru_cache(maxsize=None)
-def library() -> ctypes.CDLL:
-    """The loaded library with its functions declared.
-
-    Raises
-    ------
-    ImportError
-        Where it is not found, or is of another ABI version than this package.
-    """
-    found = _loaded()
     version = found.dh_abi_version()
     if version != ABI_VERSION:
         raise ImportError(f"the shared library of denhartog must have ABI version {ABI_VERSION}, but {found._name} has {version}")
-    found.dh_version.restype = found.dh_last_message.restype = found.dh_status_text.restype = c_char_p
-    found.dh_status_text.argtypes = [c_int]
-    for name in ("dh_system_destroy", "dh_solution_destroy"):
-        getattr(found, name).argtypes, getattr(found, name).restype = [c_void_p], None
-    for name, arguments in _PROTOTYPES.items():
-        try:
-            getattr(found, name).argtypes = arguments
-        except AttributeError as reason:
-            raise ImportError(f"the shared library of denhartog must have {name}, but {found._name}, version "
-                              f"{found.dh_version().decode()}, does not: it is too old for this package") from reason
+    found.dh_version.restype = found.dh_last_message.restype = c_char_p
+    for letters, names in _FUNCTIONS.items():
+        for name in names.split():
+            try:
+                getattr(found, name).argtypes = [_LETTERS[letter] for letter in letters]
+            except AttributeError as reason:
+                raise ImportError(f"the shared library of denhartog must have {name}, but {found._name}, version "
+                                  f"{found.dh_version().decode()}, does not: it is too old for this package") from reason
     return found
 
 
-def fault(status: int) -> BaseException:
-    """The exception for a status other than DH_OK, with the message of the calling thread."""
-    message = library().dh_last_message().decode("utf-8", "replace")
-    if status in (2, 3):  # DH_ERROR_SIZE, DH_ERROR_INPUT
-        return InputError(message)
-    if status == 6:  # DH_ERROR_MEMORY
-        return MemoryError(message)
-    return {4: DomainError, 5: PrecisionError}.get(status, Error)(message)
-
-
 def call(name: str, *arguments: Any) -> None:
-    """Calls a function of the library and raises the exception of its status."""
+    """Calls a function of the library and raises the exception of its status, with the message of the calling thread."""
     status = getattr(library(), name)(*arguments)
-    if status != 0:
-        raise fault(status)
+    if status != 0:  # the numbers are those of enum dh_status
+        kind = {2: InputError, 3: InputError, 4: DomainError, 5: PrecisionError, 6: MemoryError}.get(status, Error)
+        raise kind(library().dh_last_message().decode("utf-8", "replace"))
 
 
-def pointer(array: Any, kind: Any = c_double) -> Any:
-    """The address of a numpy array's numbers, for the length of a call; null for None."""
-    return None if array is None else array.ctypes.data_as(POINTER(kind))
+def handle(name: str, destroy: str, *arguments: Any) -> c_void_p:
+    """What a function of the library makes, destroyed with this object."""
+    made = c_void_p()
+    call(name, *arguments, byref(made))
+    weakref.finalize(made, getattr(library(), destroy), made.value)
+    return made

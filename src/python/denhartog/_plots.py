@@ -13,28 +13,19 @@ if TYPE_CHECKING:
     from ._system import System
 
 
-def _pyplot() -> Any:
+def _axes(axes: Any, count: int) -> list[Any]:
+    """The axes given, or those of a new figure."""
     try:
         from matplotlib import pyplot
     except ImportError as reason:
         raise ImportError("matplotlib is needed to draw and is not installed: install it with `pip install matplotlib`, or on "
                           "Debian the package python3-matplotlib") from reason
-    return pyplot
-
-
-def _axes(axes: Any, count: int, **settings: Any) -> list[Any]:
-    """The axes given, or those of a new figure."""
-    pyplot = _pyplot()
     if axes is None:
-        axes = pyplot.subplots(1, count, figsize=(6 * count, 4.2), constrained_layout=True, **settings)[1]
+        axes = pyplot.subplots(1, count, figsize=(6 * count, 4.2), constrained_layout=True)[1]
     listed = list(np.atleast_1d(np.asarray(axes, dtype=object)).flat)
     if len(listed) < count:
         raise InputError.of("axes", f"must be {count} axes of matplotlib", len(listed))
     return listed
-
-
-def _contact(system: "System") -> int:
-    return system.contact if isinstance(system.contact, int) else system.contact[0]
 
 
 def response(self: "System", r: ArrayLike, beta: ArrayLike, mass: Optional[int] = None, mu: Optional[float] = None,
@@ -49,12 +40,10 @@ def response(self: "System", r: ArrayLike, beta: ArrayLike, mass: Optional[int] 
         Friction ratios.
     mass : int
         The mass, from 1; default the mass in contact, of two the first.
-    mu : float
-        Static over kinetic friction in place of that of the system.
     axes : sequence of two matplotlib axes
         For amplitude and phase; default those of a new figure.
-    threads : int
-        0 for as many as the machine has.
+    mu, threads
+        As of `System.solve`.
 
     Returns
     -------
@@ -63,7 +52,7 @@ def response(self: "System", r: ArrayLike, beta: ArrayLike, mass: Optional[int] 
         dashed ones: it rests for a part of every period, or for ever.
     """
     above, beside = _axes(axes, 2)[:2]
-    k = _contact(self) if mass is None else mass
+    k = int(np.ravel(self.contact)[0]) if mass is None else mass
     r_values, betas = np.atleast_1d(_batch.numbers("r", r)), np.atleast_1d(_batch.numbers("beta", beta))
     found = self.solve(r_values, betas[:, None], mu=mu, masses=k, threads=threads)
     for line, value in enumerate(betas):

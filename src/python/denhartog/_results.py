@@ -1,9 +1,8 @@
 """What the methods of a System return. Displacements are in units of P / k_1, phases in radians."""
 from __future__ import annotations
 
-import ctypes
-import weakref
-from dataclasses import dataclass, field
+from ctypes import c_void_p
+from dataclasses import dataclass
 from typing import NamedTuple, Optional, Union
 
 import numpy as np
@@ -11,17 +10,15 @@ import numpy as np
 from . import _library
 from ._errors import InputError
 
+Real = Union[float, np.ndarray]
 REGIMES = ("continuous", "stick_slip", "permanent_sticking")
 STATUSES = ("answered", "on_boundary", "not_converged", "at_a_pole", "failed")
 
 
-class BoundaryNumbers(NamedTuple):
-    """The numbers of a `Boundary`, or the bounds of their errors."""
-
-    exact: Union[float, np.ndarray]
-    paper: Union[float, np.ndarray]
-    approximate: Union[float, np.ndarray]
-    sticking: Union[float, np.ndarray]
+# The numbers of a boundary and of the sums over the modes, or the bounds of their errors.
+BoundaryNumbers = NamedTuple("BoundaryNumbers", [("exact", Real), ("paper", Real), ("approximate", Real), ("sticking", Real)])
+FunctionNumbers = NamedTuple("FunctionNumbers", [("V", np.ndarray), ("U", np.ndarray), ("G", np.ndarray), ("H_j", Real),
+                                                 ("S_j", Real)])
 
 
 class Boundary(BoundaryNumbers):
@@ -63,16 +60,6 @@ class Motion(NamedTuple):
     tau: np.ndarray
     x: np.ndarray
     x_prime: np.ndarray
-
-
-class FunctionNumbers(NamedTuple):
-    """The numbers of `Functions`, or the bounds of their errors."""
-
-    V: np.ndarray
-    U: np.ndarray
-    G: np.ndarray
-    H_j: Union[float, np.ndarray]
-    S_j: Union[float, np.ndarray]
 
 
 class Functions(FunctionNumbers):
@@ -162,8 +149,8 @@ class Solution:
     contact_phase_error: float
     relative_error: float
     proved: bool
-    _handle: "Handle" = field(repr=False)
-    _N: int = field(repr=False)
+    _handle: c_void_p
+    _N: int
 
     def motion(self, samples: int = 400) -> Motion:
         """The motion of all N masses over its period.
@@ -181,8 +168,7 @@ class Solution:
         if not 1 <= samples <= 10_000_000:
             raise InputError.of("samples", "must be from 1 to 10000000", samples)
         x, x_prime = np.empty((samples, self._N)), np.empty((samples, self._N))
-        _library.call("dh_solution_motion", self._handle.address, samples, x.size, _library.pointer(x),
-                      _library.pointer(x_prime))
+        _library.call("dh_solution_motion", self._handle, samples, x.size, x.ctypes, x_prime.ctypes)
         return Motion(2 * np.pi * self.periods * np.arange(samples) / samples, x, x_prime)
 
     def __repr__(self) -> str:
@@ -191,11 +177,19 @@ class Solution:
                 f"{np.array2string(self.amplitude, precision=6)}, phase {np.array2string(self.phase, precision=6)}>")
 
 
+@dataclass(frozen=True, eq=False, repr=False)
 class _Points:
     """What a map and the solutions at many points share."""
 
-    regime: np.ndarray
+    r: np.ndarray
+    beta: np.ndarray
+    mu: Real
+    masses: np.ndarray
     status: np.ndarray
+    regime: np.ndarray
+    stops: np.ndarray
+    periods: np.ndarray
+    amplitude: np.ndarray
     regime_names = REGIMES  #: names of the numbers in `regime`
     status_names = STATUSES  #: names of the numbers in `status`
 
@@ -248,15 +242,6 @@ class Solutions(_Points):
         In (-pi, pi], with bounds of their errors; NaN also where a mass does not move.
     """
 
-    r: np.ndarray
-    beta: np.ndarray
-    mu: Union[float, np.ndarray]
-    masses: np.ndarray
-    status: np.ndarray
-    regime: np.ndarray
-    stops: np.ndarray
-    periods: np.ndarray
-    amplitude: np.ndarray
     amplitude_error: np.ndarray
     phase: np.ndarray
     phase_error: np.ndarray
@@ -265,46 +250,19 @@ class Solutions(_Points):
         return f"<solutions of shape {self.regime.shape}, masses {self.masses.tolist()}: {self._told()}>"
 
 
-@dataclass(frozen=True, eq=False, repr=False)
 class Map(_Points):
     """Regimes, stops and amplitudes over a grid of R frequency ratios by B friction ratios, for M masses.
 
     Attributes
     ----------
-    r : ndarray, shape (R,)
-        Frequency ratios.
-    beta : ndarray, shape (B,)
-        Friction ratios.
-    mu : float
-        Static over kinetic friction.
-    masses : ndarray of int, shape (M,)
-        The masses asked for, counted from 1.
-    status, regime : ndarray of int8, shape (R, B)
-        Index into `status_names`; index into `regime_names`, or -1 where there are no numbers.
-    stops, periods : ndarray of int, shape (R, B)
-        As of `Solutions`.
+    r, beta : ndarray, shapes (R,) and (B,)
+        Frequency ratios and friction ratios.
     amplitude : ndarray, shape (R, B, M)
         In units of P / k_1; NaN where there are no numbers.
+    mu, masses, status, regime, stops, periods
+        As of `Solutions`, where S is (R, B) and mu one number.
     """
-
-    r: np.ndarray
-    beta: np.ndarray
-    mu: float
-    masses: np.ndarray
-    status: np.ndarray
-    regime: np.ndarray
-    stops: np.ndarray
-    periods: np.ndarray
-    amplitude: np.ndarray
 
     def __repr__(self) -> str:
         r, beta = (f"{a.size} from {a[0]:.6g} to {a[-1]:.6g}" for a in (self.r, self.beta))
         return f"<map, r: {r}, beta: {beta}, masses {self.masses.tolist()}: {self._told()}>"
-
-
-class Handle:
-    """A handle of the library, destroyed with this object."""
-
-    def __init__(self, address: ctypes.c_void_p, destroy: str) -> None:
-        self.address = address
-        weakref.finalize(self, getattr(_library.library(), destroy), address)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import copy
 import difflib
+import functools
 import json
 import math
 import pathlib
@@ -17,14 +18,15 @@ from typing import Any, Mapping, Optional
 
 import numpy as np
 
-from . import _batch, _scene
+from . import _batch
 from ._errors import InputError
 from ._results import STATUSES
-from ._system import System
+from ._system import System, plain
 
 Arrays = dict[str, np.ndarray]
 NO_SCENE = len(STATUSES)  # the status of a point whose sample has numbers that make no scene
 MOST_POINTS_TOGETHER, MOST_CHUNKS = 2**24, 10_000_000
+KINDS = {"status": np.int8, "regime": np.int8, "stops_per_period": np.int32, "periods": np.int32}  # fields that count
 COLUMNS = ("r", "frequency_hz", "beta", "friction")
 KEYS = {"mu": ["mu"], "zeta": ["damping_ratios"], "mass": ["masses", "mass_ratios"],
         "stiffness": ["stiffnesses", "stiffness_ratios"], "contact": ["contact"], "load": ["load"]}
@@ -66,6 +68,12 @@ class Plan:
             if r["name"] == field:
                 return [name for name in self.names_of(r.get("of", "")) if name not in r["over"]]
         return list(self.axes)
+
+    def axes_of(self, r: Mapping[str, Any]) -> tuple[list[str], tuple[int, ...], list[int]]:
+        """The axes that a reduction begins with; which of them it is over, and the sizes of these."""
+        names = self.names_of(r.get("of", ""))
+        over = tuple(n for n, name in enumerate(names) if name in r["over"])
+        return names, over, [self.axes[names[n]].size for n in over]
 
 
 def must(holds: bool, quantity: str, rule: str, value: object) -> None:
@@ -181,16 +189,16 @@ def _quantile(item: Mapping[str, Any], u: Any) -> np.ndarray:
     if kind == "loguniform":
         return stats.loguniform(low, high).ppf(u)
     if kind == "normal":
-        mean, deviation = x["mean"], x["standard_deviation"]
-        return stats.truncnorm((low - mean) / deviation, (high - mean) / deviation, mean, deviation).ppf(u)
-    if "median" in x:
-        mean, deviation = math.log(x["median"]), x["log_standard_deviation"]
-    else:
-        square = 1 + (x["standard_deviation"] / x["mean"]) ** 2
-        mean, deviation = math.log(x["mean"] / math.sqrt(square)), math.sqrt(math.log(square))
-    below, above = (math.log(bound) if bound > 0 else -math.inf for bound in (low, high))
-    drawn = np.exp(stats.truncnorm((below - mean) / deviation, (above - mean) / deviation, mean, deviation).ppf(u))
-    return np.clip(drawn, low, high)
+        mean, deviation, below, above = x["mean"], x["standard_deviation"], low, high
+    else:  # the logarithm is normal
+        below, above = (math.log(bound) if bound > 0 else -math.inf for bound in (low, high))
+        if "median" in x:
+            mean, deviation = math.log(x["median"]), x["log_standard_deviation"]
+        else:
+            square = 1 + (x["standard_deviation"] / x["mean"]) ** 2
+            mean, deviation = math.log(x["mean"] / math.sqrt(square)), math.sqrt(math.log(square))
+    drawn = stats.truncnorm((below - mean) / deviation, (above - mean) / deviation, mean, deviation).ppf(u)
+    return drawn if kind == "normal" else np.clip(np.exp(drawn), low, high)
 
 
 def drawn_of(samples: Mapping[str, Any]) -> Arrays:
@@ -212,7 +220,7 @@ def drawn_of(samples: Mapping[str, Any]) -> Arrays:
 def plan_of(study: Mapping[str, Any], grid: Any = None) -> Plan:
     """A study on its grid, after every rule of it is checked; the arguments are those of `sweep.dataset`."""
     import jsonschema
-    study = _scene.plain("the study", study)
+    study = plain("the study", study)
     faults = list(jsonschema.Draft202012Validator(_schema()).iter_errors(study))
     if faults:  # a word that is none tells more than what else the rules then ask for
         words = [each for each in faults if each.validator == "enum"]
@@ -357,36 +365,35 @@ def _scene_with(scene: Mapping[str, Any], values: Mapping[str, float]) -> dict[s
 
 def _forces(system: System, hertz: np.ndarray) -> np.ndarray:
     """The force P at each frequency, in the units of the scene."""
-    scene, omega = system.scene, 2 * np.pi * hertz
-    if "base_displacement" not in scene:
-        must("force" in scene, "force", "must be given (or base_displacement in its place)", "nothing")
-        return np.full(hertz.size, float(scene["force"]))
-    X = float(scene["base_displacement"])
-    return system.m_1 * omega * omega * X if scene["base_motion"] == "with_wall" else np.full(hertz.size, system.k_1 * X)
+    scene = system.scene
+    if "base_displacement" in scene:
+        return np.broadcast_to(system.base_force(float(scene["base_displacement"]), hz=hertz), hertz.shape)
+    must("force" in scene, "force", "must be given (or base_displacement in its place)", "nothing")
+    return np.full(hertz.shape, float(scene["force"]))
 
 
 def _points_of(system: System, plan: Plan, f: np.ndarray, F: np.ndarray, units: bool, progress: _batch.Report) -> Arrays:
-    """The points of one system: f by F points, amplitudes and phases with the masses last."""
-    handle, mu, study = system._handle.address, system.mu, plan.study
-    further = (np.array(study["masses"], dtype=np.uintp), 1, progress, study.get("effort"))
+    """The fields of one system at f by F points."""
+    study, masses = plan.study, np.array(plan.study["masses"], dtype=np.uintp)
+    further = masses, 1, progress, study.get("effort")
 
     def column(r: np.ndarray, beta: np.ndarray) -> Arrays:
-        found = _batch.solve_map(handle, r, beta, mu, study["start"] == "sliding", *further)
+        found = _batch.solve_map(system._handle, r, beta, system.mu, study["start"] == "sliding", *further)
+        found["stops_per_period"] = found.pop("stops")
+        over_masses = {"amplitude": found.pop("amplitude")}
         if needs_phases(study):
-            phase = _batch.solve_points(handle, r[:, None], beta[None, :], mu, 0, *further)["phase"]
-            found["phase"] = np.where((found["regime"] >= 0)[..., None], phase, np.nan)
-        return found
+            phase = _batch.solve(system._handle, {"r": r[:, None], "beta": beta}, *further, mu=system.mu, digits=0).phase
+            over_masses["phase"] = np.where((found["regime"] >= 0)[..., None], phase, np.nan)
+        return found | {f"{kind}_{k}": values[..., n] for kind, values in over_masses.items() for n, k in enumerate(masses)}
 
-    if not units:
-        return column(f, F)
-    force, r = _forces(system, f), np.asarray(system.frequency_ratio(hz=f))
-    if np.all(force == force[0]):
-        found = column(r, F / force[0])
-    else:
-        columns = [column(r[n:n + 1], F / force[n]) for n in range(f.size)]
-        found = {name: np.concatenate([each[name] for each in columns]) for name in columns[0]}
-    found["amplitude"] *= (force / system.k_1)[:, None, None]
-    return found
+    force, unit, r = np.ones(f.size), np.ones(f.size), f
+    if units:
+        force, r = _forces(system, f), np.asarray(system.frequency_ratio(hz=f))
+        unit = force / system.k_1
+    parts = [slice(0, f.size)] if np.all(force == force[0]) else [slice(n, n + 1) for n in range(f.size)]
+    columns = [column(r[part], F / force[part][0]) for part in parts]
+    found = {name: np.concatenate([each[name] for each in columns]) for name in columns[0]}
+    return {name: values * unit[:, None] if name.startswith("amplitude") else values for name, values in found.items()}
 
 
 def needs_phases(study: Mapping[str, Any]) -> bool:
@@ -396,18 +403,16 @@ def needs_phases(study: Mapping[str, Any]) -> bool:
 
 def fields_of(plan: Plan, K: int, progress: _batch.Report = None) -> Arrays:
     """What `map` finds at every point of chunk K, and the phases of `solve` where they are needed: a name for each field."""
-    part, masses = plan.slices(K), plan.study["masses"]
+    part = plan.slices(K)
     axes = {name: values[part[name]] for name, values in plan.axes.items()}
     units = "friction" in {*plan.axes, *plan.drawn}
     frequency, friction = ("frequency_hz", "friction") if units else ("r", "beta")
     outer = [name for name in axes if name not in (frequency, friction)]
     shape = tuple(axes[name].size for name in outer)
     inner = tuple(axes[name].size if name in axes else 1 for name in (frequency, friction))
-    out = {"status": np.full(shape + inner, NO_SCENE, np.int8), "regime": np.full(shape + inner, -1, np.int8),
-           "stops": np.full(shape + inner, -1, np.int32), "periods": np.full(shape + inner, -1, np.int32),
-           "amplitude": np.full(shape + inner + (len(masses),), np.nan)}
-    if needs_phases(plan.study):
-        out["phase"] = out["amplitude"].copy()
+    none = {"status": NO_SCENE} | {name: -1 for name in KINDS if name != "status"} | {
+        f"{kind}_{k}": np.nan for kind in ["amplitude", *["phase"] * needs_phases(plan.study)] for k in plan.study["masses"]}
+    out = {name: np.full(shape + inner, value, KINDS.get(name, np.float64)) for name, value in none.items()}
     for place in np.ndindex(*shape):
         at = {name: float(axes[name][n]) for name, n in zip(outer, place)}
         sample = int(at.pop("sample", 0))
@@ -417,78 +422,68 @@ def fields_of(plan: Plan, K: int, progress: _batch.Report = None) -> Arrays:
             found = _points_of(System.from_scene(_scene_with(plan.study["scene"], at)), plan, f, F, units, progress)
         except InputError:  # the numbers of the sample make no scene: those of the axes were tried before
             continue
-        for name, values in out.items():
-            values[place] = found[name]
-    grid = tuple(axes[name].size for name in axes)
-    fields = {"status": out["status"], "regime": out["regime"], "stops_per_period": out["stops"], "periods": out["periods"]}
-    for kind in ("amplitude", "phase"):
-        fields |= {f"{kind}_{k}": out[kind][..., n] for n, k in enumerate(masses) if kind in out}
-    return {name: np.ascontiguousarray(values).reshape(grid) for name, values in fields.items()}
+        for name, values in found.items():
+            out[name][place] = values
+    return {name: values.reshape([each.size for each in axes.values()]) for name, values in out.items()}
 
 
 # ---- statistics --------------------------------------------------------------------------------------------------------------
 
-def reduced(plan: Plan, r: Mapping[str, Any], K: int, field: np.ndarray) -> Arrays:
-    """What chunk K has of a reduction: counts, quantiles, or an extreme value and its place over the reduced axes, -1 if none."""
-    names = plan.names_of(r.get("of", ""))
-    over = [name for name in names if name in r["over"]]
-    reduced_axes = [names.index(name) for name in over]
-    x = np.moveaxis(field, reduced_axes, range(-len(over), 0))
-    x = x.reshape(x.shape[:-len(over)] + (-1,))
+def reduced(plan: Plan, r: Mapping[str, Any], K: int, x: np.ndarray) -> Arrays:
+    """What chunk K has of a reduction, in which its reduced axes have one place: counts, quantiles, or what `extreme` gives."""
+    names, over, sizes = plan.axes_of(r)
     if r["statistic"] == "share":
-        return {"counts": np.stack([(x == regime).sum(-1) for regime in (0, 1, 2, -1)], -1)}
+        return {"counts": np.stack([(x == regime).sum(over, keepdims=True) for regime in (0, 1, 2, -1)], -1)}
     x = np.where(x < 0, np.nan, x) if r["of"] in ("stops_per_period", "periods") else x
     if r["statistic"] in ("maximum", "minimum"):
-        local = np.where(np.isnan(x), -np.inf, x if r["statistic"] == "maximum" else -x).argmax(-1)
-        value = np.take_along_axis(x, local[..., None], -1)[..., 0]
         part = plan.slices(K)
-        places = np.unravel_index(local, [field.shape[n] for n in reduced_axes])
-        of_grid = [n + part[name].start for n, name in zip(places, over)]
-        place = np.ravel_multi_index(of_grid, [plan.axes[name].size for name in over])
-        return {"value": value, "place": np.where(np.isnan(value), -1, place)}
+        places = np.ix_(*(np.arange(part[name].start, part[name].stop) for name in names))
+        value = np.where(np.isnan(x), -np.inf if r["statistic"] == "maximum" else np.inf, x)
+        return extreme(r, {"value": value, "place": np.ravel_multi_index([places[n] for n in over], sizes)}, over)
+    x = np.moveaxis(x, over, range(-len(over), 0))
+    x = x.reshape(x.shape[:-len(over)] + (-1,))
     if "bins" in r:
         edges = edges_of(r)
         bins = np.searchsorted(edges, x, "right")
         bins[x == edges[-1]] = edges.size - 1  # the last bin has its upper end
         cells = np.arange(bins[..., 0].size).reshape(x.shape[:-1] + (1,)) * (edges.size + 1)
         counts = np.bincount((cells + bins)[~np.isnan(x)], minlength=bins[..., 0].size * (edges.size + 1))
-        return {"counts": counts.reshape(x.shape[:-1] + (edges.size + 1,))}
+        return {"counts": np.expand_dims(counts.reshape(x.shape[:-1] + (edges.size + 1,)), over)}
     value = np.full(x.shape[:-1] + (len(r["probabilities"]),), np.nan)
     some = ~np.isnan(x).all(-1)
     value[some] = np.moveaxis(np.nanquantile(x[some], r["probabilities"], axis=-1), 0, -1)
-    return {"value": value}
+    return {"value": np.expand_dims(value, over)}
 
 
-def put_together(r: Mapping[str, Any], parts: list[Arrays]) -> Arrays:
-    """The parts of several chunks as one: counts add up; of equal extreme values the one with the earliest place counts."""
-    if len(parts) == 1:
-        return parts[0]
-    if "counts" in parts[0]:
-        return {"counts": sum(part["counts"] for part in parts)}
-    value, place = (np.stack([part[name] for part in parts]) for name in ("value", "place"))
-    ordered = np.where(np.isnan(value), -np.inf, value if r["statistic"] == "maximum" else -value)
-    place = np.where((ordered == ordered.max(0)) & (place >= 0), place, np.iinfo(np.int64).max).min(0)
-    best = np.take_along_axis(value, ordered.argmax(0)[None], 0)[0]
-    return {"value": best, "place": np.where(np.isnan(best), -1, place)}
+def extreme(r: Mapping[str, Any], parts: Mapping[str, Any], over: tuple[int, ...]) -> dict[str, Any]:
+    """The largest or smallest value over some axes, infinite if there is none, and of several places the first."""
+    value = (np.max if r["statistic"] == "maximum" else np.min)(parts["value"], axis=over, keepdims=True)
+    place = np.where(parts["value"] == value, parts["place"], np.iinfo(np.int64).max)
+    return {"value": value, "place": place.min(axis=over, keepdims=True)}
 
 
-def finished(plan: Plan, r: Mapping[str, Any], part: Arrays) -> Arrays:
-    """The results of a reduction that is complete, by their names."""
-    if r["statistic"] == "share":
-        return {r["name"]: part["counts"] / part["counts"].sum(-1, keepdims=True)}
-    if r["statistic"] == "histogram":
-        return {r["name"]: part["counts"]}
-    if "bins" in r:
-        return {r["name"]: _quantiles_of_counts(edges_of(r), part["counts"], r["probabilities"])}
-    out = {r["name"]: part["value"]}
-    if "place" in part:
-        over = [name for name in plan.names_of(r["of"]) if name in r["over"]]
-        places = np.unravel_index(np.maximum(part["place"], 0), [plan.axes[name].size for name in over])
-        out |= {f"{r['name']}_{name}": np.where(part["place"] < 0, np.nan, plan.axes[name][n]) for name, n in zip(over, places)}
-    return out
+def finished(plan: Plan, r: Mapping[str, Any], parts: Mapping[str, Any]) -> dict[str, Any]:
+    """The results of a reduction by their names, from what all chunks have of it; both are arrays of Dask."""
+    names, over, sizes = plan.axes_of(r)
+    if "counts" in parts:
+        result = parts["counts"].sum(over)
+        if r["statistic"] == "share":
+            result = result / result.sum(-1, keepdims=True)
+        elif r["statistic"] == "quantiles":
+            result = result.map_blocks(_quantiles_of_counts, edges=edges_of(r), probabilities=r["probabilities"], dtype=float,
+                                       chunks=(*result.chunks[:-1], (len(r["probabilities"]),)))
+        return {r["name"]: result}
+    if r["statistic"] == "quantiles":
+        return {r["name"]: parts["value"].squeeze(over)}
+    value, place = (array.squeeze(over) for array in extreme(r, parts, over).values())
+    out = {r["name"]: value}
+    for n, axis in enumerate(over):
+        index = place // math.prod(sizes[n + 1:]) % sizes[n]
+        out[f"{r['name']}_{names[axis]}"] = index.map_blocks(functools.partial(np.take, plan.axes[names[axis]]), dtype=float)
+    return {name: np.where(np.isinf(value), np.nan, array) for name, array in out.items()}
 
 
-def _quantiles_of_counts(edges: np.ndarray, counts: np.ndarray, probabilities: list[float]) -> np.ndarray:
+def _quantiles_of_counts(counts: np.ndarray, edges: np.ndarray, probabilities: list[float]) -> np.ndarray:
     """Quantiles from a histogram, linear within a bin; NaN where they lie outside of the bins, or nothing was counted."""
     rows = counts.reshape(-1, counts.shape[-1])
     out = np.full((len(rows), len(probabilities)), np.nan)
@@ -517,6 +512,7 @@ def computed(plan: Plan, K: int, progress: _batch.Report = None) -> Arrays:
     out = {name: fields[name] for name in answers_of(plan.study)}
     for r in plan.study["reduce"]:
         part = reduced(plan, r, K, fields[r.get("of", "regime")])
-        fields[r["name"]] = part.get("value", np.empty(0))
+        if "place" in part:  # a reduction of it finds its axes in one chunk
+            fields[r["name"]] = np.where(np.isinf(part["value"]), np.nan, part["value"]).squeeze(plan.axes_of(r)[1])
         out |= {f"{r['name']}:{kind}": values for kind, values in part.items()}
     return out

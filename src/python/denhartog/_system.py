@@ -1,23 +1,39 @@
 """A system of masses and springs with one Coulomb contact."""
 from __future__ import annotations
 
-import ctypes
 import json
-from ctypes import byref
-from typing import Any, Callable, Optional, Sequence, Union
+import math
+import os
+import pathlib
+from ctypes import byref, c_int, c_size_t
+from typing import Any, Mapping, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _batch, _library, _plots, _point, _scene
+from . import _batch, _library, _plots
+from ._batch import Report, like
 from ._errors import InputError
-from ._results import Boundary, Functions, Handle, Map, Motion, Solution, Solutions
-from ._units import Units
-
-Progress = Optional[Callable[[int, int], Any]]
+from ._results import (REGIMES, Boundary, BoundaryNumbers, FunctionNumbers, Functions, Map, Motion, Real, Solution,
+                       Solutions)
 
 
-class System(Units):
+def plain(key: str, value: Any) -> Any:
+    """`value` as lists and numbers of Python; a number that is not finite is refused."""
+    if isinstance(value, (np.ndarray, np.generic)):
+        value = value.tolist()
+    if isinstance(value, Mapping):
+        return {name: plain(str(name), entry) for name, entry in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(key, entry) for entry in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        raise InputError.of(key, "must be finite", value)
+    if value is None or isinstance(value, (bool, int, float, str)):
+        return value
+    raise InputError.of(key, "must be numbers, lists of numbers or arrays", repr(value))
+
+
+class System:
     """Masses, springs, damping, contact and load, prepared for many points. It does not change once it is made.
 
     Give either `masses` and `stiffnesses` in units of your own that go together, or `mass_ratios` and `stiffness_ratios`; either
@@ -61,14 +77,15 @@ class System(Units):
                  damping_ratios: Optional[ArrayLike] = None, damping_matrix: Optional[ArrayLike] = None,
                  damping_tolerance: Optional[float] = None, contact: Union[int, Sequence[int], None] = None,
                  load: Union[int, ArrayLike, None] = None, base_motion: Optional[str] = None, mu: float = 1.0) -> None:
-        scene = _scene.scene_of({
-            "masses": masses, "stiffnesses": stiffnesses, "mass_ratios": mass_ratios, "stiffness_ratios": stiffness_ratios,
-            "damping_ratios": damping_ratios, "damping_matrix": damping_matrix, "damping_tolerance": damping_tolerance,
-            "contact": contact, "load": load, "base_motion": base_motion, "mu": mu})
+        scene = {key: plain(key, value) for key, value in locals().items() if key != "self" and value is not None}
+        for ratios, matrix in (("mass_ratios", "mass_matrix"), ("stiffness_ratios", "stiffness_matrix")):
+            value = scene.get(ratios)
+            if isinstance(value, list) and value and isinstance(value[0], list):
+                scene[matrix] = scene.pop(ratios)
         self._prepare(scene, json.dumps(scene))
 
     @classmethod
-    def from_scene(cls, source: _scene.Source) -> "System":
+    def from_scene(cls, source: Union[Mapping[str, Any], str, "os.PathLike[str]"]) -> "System":
         """A system from a scene, as the command line takes it.
 
         Parameters
@@ -78,14 +95,26 @@ class System(Units):
             are checked and not used; they stay in `scene`.
         """
         system = cls.__new__(cls)
-        system._prepare(*_scene.read(source))
+        if isinstance(source, Mapping):
+            scene = plain("scene", source)
+            text = json.dumps(scene)
+        else:
+            try:
+                is_text = isinstance(source, str) and source.lstrip().startswith("{")
+                text = source if is_text else pathlib.Path(source).read_text(encoding="utf-8")
+            except OSError as reason:
+                raise InputError(f"{source} cannot be read ({reason.strerror})") from reason
+            try:
+                scene = json.loads(text)
+            except ValueError:
+                scene = {}  # the library says what is wrong with it
+        system._prepare(scene, text)
         return system
 
     def _prepare(self, scene: dict[str, Any], text: str) -> None:
-        address, N, encoded = ctypes.c_void_p(), ctypes.c_size_t(), text.encode()
-        _library.call("dh_system_from_json", encoded, len(encoded), byref(address))
-        self._handle = Handle(address, "dh_system_destroy")
-        _library.call("dh_system_masses", address, byref(N), None, None)
+        N, encoded = c_size_t(), text.encode()
+        self._handle = _library.handle("dh_system_from_json", "dh_system_destroy", encoded, len(encoded))
+        _library.call("dh_system_masses", self._handle, byref(N), None, None)
         self._scene, self._N = scene, N.value
         (self._r_n, self._zeta), (self._r_n_error, self._zeta_error) = (
             self._of_modes(name) for name in ("dh_natural_frequency_ratios", "dh_natural_frequency_ratio_errors"))
@@ -93,7 +122,7 @@ class System(Units):
     def _of_modes(self, name: str) -> np.ndarray:
         """Two numbers of each mode, not to be changed."""
         rows = np.empty((2, self.N))
-        _library.call(name, self._handle.address, self.N, *map(_library.pointer, rows))
+        _library.call(name, self._handle, self.N, *(row.ctypes for row in rows))
         rows.flags.writeable = False
         return rows
 
@@ -141,7 +170,7 @@ class System(Units):
 
     def solve(self, r: ArrayLike, beta: ArrayLike, digits: Optional[int] = None, mu: Optional[float] = None,
               masses: Union[int, Sequence[int], None] = None, threads: int = 0,
-              progress: Progress = None, proved: bool = False) -> Union[Solution, Solutions]:
+              progress: Report = None, proved: bool = False) -> Union[Solution, Solutions]:
         """The steady motion, in every regime.
 
         Parameters
@@ -176,27 +205,47 @@ class System(Units):
         InputError, DomainError, PrecisionError
             A value breaks a rule; and of scalars only: a mode without damping resonates; the digits are not reached.
         """
-        r_array, beta_array = _batch.numbers("r", r), _batch.numbers("beta", beta)
-        listed, static = _batch.mass_list(masses, self.N), self._static(mu)
-        asked = 0 if digits is None else int(digits)
-        if digits is not None and not 1 <= asked <= 15:
-            raise InputError.of("digits", "must be from 1 to 15", digits)
-        if r_array.ndim == beta_array.ndim == 0:
-            return _point.solution(self._handle.address, self.N, float(r_array), float(beta_array), static, asked, listed,
-                                   bool(proved))
+        points = {"r": _batch.numbers("r", r), "beta": _batch.numbers("beta", beta)}
+        listed, static, asked = _batch.mass_list(masses, self.N), self._static(mu), _batch.digit_count(digits)
+        if all(array.ndim == 0 for array in points.values()):
+            return self._solution(float(points["r"]), float(points["beta"]), static, asked, listed, bool(proved))
         if proved:
             raise InputError.of("proved", "must be false for arrays: ask for a proof point by point", proved)
-        found = _batch.solve_points(self._handle.address, r_array, beta_array, static, asked, listed,
-                                    _batch.thread_count(threads), progress)
-        full_r, full_beta = np.broadcast_arrays(r_array, beta_array)
-        return Solutions(r=full_r.copy(), beta=full_beta.copy(), mu=static, masses=listed.astype(int),
-                         amplitude_error=found.pop("error"), **found)
+        return _batch.solve(self._handle, points, listed, _batch.thread_count(threads), progress, mu=static, digits=asked)
+
+    def _solution(self, r: float, beta: float, mu: float, digits: int, masses: np.ndarray, proved: bool) -> Solution:
+        """The steady motion at a point; 0 digits aim at 6."""
+        handle = _library.handle("dh_solve_proved" if proved else "dh_solve", "dh_solution_destroy", self._handle, r, beta, mu,
+                                 digits)
+        found, is_proved = _library.Summary(), c_int()
+        _library.call("dh_solution_summary", handle, byref(found))
+        _library.call("dh_solution_is_proved", handle, byref(is_proved))
+
+        def numbers(name: str, *mass: int) -> list[float]:
+            of = _library.Mass()
+            _library.call(name, handle, *mass, byref(of))
+            return [of.amplitude, of.error, *((of.phase, of.phase_error) if of.moves else (math.nan, math.nan))]
+
+        kinds = ("amplitude", "amplitude_error", "phase", "phase_error")
+        of_masses = np.array([numbers("dh_solution_mass", int(k)) for k in masses]).T.copy()
+        of_contact = {f"contact_{kind}": number for kind, number in zip(kinds, numbers("dh_solution_contact"))}
+        stops = np.empty((2, 2, found.stops))
+        for name, (start, end) in zip(("dh_solution_stops", "dh_solution_stop_errors"), stops):
+            _library.call(name, handle, found.stops, start.ctypes, end.ctypes)
+        stops, stop_errors = stops.swapaxes(1, 2).copy()
+        rest_interval = (found.rest_from, found.rest_to) if found.rest_interval_exists else None
+        whether = {name: bool(getattr(found, name)) for name in ("on_boundary", "unique", "symmetric")}
+        return Solution(
+            r=r, beta=beta, mu=mu, regime=REGIMES[found.regime], periods=found.periods, stops=stops, stop_errors=stop_errors,
+            rest_interval=rest_interval, rest_error=found.rest_error, masses=masses.astype(int),
+            relative_error=found.relative_error, proved=bool(is_proved), _handle=handle, _N=self.N, **whether, **of_contact,
+            **dict(zip(kinds, of_masses)))
 
     def _static(self, mu: Optional[float]) -> float:
         return self.mu if mu is None else float(mu)
 
     def map(self, r: ArrayLike, beta: ArrayLike, masses: Union[int, Sequence[int], None] = None, start: str = "rest",
-            threads: int = 0, progress: Progress = None, mu: Optional[float] = None) -> Map:
+            threads: int = 0, progress: Report = None, mu: Optional[float] = None) -> Map:
         """Regimes, stops and amplitudes over a grid: what ``denhartog map`` computes, to 6 digits of every amplitude.
 
         A point costs a few nanoseconds where the contact slides or rests and ``masses=system.contact``, some ten microseconds
@@ -208,17 +257,13 @@ class System(Units):
             Frequency ratios, positive.
         beta : array_like, shape (B,)
             Friction ratios, not negative; ascending ones help each other.
-        masses : int or sequence of ints
-            Masses whose amplitudes are wanted, from 1; default all.
         start : {"rest", "sliding"}
             Which motion, where mu > 1 and there is more than one: that from rest, or the sliding motion as far as it exists.
-        threads : int
-            0 for as many as the machine has. The numbers are the same for any.
         progress : callable
             Called as ``progress(done, all)`` with columns, one for each frequency ratio; the computation ends where it returns
             something true.
-        mu : float
-            Static over kinetic friction in place of that of the system.
+        masses, threads, mu
+            As of `solve`.
 
         Returns
         -------
@@ -238,7 +283,7 @@ class System(Units):
             if axes[name].ndim != 1 or axes[name].size == 0:
                 raise InputError.of(name, "must be a number or a list of at least one", f"an array of shape {axes[name].shape}")
         listed, static = _batch.mass_list(masses, self.N), self._static(mu)
-        found = _batch.solve_map(self._handle.address, axes["r"], axes["beta"], static, start == "sliding", listed,
+        found = _batch.solve_map(self._handle, axes["r"], axes["beta"], static, start == "sliding", listed,
                                  _batch.thread_count(threads), progress)
         return Map(mu=static, masses=listed.astype(int), **axes, **found)
 
@@ -259,7 +304,22 @@ class System(Units):
         Boundary
             exact, paper, approximate, sticking: numbers, or arrays of the shape of `r`; `errors` has the bounds of their errors.
         """
-        return _point.boundary(self._handle.address, _batch.numbers("r", r), self._static(mu), bool(proved))
+        at, names = _batch.numbers("r", r), BoundaryNumbers._fields
+        rows = np.empty((2, *at.shape, len(names)))
+        for place in np.ndindex(at.shape):
+            pair = _library.Boundary(), _library.Boundary()
+            point = self._handle, float(at[place]), self._static(mu)
+            if proved:
+                _library.call("dh_boundaries_proved", *point, *map(byref, pair))
+            else:
+                _library.call("dh_boundaries", *point, byref(pair[0]))
+                _library.call("dh_boundary_errors", *point, byref(pair[1]))
+            for part, each in zip(rows, pair):
+                part[place] = [getattr(each, name) for name in names[:3]] + [each.sticking if each.sticking_exists else math.nan]
+        values, bounds = ([like(part[..., n]) for n in range(len(names))] for part in rows)
+        result = Boundary(*values)
+        result.errors, result.proved = BoundaryNumbers(*bounds), bool(proved)
+        return result
 
     def motion(self, r: float, beta: float, samples: int = 400, mu: Optional[float] = None) -> Motion:
         """The steady motion at a point over its period: tau (samples,), x and x_prime (samples, N). See `Solution.motion`."""
@@ -273,7 +333,94 @@ class System(Units):
         r : float or array_like
             Frequency ratios, positive.
         """
-        return _point.functions(self._handle.address, self.N, _batch.numbers("r", r))
+        at = _batch.numbers("r", r)
+
+        def arrays(name: str) -> list[Real]:
+            arrays = [np.empty((*at.shape, self.N), complex), *(np.empty((*at.shape, n)) for n in (self.N, self.N, 1, 1))]
+            for place in np.ndindex(at.shape):
+                _library.call(name, self._handle, float(at[place]), self.N, *(array[place].ctypes for array in arrays))
+            return arrays[:3] + [like(array[..., 0]) for array in arrays[3:]]
+
+        result = Functions(*arrays("dh_sums"))
+        result.errors = FunctionNumbers(*arrays("dh_sum_errors"))
+        return result
+
+    @property
+    def dimensional(self) -> bool:
+        """Whether the system was given by `masses` and `stiffnesses` in units of its own."""
+        return "masses" in self._scene
+
+    @property
+    def m_1(self) -> float:
+        """The mass that masses are in units of. Of a dimensional system only."""
+        return self._unit("masses")
+
+    @property
+    def k_1(self) -> float:
+        """The stiffness that stiffnesses are in units of. Of a dimensional system only."""
+        return self._unit("stiffnesses")
+
+    def _unit(self, key: str) -> float:
+        if not self.dimensional:
+            raise InputError.of("the system", "must be given by masses and stiffnesses to have units", "given by ratios")
+        value = self._scene[key]  # of a list, of a matrix, or the only one
+        while isinstance(value, list):
+            value = value[0]
+        return float(value)
+
+    @property
+    def natural_frequencies(self) -> np.ndarray:
+        """omega_i in radians per unit of time, ascending; shape (N,). Of a dimensional system only."""
+        return self._r_n * math.sqrt(self.k_1 / self.m_1)
+
+    def frequency_ratio(self, omega: Optional[ArrayLike] = None, *, hz: Optional[ArrayLike] = None) -> Real:
+        """r = omega sqrt(m_1 / k_1), Eq. (10). Of a dimensional system only.
+
+        Parameters
+        ----------
+        omega : array_like
+            Circular frequency of the load in radians per unit of time; or
+        hz : array_like
+            its frequency in periods per unit of time.
+
+        Returns
+        -------
+        float or ndarray
+            Frequency ratios of the same shape.
+        """
+        return like(self._circular(omega, hz) * math.sqrt(self.m_1 / self.k_1))
+
+    def _circular(self, omega: Optional[ArrayLike], hz: Optional[ArrayLike]) -> np.ndarray:
+        if (omega is None) == (hz is None):
+            raise InputError.of("omega", "must be given, or hz in its place", "nothing" if omega is None else "given with hz")
+        return _batch.numbers("omega", omega) if hz is None else 2 * np.pi * _batch.numbers("hz", hz)
+
+    def friction_ratio(self, friction: ArrayLike, force: ArrayLike) -> Real:
+        """beta = F / P, Eq. (11), of the kinetic friction force and the amplitude of the load in the same unit."""
+        return like(_batch.numbers("friction", friction) / _batch.numbers("force", force))
+
+    def displacement_unit(self, force: ArrayLike) -> Real:
+        """P / k_1, by which displacements have to be multiplied, for an amplitude P of the load. Of a dimensional system only."""
+        return like(_batch.numbers("force", force) / self.k_1)
+
+    def base_force(self, displacement: ArrayLike, omega: Optional[ArrayLike] = None, *, hz: Optional[ArrayLike] = None) -> Real:
+        """The force P that a moving base stands for: m_1 omega^2 X where the wall moves with it, k_1 X where it moves alone.
+
+        Parameters
+        ----------
+        displacement : array_like
+            Amplitude X of the base.
+        omega, hz : array_like
+            Frequency as of `frequency_ratio`; not needed where the base moves alone.
+        """
+        X = _batch.numbers("displacement", displacement)
+        base = self._scene.get("base_motion")
+        if base is None:
+            raise InputError.of("base_motion", "must be given for a base to have a force", "nothing")
+        if base == "alone":
+            return like(self.k_1 * X)
+        circular = self._circular(omega, hz)
+        return like(self.m_1 * circular * circular * X)
 
     plot_response = _plots.response
     plot_regimes = _plots.regimes
@@ -290,3 +437,45 @@ class System(Units):
         r_n = ", ".join(f"{x:.6g}" for x in self._r_n[:6]) + (", ..." if self.N > 6 else "")
         return (f"System({self.N} mass{'es' if self.N > 1 else ''}, contact {rubs}, {loaded}, mu = {self.mu:g}, r_n = [{r_n}]"
                 f"{', dimensional' if self.dimensional else ''})")
+
+
+def solve_many(systems: Union[System, Sequence[System], np.ndarray], r: ArrayLike, beta: ArrayLike,
+               digits: Optional[int] = None, mu: Optional[ArrayLike] = None, masses: Union[int, Sequence[int], None] = None,
+               threads: int = 0, progress: Report = None) -> Solutions:
+    """The steady motions of many systems, each at a point of its own: what `System.solve` has for one.
+
+    Parameters
+    ----------
+    systems : sequence of System, or ndarray of them
+        Systems of any number of masses. One may be there more than once. It is broadcast with `r`, `beta` and `mu`.
+    mu : float or array_like
+        Static over kinetic friction in place of that of each system.
+    masses : int or sequence of ints
+        Masses that are wanted, from 1, which every system must have; default all.
+    r, beta, digits, threads, progress
+        As of `System.solve`.
+
+    Returns
+    -------
+    Solutions
+        With arrays of the broadcast shape, those over masses with the masses last: as many as the largest system has, with NaN
+        for a mass that a system does not have.
+
+    Examples
+    --------
+    >>> pair = [System(mass_ratios=[1, 1], stiffness_ratios=[1, 1], damping_ratios=zeta, contact=2, load=1) for zeta in (0.05, 0.1)]
+    >>> solve_many(pair, r=0.8, beta=0.2).amplitude.shape
+    (2, 2)
+    """
+    array = np.asarray(systems if isinstance(systems, (System, np.ndarray)) else list(systems), dtype=object)
+    flat = list(array.flat)
+    for each in flat:
+        if not isinstance(each, System):
+            raise InputError.of("systems", "must be a System or a list of them", repr(each))
+    asked = _batch.digit_count(digits)
+    points = {"systems": np.array([each._handle.value for each in flat], dtype=np.uintp).reshape(array.shape),
+              "r": _batch.numbers("r", r), "beta": _batch.numbers("beta", beta),
+              "mu": np.array([each.mu for each in flat]).reshape(array.shape) if mu is None else _batch.numbers("mu", mu)}
+    counts = [each.N for each in flat]
+    wanted = max(counts, default=0) if masses is None else _batch.mass_list(masses, min(counts, default=0))
+    return _batch.solve(None, points, wanted, _batch.thread_count(threads), progress, digits=asked)

@@ -97,7 +97,12 @@ class Vectors:
                  vectors: Union[str, "os.PathLike[str]", None] = None, filter: Optional[str] = None,
                  group: Union[str, Sequence[str], None] = None, tier: Union[str, Sequence[str], None] = None,
                  systems: bool = False, method: str = "closed-form") -> None:
-        self.program = _program(program)
+        named = str(program or os.environ.get("DENHARTOG_PROGRAM") or "denhartog")
+        found = shutil.which(named)
+        if found is None:
+            raise Error(f"the program that has the certified vectors is not found: {named}. Build denhartog from its sources and "
+                        "give the path of bin/denhartog as program, or in the environment variable DENHARTOG_PROGRAM")
+        self.program = found
         self.folder = pathlib.Path(vectors) if vectors is not None else self._folder_of_program()
         if not any(self.folder.glob("*.jsonl")):
             raise InputError(f"vectors must be a folder with files *.jsonl (in a clone tests/conformance/vectors), but is "
@@ -111,13 +116,10 @@ class Vectors:
     def questions(self) -> list[Question]:
         """The questions of the selection, in the order of the vectors."""
         listed = self._run(["list", *self._selection]).splitlines()[1:]
-        wanted = {line.split()[0]: None for line in listed if line.strip()}
-        for path in sorted(self.folder.glob("*.jsonl")):
-            for line in path.read_text(encoding="utf-8").splitlines():
-                vector = json.loads(line)
-                if vector["id"] in wanted:
-                    wanted[vector["id"]] = {name: vector[name] for name in _ASKED if name in vector}
-        return [question for question in wanted.values() if question is not None]
+        lines = [line for path in self.folder.glob("*.jsonl") for line in path.read_text(encoding="utf-8").splitlines()]
+        vectors = {vector["id"]: vector for vector in map(json.loads, lines)}
+        found = [vectors[line.split()[0]] for line in listed if line.strip()]
+        return [{name: vector[name] for name in _ASKED if name in vector} for vector in found]
 
     def grade(self, answers: Iterable[Mapping[str, Any]], raised: Optional[dict[str, BaseException]] = None) -> Report:
         """Judges answers: dicts with ``id`` and ``value``, ``skip`` or ``reject``; what is missing counts as skipped."""
@@ -129,6 +131,11 @@ class Vectors:
             text = self._run(grade).replace(str(path), "answers")
         return Report(found["conforms"], found["counts"], found["scores"], found["diagnosis"],
                       {result["id"]: result for result in found["results"]}, raised or {}, text)
+
+    def ask(self, function: Function, questions: Iterable[Question]) -> Report:
+        """Asks a function questions of the selection, and judges its answers."""
+        raised: dict[str, BaseException] = {}
+        return self.grade([answer(function, question, raised) for question in questions], raised)
 
     def _run(self, arguments: list[str]) -> str:
         done = subprocess.run([self.program, "conform", *arguments], capture_output=True, text=True, check=False)
@@ -174,31 +181,8 @@ def run(function: Function, program: Union[str, "os.PathLike[str]", None] = None
     ----------
     function : callable
         ``function(question: dict)`` returns the value; see the head of this module.
-    program : path
-        The command line program; default what the environment variable DENHARTOG_PROGRAM names, or `denhartog` of the PATH.
-    filter : str
-        Regular expression that the ids of the questions have to match somewhere; default all.
-    **selection
-        `vectors`, `group`, `tier`, `systems`, `method`: see `Vectors`.
-
-    Returns
-    -------
-    Report
-
-    Raises
-    ------
-    Error
-        Where the program or the vectors are not found.
+    program, filter, **selection
+        As of `Vectors`: also `vectors`, `group`, `tier`, `systems`, `method`.
     """
     vectors = Vectors(program, filter=filter, **selection)
-    raised: dict[str, BaseException] = {}
-    return vectors.grade([answer(function, question, raised) for question in vectors.questions()], raised)
-
-
-def _program(given: Union[str, "os.PathLike[str]", None]) -> str:
-    named = str(given or os.environ.get("DENHARTOG_PROGRAM") or "denhartog")
-    found = shutil.which(named)
-    if found is None:
-        raise Error(f"the program that has the certified vectors is not found: {named}. Build denhartog from its sources and "
-                    "give the path of bin/denhartog as program, or in the environment variable DENHARTOG_PROGRAM")
-    return found
+    return vectors.ask(function, vectors.questions())

@@ -6,8 +6,9 @@ The function is called as `denhartog.conformance.run` calls it. What it skips is
 """
 from __future__ import annotations
 
+import functools
 import importlib
-from typing import Any
+from typing import Any, Callable
 
 import pytest
 
@@ -24,32 +25,17 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     group.addoption("--denhartog-tier", metavar="TIERS", help="must, should, stress, separated by commas; default must")
 
 
-class Grading:
-    """The answers to all questions that are left after pytest's own selection, judged at once."""
-
-    def __init__(self, vectors: Any, function: Any) -> None:
-        self.vectors, self.function, self.report = vectors, function, None
-
-    def result(self, session: pytest.Session, id_: str) -> Any:
-        if self.report is None:
-            from .conformance import answer
-            raised: dict[str, BaseException] = {}
-            questions = [item.question for item in session.items if isinstance(item, Asked)]
-            self.report = self.vectors.grade([answer(self.function, question, raised) for question in questions], raised)
-        return self.report.results[id_], self.report.raised.get(id_)
-
-
 class Asked(pytest.Item):
     """One certified question."""
 
-    def __init__(self, *, question: dict[str, Any], grading: Grading, **rest: Any) -> None:
+    def __init__(self, *, question: dict[str, Any], report: Callable[[], Any], **rest: Any) -> None:
         super().__init__(**rest)
-        self.question, self.grading = question, grading
+        self.question, self.report = question, report
 
     def runtest(self) -> None:
-        result, reason = self.grading.result(self.session, self.question["id"])
-        if reason is not None:
-            raise reason
+        result, raised = self.report().results[self.question["id"]], self.report().raised
+        if self.question["id"] in raised:
+            raise raised[self.question["id"]]
         if result["verdict"] == "skipped":
             pytest.skip(result.get("reason", "skipped"))
         if result["verdict"] not in GOOD:
@@ -76,5 +62,10 @@ def pytest_collection_modifyitems(session: pytest.Session, config: pytest.Config
         questions = vectors.questions()
     except (AttributeError, ImportError, ValueError, Error) as reason:
         raise pytest.UsageError(f"--denhartog-function={named}: {reason}") from reason
-    grading = Grading(vectors, function)
-    items += [Asked.from_parent(session, name=q["id"], question=q, grading=grading) for q in questions]
+
+    @functools.lru_cache(maxsize=None)
+    def report() -> Any:
+        """The answers to all questions that are left after pytest's own selection, judged at once."""
+        return vectors.ask(function, [item.question for item in session.items if isinstance(item, Asked)])
+
+    items += [Asked.from_parent(session, name=q["id"], question=q, report=report) for q in questions]

@@ -17,6 +17,7 @@ import functools
 import hashlib
 import io
 import json
+import operator
 import os
 import pathlib
 import shlex
@@ -63,69 +64,44 @@ def dataset(study: Mapping[str, Any], grid: Any = None) -> Any:
 
 def _assembled(plan: Plan, name_of_study: str, function: Callable[..., Arrays], source: Any) -> Any:
     """The dataset whose chunk K is function(source, K). The names of all tasks, and so their order, follow from the study."""
-    import dask
-    import xarray
-
-    def task(kind: str, n: int, call: Callable[..., Any], *arguments: Any) -> Any:
-        return dask.delayed(call, pure=True)(*arguments, dask_key_name=f"{kind}-{n}-{name_of_study}")
-
-    shared = dask.delayed(source, name=f"source-{name_of_study}", traverse=False)
-    blocks = [task("chunk", K, function, shared, K) for K in range(plan.chunks)]
-    sizes = [[plan.slices(K)[name].stop - plan.slices(K)[name].start for name in plan.axes] for K in range(plan.chunks)]
-    data, coordinates = {name: xarray.Variable("sample", values) for name, values in plan.drawn.items()}, _coordinates(plan)
-    for name in _study.answers_of(plan.study):
-        dtype = {"status": np.int8, "regime": np.int8, "stops_per_period": np.int32, "periods": np.int32}.get(name, np.float64)
-        pieces = [(block[name], size) for block, size in zip(blocks, sizes)]
-        data[name] = xarray.Variable(list(plan.axes), _joined(pieces, plan.boxes, (), dtype), _attributes(plan, name))
-    for r in plan.study["reduce"]:
-        left = plan.names_of(r["name"])
-        kept = [n for n, name in enumerate(plan.axes) if name in left]
-        chunks_of: dict[tuple[int, ...], list[int]] = {}
-        for K in range(plan.chunks):
-            place = np.unravel_index(K, plan.boxes)
-            chunks_of.setdefault(tuple(int(place[n]) for n in kept), []).append(K)
-        kinds, further = {"share": (["counts"], ("regime_class",)), "histogram": (["counts"], (r["name"] + "_bin",)),
-                          "quantiles": (["counts" if "bins" in r else "value"], (r["name"] + "_probability",))}.get(
-                              r["statistic"], (["value", "place"], ()))
-        parts = [[{kind: blocks[K][f"{r['name']}:{kind}"] for kind in kinds} for K in chunks] for chunks in chunks_of.values()]
-        results = [task(r["name"], n, _study.finished, plan, r, task(r["name"] + "-parts", n, _study.put_together, r, each))
-                   for n, each in enumerate(parts)]
-        boxes, shapes = tuple(plan.boxes[n] for n in kept), [[sizes[chunks[0]][n] for n in kept] for chunks in chunks_of.values()]
-        extra = tuple(coordinates[name].size for name in further)
-        over = [name for name in plan.names_of(r.get("of", "")) if name in r["over"]]
-        for name in [r["name"]] + ([f"{r['name']}_{axis}" for axis in over] if not further else []):
-            pieces = [(result[name], shape) for result, shape in zip(results, shapes)]
-            dtype = np.int64 if r["statistic"] == "histogram" else np.float64
-            about = {"over": " ".join(r["over"])} | ({"of": r["of"]} if "of" in r else {}) if name == r["name"] else {}
-            data[name] = xarray.Variable([*left, *further], _joined(pieces, boxes, extra, dtype), about)
-    return xarray.Dataset(data, coordinates, {"program": f"denhartog {_library.library().dh_version().decode()}"})
-
-
-def _joined(pieces: list[tuple[Any, list[int]]], boxes: tuple[int, ...], extra: tuple[int, ...], dtype: Any) -> Any:
-    """One lazy array of delayed ones, which count along the boxes with the last running fastest."""
     import dask.array
-
-    def nested(arrays: list[Any], boxes: tuple[int, ...]) -> Any:
-        step = len(arrays) // boxes[0] if boxes else 1
-        return [nested(arrays[n:n + step], boxes[1:]) for n in range(0, len(arrays), step)] if boxes else arrays[0]
-
-    arrays = [dask.array.from_delayed(piece, (*shape, *extra), dtype) for piece, shape in pieces]
-    return dask.array.block(nested(arrays, boxes + (1,) * len(extra)))
-
-
-def _coordinates(plan: Plan) -> dict[str, Any]:
     import xarray
-    out = {name: xarray.Variable(name, values) for name, values in plan.axes.items()}
+    from dask.highlevelgraph import HighLevelGraph
+    chunk, shared = f"chunk-{name_of_study}", f"source-{name_of_study}"
+    tasks = {(chunk, K): (function, shared, K) for K in range(plan.chunks)} | {shared: source}
+    sizes = dict(zip(plan.axes, dask.array.core.normalize_chunks(plan.chunk, plan.shape)))
+
+    def stored(name: str, dtype: Any, axes: list[str], over: tuple[int, ...] = (), *further: int) -> Any:
+        """What all chunks have under a name; of the axes that it is over, a chunk has one place."""
+        layer = f"{name}-{name_of_study}"
+        blocks = [(1,) * len(sizes[axis]) if n in over else sizes[axis] for n, axis in enumerate(axes)] + [(n,) for n in further]
+        pieces = {(layer, *place): (operator.getitem, (chunk, K), name) for K, place in enumerate(np.ndindex(*map(len, blocks)))}
+        graph = HighLevelGraph({chunk: tasks, layer: pieces}, {chunk: set(), layer: {chunk}})
+        return dask.array.Array(graph, layer, blocks, dtype)
+
+    coordinates = {name: xarray.Variable(name, values) for name, values in plan.axes.items()}
+    data = {name: xarray.Variable("sample", values) for name, values in plan.drawn.items()}
+    for name in _study.answers_of(plan.study):
+        values = stored(name, _study.KINDS.get(name, np.float64), list(plan.axes))
+        data[name] = xarray.Variable(list(plan.axes), values, _attributes(plan, name))
     for r in plan.study["reduce"]:
-        name = r["name"]
-        if r["statistic"] == "share":
-            out["regime_class"] = xarray.Variable("regime_class", np.arange(4), _flags([0, 1, 2, 3], [*REGIMES, "none"]))
-        elif r["statistic"] == "quantiles":
-            out[name + "_probability"] = xarray.Variable(name + "_probability", np.array(r["probabilities"], dtype=float))
-        elif r["statistic"] == "histogram":
-            out[name + "_bin"] = xarray.Variable(name + "_bin", np.insert(_study.edges_of(r), 0, -np.inf), {
-                "long_name": "lower end of the bin; the first is open below, the last above"})
-    return out
+        name, statistic, (axes, over, _) = r["name"], r["statistic"], plan.axes_of(r)
+        bins = np.insert(_study.edges_of(r), 0, -np.inf) if "bins" in r else np.arange(4)
+        further = {"share": [xarray.Variable("regime_class", bins, _flags([0, 1, 2, 3], [*REGIMES, "none"]))],
+                   "histogram": [xarray.Variable(f"{name}_bin", bins, {
+                       "long_name": "lower end of the bin; the first is open below, the last above"})],
+                   "quantiles": [xarray.Variable(f"{name}_probability", np.array(r.get("probabilities", ()), dtype=float))],
+                   }.get(statistic, [])
+        if statistic == "share" or "bins" in r:
+            kinds, more = {"counts": np.int64}, [bins.size]
+        else:
+            kinds, more = {"value": np.float64} | ({} if further else {"place": np.int64}), [each.size for each in further]
+        parts = {kind: stored(f"{name}:{kind}", dtype, axes, over, *more) for kind, dtype in kinds.items()}
+        coordinates |= {each.dims[0]: each for each in further}
+        for result, values in _study.finished(plan, r, parts).items():
+            about = {"over": " ".join(r["over"])} | ({"of": r["of"]} if "of" in r else {}) if result == name else {}
+            data[result] = xarray.Variable([*plan.names_of(name), *(each.dims[0] for each in further)], values, about)
+    return xarray.Dataset(data, coordinates, {"program": f"denhartog {_library.library().dh_version().decode()}"})
 
 
 def _flags(values: list[int], meanings: Iterable[str]) -> dict[str, Any]:
@@ -148,8 +124,11 @@ def plan(study: Mapping[str, Any], folder: Path, grid: Any = None) -> Plan:
     same = _about(folder).get("fingerprint") == about["fingerprint"]
     must(not folder.exists() or same or (folder.is_dir() and not any(folder.iterdir())), "FOLDER",
          "must be a new folder, or that of the same study planned by the same program", folder)
-    for name in ("chunks", "log"):
-        (folder / name).mkdir(parents=True, exist_ok=True)
+    try:
+        for name in ("chunks", "log"):
+            (folder / name).mkdir(parents=True, exist_ok=True)
+    except OSError as reason:
+        raise InputError.of("FOLDER", "must be a folder that can be written", f"{folder} ({reason.strerror})") from reason
     _write(folder / "grid.npz", _as_bytes(planned.axes))
     _write(folder / "samples.npz", _as_bytes(planned.drawn))
     for name, text in _scripts(folder.resolve(), planned.chunks).items():
@@ -233,32 +212,30 @@ def _as_arrays(content: bytes) -> Arrays:
         return dict(file)
 
 
-def _write(path: pathlib.Path, content: bytes) -> None:
-    """A file that is there whole or not at all: it is written under another name, flushed to the disk, and renamed."""
+@contextlib.contextmanager
+def _whole(path: pathlib.Path) -> Iterator[pathlib.Path]:
+    """Another name for a file or a folder that is written: in its place it is there whole or not at all."""
     part = path.with_name(f".{path.name}.{uuid.uuid4().hex}.part")
     try:
-        with open(part, "xb") as file:
-            file.write(content)
-            file.flush()
-            os.fsync(file.fileno())
+        yield part
         os.replace(part, path)
-    except OSError as reason:
-        raise Error(f"{path} cannot be written ({reason.strerror})") from reason
+    except (OSError, RuntimeError) as reason:  # the latter is netCDF4's
+        raise Error(f"{path} cannot be written ({getattr(reason, 'strerror', None) or reason})") from reason
     finally:
-        part.unlink(missing_ok=True)
+        shutil.rmtree(part) if part.is_dir() else part.unlink(missing_ok=True)
+
+
+def _write(path: pathlib.Path, content: bytes) -> None:
+    with _whole(path) as part, open(part, "xb") as file:
+        file.write(content)
+        file.flush()
+        os.fsync(file.fileno())
 
 
 # ---- chunks ------------------------------------------------------------------------------------------------------------------
 
 def _path(folder: Path, K: int) -> pathlib.Path:
     return pathlib.Path(folder) / "chunks" / f"{K}.npz"
-
-
-def _store(folder: Path, K: int, fingerprint: str, arrays: Arrays) -> None:
-    """A line in JSON that says which chunk this is of which study, with a checksum; then the arrays."""
-    content = _as_bytes(arrays)
-    head = {"chunk": K, "fingerprint": fingerprint, "sha256": hashlib.sha256(content).hexdigest()}
-    _write(_path(folder, K), json.dumps(head).encode() + b"\n" + content)
 
 
 def _fault(folder: Path, K: int, fingerprint: str, whole: bool = True) -> Optional[str]:
@@ -282,15 +259,20 @@ def _loaded(folder: Path, K: int) -> Arrays:
     return _as_arrays(_path(folder, K).read_bytes().split(b"\n", 1)[1])
 
 
-def run_chunk(folder: Path, K: int, stop: Optional[threading.Event] = None, told: Callable[[str], Any] = print) -> bool:
-    """Computes chunk K unless it is there already, and says whether it did."""
+def run_chunk(folder: Path, K: int, stop: Optional[threading.Event] = None) -> bool:
+    """Computes chunk K unless it is there already, and says whether it did.
+
+    Its file has a line in JSON that says which chunk this is of which study, with a checksum; then the arrays.
+    """
     planned, fingerprint = opened(folder)
     fault = _fault(folder, K, fingerprint)
     if fault is None:
         return False
     if fault != "missing":
-        told(f"chunk {K} is computed again: {fault}")
-    _store(folder, K, fingerprint, _study.computed(planned, K, None if stop is None else lambda done, of: stop.is_set()))
+        print(f"chunk {K} is computed again: {fault}", file=sys.stderr, flush=True)
+    content = _as_bytes(_study.computed(planned, K, None if stop is None else lambda done, of: stop.is_set()))
+    head = {"chunk": K, "fingerprint": fingerprint, "sha256": hashlib.sha256(content).hexdigest()}
+    _write(_path(folder, K), json.dumps(head).encode() + b"\n" + content)
     return True
 
 
@@ -332,9 +314,8 @@ def _results(folder: str, wanted: list[int], jobs: int, scheduler: Optional[str]
                 yield future.result()
         return
     stop = threading.Event()
-    say = functools.partial(print, file=sys.stderr, flush=True)
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        futures = [pool.submit(run_chunk, folder, K, stop, say) for K in wanted]
+        futures = [pool.submit(run_chunk, folder, K, stop) for K in wanted]
         try:
             for future in concurrent.futures.as_completed(futures):
                 yield future.result()
@@ -361,13 +342,15 @@ def combine(folder: Path, to: Path) -> None:
     Raises
     ------
     InputError
-        The name does not end in .zarr or .nc; a chunk is missing, damaged, or of another study; a file is no chunk's.
+        The name does not end in .zarr or .nc, or is taken.
+    Incomplete
+        A chunk is missing, damaged, or of another study; a file is no chunk's.
     """
     import dask
     import xarray
     folder, to = pathlib.Path(folder), pathlib.Path(to)
     must(to.suffix in (".zarr", ".nc"), "RESULT", "must end in .zarr or .nc", to)
-    must(to.suffix == ".nc" or not to.exists(), "RESULT", "must not be there yet", to)
+    must(not to.exists(), "RESULT", "must not be there yet", to)
     planned, fingerprint = opened(folder)
     wrong = [f"{_ranges(chunks)}: {fault}" for fault, chunks in faults(folder).items()]
     known = {f"{K}.npz" for K in range(planned.chunks)}
@@ -378,21 +361,14 @@ def combine(folder: Path, to: Path) -> None:
     for file in (folder / "chunks").glob(".*.part"):  # of a run that was killed while it wrote
         file.unlink(missing_ok=True)
     results = _assembled(planned, fingerprint, _loaded, str(folder))
-    part = to.with_name(f".{to.name}.{uuid.uuid4().hex}.part")
-    try:
-        with dask.config.set(scheduler="synchronous"):
-            if to.suffix == ".zarr":
-                plain = {name: {"compressor": None} for name in results.variables}  # Blosc's bytes depend on its threads
-                results.to_zarr(part, consolidated=True, encoding=plain)
-            else:  # one array after the other: the bytes of the file depend on the order in which they are written
-                results.drop_vars(results.data_vars).to_netcdf(part, engine="netcdf4")
-                for name in results.data_vars:
-                    xarray.Dataset({name: results[name].variable}).to_netcdf(part, mode="a", engine="netcdf4")
-        os.replace(part, to)
-    except (OSError, RuntimeError) as reason:  # the latter is netCDF4's
-        raise Error(f"{to} cannot be written ({getattr(reason, 'strerror', None) or reason})") from reason
-    finally:
-        shutil.rmtree(part) if part.is_dir() else part.unlink(missing_ok=True)
+    with _whole(to) as part, dask.config.set(scheduler="synchronous"):
+        if to.suffix == ".zarr":
+            plain = {name: {"compressor": None} for name in results.variables}  # Blosc's bytes depend on its threads
+            results.to_zarr(part, consolidated=True, encoding=plain)
+        else:  # one array after the other: the bytes of the file depend on the order in which they are written
+            results.drop_vars(results.data_vars).to_netcdf(part, engine="netcdf4")
+            for name in results.data_vars:
+                xarray.Dataset({name: results[name].variable}).to_netcdf(part, mode="a", engine="netcdf4")
 
 
 class Incomplete(Error):
@@ -403,9 +379,8 @@ class Incomplete(Error):
 
 def _ranges(numbers: list[int]) -> str:
     """Ascending numbers as a text: 0-3, 7."""
-    starts = [n for n in numbers if n - 1 not in set(numbers)]
-    ends = [n for n in numbers if n + 1 not in set(numbers)]
-    listed = [str(a) if a == b else f"{a}-{b}" for a, b in zip(starts, ends)]
+    pieces = np.split(numbers, np.flatnonzero(np.diff(numbers) != 1) + 1)
+    listed = [str(each[0]) if each.size == 1 else f"{each[0]}-{each[-1]}" for each in pieces]
     return ", ".join(listed[:12] + ["..."] * (len(listed) > 12))
 
 
@@ -417,16 +392,12 @@ def _duration(seconds: float) -> str:
     return f"{seconds:.0f} s" if seconds < 100 else f"{seconds / 60:.0f} min" if seconds < 6000 else f"{seconds / 3600:.1f} h"
 
 
-def _numbers(texts: Optional[list[str]], chunks: int) -> Optional[list[int]]:
-    if texts is None:
-        return None
-    out: list[int] = []
+def _numbers(texts: list[str], chunks: int) -> Iterator[int]:
     for text in texts:
         ends = text.split("-") if text.isascii() else []
         must(len(ends) in (1, 2) and all(end.isdigit() and int(end) < chunks for end in ends) and int(ends[0]) <= int(ends[-1]),
              "--chunk", f"must be a number from 0 to {chunks - 1}, or two with a hyphen, the lower first", text[:64])
-        out += range(int(ends[0]), int(ends[-1]) + 1)
-    return out
+        yield from range(int(ends[0]), int(ends[-1]) + 1)
 
 
 def _run_command(options: argparse.Namespace) -> None:
@@ -435,7 +406,7 @@ def _run_command(options: argparse.Namespace) -> None:
     def told(done: int, of: int, seconds: float) -> None:
         print(f"\r{_bar(done, of)}, {_duration(seconds)} left   ", end="\n" if done == of else "", file=sys.stderr, flush=True)
 
-    chunks = _numbers(options.chunk, opened(options.folder)[0].chunks)
+    chunks = None if options.chunk is None else list(_numbers(options.chunk, opened(options.folder)[0].chunks))
     done = run(options.folder, chunks, options.jobs, options.scheduler, *([told] if sys.stderr.isatty() else []))
     print(f"chunks: {done[0]} computed, {done[1]} done before")
 
@@ -460,33 +431,28 @@ def _plan_command(options: argparse.Namespace) -> None:
           f"next: python3 -m denhartog.sweep run {options.folder}, or a script in it: slurm.sh, parallel.sh")
 
 
-def _interrupted(number: int, _: Any) -> None:
-    raise SystemExit(128 + number)
-
-
 def main(arguments: Optional[list[str]] = None) -> int:
     """The command line; returns the exit status."""
     parser = argparse.ArgumentParser(prog="python3 -m denhartog.sweep", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
-    told = {"plan": "divide a study into chunks and write its folder", "run": "compute the chunks that are not there",
-            "status": "how much is done", "combine": "check that every chunk is there once, and write all results"}
-    added = {name: commands.add_parser(name, help=text, description=text) for name, text in told.items()}
+    told = {"plan": ("divide a study into chunks and write its folder", _plan_command),
+            "run": ("compute the chunks that are not there", _run_command), "status": ("how much is done", _status_command),
+            "combine": ("check that every chunk is there once, and write all results",
+                        lambda options: combine(options.folder, options.result))}
+    added = {name: commands.add_parser(name, help=text, description=text) for name, (text, _) in told.items()}
     added["plan"].add_argument("study", metavar="STUDY", help="the study as JSON; - for standard input")
-    for command in added.values():
+    for name, command in added.items():
         command.add_argument("folder", metavar="FOLDER", help="the folder of the study")
+        command.set_defaults(action=told[name][1])
     added["run"].add_argument("--chunk", action="append", metavar="K", help="this chunk, or a range such as 20-29; default all")
     added["run"].add_argument("--jobs", type=int, default=1, metavar="N", help="chunks at once (default 1)")
     added["run"].add_argument("--scheduler", metavar="ADDRESS", help="a scheduler of dask.distributed, e.g. tcp://127.0.0.1:8786")
     added["combine"].add_argument("result", metavar="RESULT", help="a Zarr store (.zarr) or a NetCDF file (.nc)")
-    actions = {"plan": _plan_command, "run": _run_command, "status": _status_command,
-               "combine": lambda options: combine(options.folder, options.result)}
-    for name, action in actions.items():
-        added[name].set_defaults(action=action)
     options = parser.parse_args(arguments)
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         if signal.getsignal(number) is not signal.SIG_IGN:
-            signal.signal(number, _interrupted)
+            signal.signal(number, lambda number, _: sys.exit(128 + number))
     try:
         options.action(options)
         sys.stdout.flush()

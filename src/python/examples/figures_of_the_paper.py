@@ -1,9 +1,6 @@
 """Figs. 6 and 10 of the paper. Usage: figures_of_the_paper.py FIGURE_6.png FIGURE_10.png (PNG or SVG)"""
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")  # no display is needed
 import numpy as np
 from matplotlib import pyplot
 

@@ -33,8 +33,6 @@ report = conformance.run(my_solver, group="contact")  # its questions are on sli
 print(report)
 
 if len(sys.argv) > 1:
-    import matplotlib
-    matplotlib.use("Agg")  # no display is needed
     from matplotlib import pyplot
 
     digits = [result["digits"] for result in report.results.values() if result.get("digits") is not None]

@@ -28,8 +28,6 @@ for F, peak, where in zip(friction, np.nanmax(top, axis=1), hz[np.nanargmax(top,
     print(f"friction {F:4.1f} N: the top floor moves by up to {1000 * peak:6.2f} mm, at {where:.2f} Hz")
 
 if len(sys.argv) > 1:
-    import matplotlib
-    matplotlib.use("Agg")  # no display is needed
     from matplotlib import pyplot
 
     figure, axis = pyplot.subplots(figsize=(7, 4.5), constrained_layout=True)

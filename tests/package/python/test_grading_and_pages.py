@@ -76,7 +76,7 @@ class Documentation(unittest.TestCase):
         self.check(doctest.DocTestParser().get_doctest(text, {}, "python.md", "docs/python.md", 0))
 
     def test_the_examples_of_the_docstrings(self):
-        for module in (denhartog, sys.modules["denhartog._system"], sys.modules["denhartog._many"]):
+        for module in (denhartog, sys.modules["denhartog._system"]):
             for example in doctest.DocTestFinder().find(module):
                 self.check(example)
 
