@@ -15,27 +15,27 @@ namespace denhartog::conformance {
 namespace {
 
 constexpr std::array<Quantity, 25> table{{
-    {"natural_frequency_ratios", "15", Shape::modes, false, false},
-    {"modal_frequency_ratios", "22", Shape::modes, false, false},
-    {"mode_shape_products", "17", Shape::modes, true, false},
-    {"complex_response", "33", Shape::complex, true, false},
-    {"first_damping_function", "34", Shape::number, true, false},
-    {"second_damping_function", "35", Shape::number, true, false},
-    {"H_j", "64", Shape::number, false, false},
-    {"S_j", "55", Shape::number, false, false},
-    {"amplitude", "38", Shape::number, true, false},
-    {"phase", "39", Shape::number, true, true},
-    {"amplitude_monoharmonic", "52", Shape::number, true, false},
-    {"phase_monoharmonic", "53", Shape::number, true, true},
+    {"natural_frequency_ratios", "15", Shape::modes, false, false, 0},
+    {"modal_frequency_ratios", "22", Shape::modes, false, false, 1},
+    {"mode_shape_products", "17", Shape::modes, true, false, 2},
+    {"complex_response", "33", Shape::complex, true, false, 6},
+    {"first_damping_function", "34", Shape::number, true, false, 7},
+    {"second_damping_function", "35", Shape::number, true, false, 8},
+    {"H_j", "64", Shape::number, false, false, 9},
+    {"S_j", "55", Shape::number, false, false, 10},
+    {"amplitude", "38", Shape::number, true, false, 12},
+    {"phase", "39", Shape::number, true, true, 13},
+    {"amplitude_monoharmonic", "52", Shape::number, true, false, 12},
+    {"phase_monoharmonic", "53", Shape::number, true, true, 13},
     {"initial_displacement", "44", Shape::number, true, false},
     {"initial_velocity", "45", Shape::number, true, false},
     {"displacement", "46", Shape::number, true, false},
-    {"beta_lim_exact", "69", Shape::number, false, false},
-    {"beta_lim_paper", "69", Shape::number, false, false},
-    {"beta_lim_approximate", "67", Shape::number, false, false},
-    {"beta_lim_sticking", "88", Shape::number, false, false},
-    {"beta_lim_high_frequency", "86", Shape::number, false, false},
-    {"regime", "69", Shape::word, false, false},
+    {"beta_lim_exact", "69", Shape::number, false, false, 11},
+    {"beta_lim_paper", "69", Shape::number, false, false, 11},
+    {"beta_lim_approximate", "67", Shape::number, false, false, 11},
+    {"beta_lim_sticking", "88", Shape::number, false, false, 11},
+    {"beta_lim_high_frequency", "86", Shape::number, false, false, 11},
+    {"regime", "69", Shape::word, false, false, 11},
     {"stops_per_period", "", Shape::number, false, false},
     {"stop_durations", "", Shape::durations, false, false},
     {"rest_interval", "", Shape::number, false, false},
@@ -175,8 +175,16 @@ bool is_of_the_paper(const ProtocolQuestion& q) {
            q.stiffness_matrix.empty() && q.damping_matrix.empty();
 }
 
-void check_of_the_paper(const ProtocolQuestion& q) {
+System<double> paper_system(const ProtocolQuestion& q) {
     if (!is_of_the_paper(q)) throw InputError("scene", "must be one of the paper", beyond_the_paper(q).front());
+    const std::size_t N = q.mass_ratios.size();
+    System<double> system;
+    system.mass_ratios = q.mass_ratios;
+    system.stiffness_ratios = q.stiffness_ratios;
+    system.damping_ratios = q.damping_ratios;
+    system.contact = mass_from(q.contact, N, "contact");
+    system.load = mass_from(q.load, N, "load");
+    return system;
 }
 
 std::size_t masses_of(const ProtocolQuestion& q) { return q.mass_matrix.empty() ? q.mass_ratios.size() : rows_of(q.mass_matrix); }
@@ -203,22 +211,16 @@ bool is_overdamped(const ProtocolQuestion& q) {
 }
 
 Scene<double> scene_of(const ProtocolQuestion& q) {
-    if (!is_of_the_paper(q)) {
-        const Scene<double> scene = scene_from_json<double>(nlohmann::json(scene_json(q)));
-        check_mass(q);
-        return scene;
-    }
-    const std::size_t N = q.mass_ratios.size();
     Scene<double> scene;
-    scene.system.mass_ratios = q.mass_ratios;
-    scene.system.stiffness_ratios = q.stiffness_ratios;
-    scene.system.damping_ratios = q.damping_ratios;
-    scene.system.contact = mass_from(q.contact, N, "contact");
-    scene.system.load = mass_from(q.load, N, "load");
-    scene.mu = q.mu;
-    scene.r = q.r;
-    scene.beta = q.beta;
-    check(scene);
+    if (is_of_the_paper(q)) {
+        scene.system = paper_system(q);
+        scene.mu = q.mu;
+        scene.r = q.r;
+        scene.beta = q.beta;
+        check(scene);
+    } else {
+        scene = scene_from_json<double>(nlohmann::json(scene_json(q)));
+    }
     check_mass(q);
     return scene;
 }

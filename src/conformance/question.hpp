@@ -32,6 +32,7 @@ struct Quantity {
     Shape shape;               ///< how many numbers
     bool of_mass;              ///< whether a question names the mass k
     bool angle;                ///< whether it is an angle: compared round the circle, in radians
+    std::size_t link = 14;     ///< its place in the chain of quantities, each made of those before it, see `chain_of`
 };
 
 /// @brief All quantities, in the order of the protocol. @return the quantities
@@ -64,6 +65,9 @@ struct ProtocolQuestion {
     std::vector<double> mass_matrix = {};      ///< M in units of m_1, row by row, in place of `mass_ratios`
     std::vector<double> stiffness_matrix = {}; ///< K in units of k_1, row by row, in place of `stiffness_ratios`
     std::vector<double> damping_matrix = {};   ///< C in units of sqrt(k_1 m_1), row by row, in place of `damping_ratios`
+
+    /// @brief Whether all members are equal.
+    bool operator==(const ProtocolQuestion&) const = default;
 };
 
 /// @brief Whether a question is about a scene of the paper: a chain with modal damping ratios, a wall, one loaded mass.
@@ -71,8 +75,11 @@ struct ProtocolQuestion {
 /// @return   false where it has one of the last six members
 [[nodiscard]] bool is_of_the_paper(const ProtocolQuestion& q);
 
-/// @brief Checks that a question is about a scene of the paper. @param q the question @throws InputError where it is not
-void check_of_the_paper(const ProtocolQuestion& q);
+/// @brief The system of a question about a scene of the paper; only the places of contact and load are checked.
+/// @param q  the question
+/// @return   the chain
+/// @throws   InputError where the scene is not of the paper, or has no such mass
+[[nodiscard]] System<double> paper_system(const ProtocolQuestion& q);
 
 /// @brief Number of masses of a question's scene. @param q the question @return N
 [[nodiscard]] std::size_t masses_of(const ProtocolQuestion& q);

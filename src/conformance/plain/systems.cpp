@@ -58,7 +58,7 @@ private:
 };
 
 // Displacements of the mass asked about, or of the contact, at the instants of the question.
-std::vector<double> sampled(const ProtocolQuestion& q, const Scene<double>& scene, const Solution& solution) {
+std::vector<double> samples_of(const ProtocolQuestion& q, const Scene<double>& scene, const Solution& solution) {
     std::vector<double> x;
     for (const State& state : sampled_solution(scene_source(scene), solution, static_cast<std::size_t>(q.samples)).states) {
         const auto of = [&](int mass) { return state.x[static_cast<std::size_t>(mass - 1)]; };
@@ -95,7 +95,7 @@ std::optional<Value> of_motion(const ProtocolQuestion& q) {
     if (solution.periods != 1) return std::nullopt;
     if (name == "rest_interval")
         return solution.rest_interval ? std::optional(Value{{solution.rest_interval->to.value}, ""}) : std::nullopt;
-    if (name == "motion_under_force") return Value{sampled(q, scene, solution), ""};
+    if (name == "motion_under_force") return Value{samples_of(q, scene, solution), ""};
     if (name == "stops_per_period") return Value{{static_cast<double>(solution.stops.size())}, ""};
     if (name == "stop_durations") {
         Value lengths;

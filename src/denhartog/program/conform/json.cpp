@@ -57,15 +57,15 @@ Json result_json(const Judged& one) {
 }
 
 Json finding_json(const conformance::Finding& f) {
-    return {{"mistake", f.mistake->name},
-            {"equation", f.mistake->equation},
-            {"as_printed", f.mistake->as_printed},
-            {"told", f.mistake->told},
-            {"look_at", f.mistake->look_at},
+    return {{"mistake", f.mistake.name},
+            {"equation", f.mistake.equation},
+            {"as_printed", f.mistake.as_printed},
+            {"told", f.mistake.told},
+            {"look_at", f.mistake.look_at},
             {"explained", f.explained},
             {"contradicted", f.contradicted},
             {"weak", f.weak},
-            {"number", f.number},
+            {"number", f.mistake.number},
             {"quantities", f.quantities},
             {"example",
              {{"id", f.example->vector->question.id},
@@ -89,8 +89,8 @@ Json diagnosis_json(const conformance::Diagnosis& d) {
     for (const conformance::Link& link : d.chain)
         object["chain"].push_back({{"link", link.name}, {"answers", link.answered}, {"wrong", link.wrong}});
     object["simple"] = Json::array();
-    for (const conformance::Simple& one : d.simple)
-        object["simple"].push_back({{"told", one.told},
+    for (const conformance::Finding& one : d.simple)
+        object["simple"].push_back({{"told", one.mistake.told},
                                     {"explained", one.explained},
                                     {"contradicted", one.contradicted},
                                     {"quantities", one.quantities}});
@@ -146,8 +146,7 @@ std::optional<Verdicts> tracked_verdicts(const std::string& path) {
         throw InputError(no_such_file);
     Verdicts verdicts;
     for (const auto& [id, text] : file["verdicts"].items()) {
-        const std::optional<Verdict> verdict =
-            text.is_string() ? conformance::verdict_named(text.get_ref<const std::string&>()) : std::nullopt;
+        const auto verdict = text.is_string() ? conformance::verdict_named(text.get<std::string>()) : std::nullopt;
         if (!verdict) throw InputError(no_such_file);
         verdicts.emplace(id, *verdict);
     }
