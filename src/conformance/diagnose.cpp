@@ -41,25 +41,20 @@ bool agrees(const Vector& v, const Value& given, const Value& mistaken, double n
 }
 
 // The answers with what each says about one mistake, as far as that is known.
-class Evidence {
-public:
+struct Evidence {
+    std::span<Judged> judged;
+    const Mistake& mistake;
+    double agreement;
+    std::map<std::size_t, Says> memory{};
+
     Evidence(std::span<Judged> all, const Mistake& m, double least_agreement)
         : judged(all), mistake(m), agreement(std::max(m.agreement, least_agreement)) {}
-
-    [[nodiscard]] const Mistake& about() const { return mistake; }
-    [[nodiscard]] double near() const { return agreement; }
 
     [[nodiscard]] Says says(std::size_t n) {
         const auto known = memory.find(n);
         if (known != memory.end()) return known->second;
         return memory[n] = look(n);
     }
-
-private:
-    std::span<Judged> judged;
-    const Mistake& mistake;
-    double agreement;
-    std::map<std::size_t, Says> memory;
 
     [[nodiscard]] Says look(std::size_t n) const {
         const Judged& one = judged[n];
@@ -90,7 +85,7 @@ Weighed weigh(std::span<Judged> judged, Evidence& evidence, const std::vector<st
               const std::set<std::size_t>& set_aside) {
     Weighed weighed;
     Finding& finding = weighed.finding;
-    finding.mistake = evidence.about();
+    finding.mistake = evidence.mistake;
     std::set<std::string> of;
     std::set<std::size_t> links;
     std::optional<std::size_t> example;
@@ -120,7 +115,7 @@ Weighed weigh(std::span<Judged> judged, Evidence& evidence, const std::vector<st
         core.empty() || std::any_of(core.begin(), core.end(), [&](const std::string& q) { return of.contains(q); });
     finding.quantities.assign(of.begin(), of.end());
     constexpr double rough = 1e-4;
-    weighed.rough = evidence.near() > rough;
+    weighed.rough = evidence.agreement > rough;
     finding.weak = finding.explained < least_explained;
     return weighed;
 }
@@ -154,7 +149,7 @@ bool is_possible(std::span<const Judged> judged, Evidence& evidence, const std::
     std::size_t agrees = 0, contradicts = 0;
     for (const std::size_t n : some) {
         agrees += evidence.says(n) == Says::agrees;
-        contradicts += evidence.says(n) == Says::contradicts && is_right(judged[n].verdict) && evidence.about().core.empty();
+        contradicts += evidence.says(n) == Says::contradicts && is_right(judged[n].verdict) && evidence.mistake.core.empty();
     }
     return agrees > 0 && contradicts <= agrees;
 }

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -133,6 +134,16 @@ struct Unusable {
 
 /// @brief An answer.
 using Answer = std::variant<Value, Rejected, Skipped, Unusable>;
+
+/// @brief Whether a word is the name of a regime. @param word the word @return whether it is
+[[nodiscard]] bool is_regime(std::string_view word);
+
+/// @brief A number as an answer writes it: decimal or hexadecimal, nothing before or after it. @param text the text
+/// @return   the number; none if it is no finite one
+[[nodiscard]] std::optional<double> finite_number(std::string_view text);
+
+/// @brief JSON as text, whatever bytes its strings hold. @param x the JSON @return the text
+[[nodiscard]] std::string text_of_json(const nlohmann::json& x);
 
 /// @brief An answer from a line of the `json` dialect, whose id has to be the question's.
 /// @param line  the line

@@ -95,11 +95,12 @@ void add_list(CLI::App& conform) {
     CLI::App* command = conform.add_subcommand("list", "The vectors, the known mistakes, or the methods");
     const auto options = std::make_shared<SelectionOptions>();
     add_selection_options(*command, *options);
-    command->add_flag("--summary", "the number of vectors in each group and tier");
-    command->add_flag("--csv", "all that is known about each vector, as comma-separated values, with a heading")
+    command->add_flag("--summary")->description("the number of vectors in each group and tier");
+    command->add_flag("--csv")
+        ->description("all that is known about each vector, as comma-separated values, with a heading")
         ->excludes("--summary");
-    command->add_flag("--mistakes", "the known mistakes, with their equations and what to look at");
-    command->add_flag("--methods", "the methods of --method, with their tolerances")->excludes("--mistakes");
+    command->add_flag("--mistakes")->description("the known mistakes, with their equations and what to look at");
+    command->add_flag("--methods")->description("the methods of --method, with their tolerances")->excludes("--mistakes");
     command->callback([=] {
         if (command->count("--mistakes") > 0) return list_mistakes();
         if (command->count("--methods") > 0) return list_methods();
