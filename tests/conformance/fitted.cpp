@@ -1,5 +1,5 @@
 // Mistakes with a number of their own: the number is found from the answers.
-#include "conformance/diagnosis/fitted.hpp"
+#include "conformance/diagnosis/explanations.hpp"
 
 #include "conformance/diagnose.hpp"
 #include "conformance/grade.hpp"

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "conformance/diagnose.hpp"
-#include "conformance/diagnosis/fitted.hpp"
 #include "conformance/grade.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/unknown_mistakes.hpp"

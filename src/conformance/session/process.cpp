@@ -60,6 +60,7 @@ std::optional<GroupActivity> group_activity(pid_t group) {
     std::optional<GroupActivity> activity;
     const double ticks_a_second = static_cast<double>(::sysconf(_SC_CLK_TCK));
     for (std::filesystem::directory_iterator at("/proc", fault), end; !fault && at != end; at.increment(fault)) {
+        if (at->path().filename().string().find_first_not_of("0123456789") != std::string::npos) continue;
         std::ifstream file(at->path() / "stat");
         const std::string text(std::istreambuf_iterator<char>(file), {});
         std::istringstream fields(text.substr(text.rfind(')') + 1)); // behind the name, which may hold anything
