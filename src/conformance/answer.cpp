@@ -14,25 +14,10 @@
 namespace denhartog::conformance {
 namespace {
 
-// A number as an answer writes it: decimal or hexadecimal, nothing after it.
-std::optional<double> finite_number(std::string_view text) {
-    const std::string copy(text);
-    if (copy.empty() || copy.front() == ' ') return std::nullopt;
-    char* end = nullptr;
-    const double x = std::strtod(copy.c_str(), &end);
-    if (end != copy.c_str() + copy.size() || !std::isfinite(x)) return std::nullopt;
-    return x;
-}
-
-bool is_regime(std::string_view text) { return text == "continuous" || text == "stick_slip" || text == "permanent_sticking"; }
-
 std::string in_quotes(std::string_view text) {
     constexpr std::size_t most = 60;
     return "'" + legible(text, most) + "'";
 }
-
-// As it stands, whatever bytes its strings hold.
-std::string as_text(const nlohmann::json& x) { return x.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); }
 
 Answer value_of_words(const std::vector<std::string>& words) {
     Value value;
@@ -64,12 +49,25 @@ std::optional<std::string> word_of(const nlohmann::json& x) {
 
 } // namespace
 
+bool is_regime(std::string_view word) { return word == "continuous" || word == "stick_slip" || word == "permanent_sticking"; }
+
+std::optional<double> finite_number(std::string_view text) {
+    const std::string copy(text);
+    if (copy.empty() || copy.front() == ' ') return std::nullopt;
+    char* end = nullptr;
+    const double x = std::strtod(copy.c_str(), &end);
+    if (end != copy.c_str() + copy.size() || !std::isfinite(x)) return std::nullopt;
+    return x;
+}
+
+std::string text_of_json(const nlohmann::json& x) { return x.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); }
+
 Answer answer_from_json(std::string_view line, std::string_view id) {
     if (nested_too_deeply(line)) return Unusable{in_quotes(line) + " is nested too deeply"};
     const nlohmann::json object = json_or_nothing(line);
     if (!object.is_object()) return Unusable{in_quotes(line) + " is no JSON object"};
     const auto text = [&](const char* key) {
-        return object[key].is_string() ? object[key].get<std::string>() : as_text(object[key]);
+        return object[key].is_string() ? object[key].get<std::string>() : text_of_json(object[key]);
     };
     if (!object.contains("id")) return Unusable{"the answer has no id"};
     if (text("id") != id) return Unusable{"the answer is to " + in_quotes(text("id")) + ", the question was " + std::string(id)};
@@ -80,7 +78,7 @@ Answer answer_from_json(std::string_view line, std::string_view id) {
     std::vector<std::string> words;
     for (const nlohmann::json& x : value.is_array() ? value : nlohmann::json::array({value})) {
         const std::optional<std::string> word = word_of(x);
-        if (!word) return Unusable{in_quotes(as_text(x)) + " is no number"};
+        if (!word) return Unusable{in_quotes(text_of_json(x)) + " is no number"};
         words.push_back(*word);
     }
     return value_of_words(words);

@@ -1,8 +1,8 @@
 #include "conformance/diagnose.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <memory>
 #include <set>
 
 #include "conformance/diagnosis/explanations.hpp"
@@ -41,19 +41,14 @@ bool agrees(const Vector& v, const Value& given, const Value& mistaken, double n
 }
 
 // The answers with what each says about one mistake, as far as that is known.
-class Evidence {
-public:
-    Evidence(std::span<Judged> all, const Mistake& m, const Signatures& known, double least_agreement)
-        : judged(all), mistake(m), signatures(known), agreement(std::max(m.agreement, least_agreement)) {}
+struct Evidence {
+    std::span<Judged> judged;
+    const Mistake& mistake;
+    double agreement;
+    std::map<std::size_t, Says> memory{};
 
-    [[nodiscard]] const Mistake& about() const { return mistake; }
-    [[nodiscard]] double near() const { return agreement; }
-
-    [[nodiscard]] std::optional<Value> mistaken(std::size_t n) const {
-        return signatures.answer(mistake.name, judged[n].vector->question);
-    }
-
-    [[nodiscard]] std::string number() const { return signatures.number ? signatures.number(mistake.name) : std::string(); }
+    Evidence(std::span<Judged> all, const Mistake& m, double least_agreement)
+        : judged(all), mistake(m), agreement(std::max(m.agreement, least_agreement)) {}
 
     [[nodiscard]] Says says(std::size_t n) {
         const auto known = memory.find(n);
@@ -61,17 +56,10 @@ public:
         return memory[n] = look(n);
     }
 
-private:
-    std::span<Judged> judged;
-    const Mistake& mistake;
-    const Signatures& signatures;
-    double agreement;
-    std::map<std::size_t, Says> memory;
-
     [[nodiscard]] Says look(std::size_t n) const {
         const Judged& one = judged[n];
         if (!one.answered || !one.vector->reject.empty()) return Says::nothing;
-        const std::optional<Value> value = mistaken(n);
+        const std::optional<Value> value = mistake.answer(one.vector->question);
         if (!value) return Says::nothing;
         if (is_wrong_value(one.verdict) && agrees(*one.vector, one.given, *value, agreement)) return Says::agrees;
         return is_wrong(*one.vector, *value, agreement) ? Says::contradicts : Says::nothing;
@@ -97,7 +85,7 @@ Weighed weigh(std::span<Judged> judged, Evidence& evidence, const std::vector<st
               const std::set<std::size_t>& set_aside) {
     Weighed weighed;
     Finding& finding = weighed.finding;
-    finding.mistake = &evidence.about();
+    finding.mistake = evidence.mistake;
     std::set<std::string> of;
     std::set<std::size_t> links;
     std::optional<std::size_t> example;
@@ -112,8 +100,8 @@ Weighed weigh(std::span<Judged> judged, Evidence& evidence, const std::vector<st
     if (!example || finding.explained < std::min(least_explained, left.size())) return weighed;
     for (const std::size_t n : left) weighed.wrong += links.contains(place_in_chain(judged[n].vector->question));
     finding.example = &judged[*example];
-    finding.mistaken = evidence.mistaken(*example).value_or(Value{});
-    const std::vector<std::string>& core = finding.mistake->core;
+    finding.mistaken = finding.mistake.answer(finding.example->vector->question).value_or(Value{});
+    const std::vector<std::string>& core = finding.mistake.core;
     const auto reaches = [&](const std::string& quantity) {
         return core.empty() || of.contains(quantity) || std::find(core.begin(), core.end(), quantity) != core.end();
     };
@@ -127,9 +115,8 @@ Weighed weigh(std::span<Judged> judged, Evidence& evidence, const std::vector<st
         core.empty() || std::any_of(core.begin(), core.end(), [&](const std::string& q) { return of.contains(q); });
     finding.quantities.assign(of.begin(), of.end());
     constexpr double rough = 1e-4;
-    weighed.rough = evidence.near() > rough;
+    weighed.rough = evidence.agreement > rough;
     finding.weak = finding.explained < least_explained;
-    finding.number = evidence.number();
     return weighed;
 }
 
@@ -162,7 +149,7 @@ bool is_possible(std::span<const Judged> judged, Evidence& evidence, const std::
     std::size_t agrees = 0, contradicts = 0;
     for (const std::size_t n : some) {
         agrees += evidence.says(n) == Says::agrees;
-        contradicts += evidence.says(n) == Says::contradicts && is_right(judged[n].verdict) && evidence.about().core.empty();
+        contradicts += evidence.says(n) == Says::contradicts && is_right(judged[n].verdict) && evidence.mistake.core.empty();
     }
     return agrees > 0 && contradicts <= agrees;
 }
@@ -196,27 +183,6 @@ std::optional<Told> most_telling(std::span<Judged> judged, std::vector<Evidence>
     return best;
 }
 
-// Simple explanations are weighed as known mistakes are, one after the other.
-std::vector<Simple> simple_explanations(std::span<Judged> judged, std::span<const Judged* const> wrong,
-                                        std::vector<std::size_t> left, std::set<std::size_t> set_aside, const Thresholds& least) {
-    std::vector<Simple> found;
-    if (left.size() < least_explained) return found;
-    const std::vector<Guess> guesses = guesses_at(wrong);
-    std::vector<Mistake> told;
-    for (std::size_t n = 0; n < guesses.size(); ++n) told.push_back({std::to_string(n), "", false, guesses[n].told, ""});
-    const Signatures signatures{told, [&](std::string_view name, const ProtocolQuestion& q) {
-                                    return guesses[std::stoul(std::string(name))].answers(q);
-                                }};
-    std::vector<Evidence> candidates;
-    for (const Mistake& each : told) candidates.emplace_back(judged, each, signatures, least.agreement);
-    while (const std::optional<Told> best = most_telling(judged, candidates, left, set_aside, left.size(), least)) {
-        const Finding& finding = best->weighed.finding;
-        found.push_back({finding.mistake->told, finding.explained, finding.contradicted, finding.quantities});
-        std::erase_if(left, [&](std::size_t n) { return best->evidence->says(n) == Says::agrees && set_aside.insert(n).second; });
-    }
-    return found;
-}
-
 void call_as_printed(Judged& one, const Mistake& mistake) {
     if (one.verdict != Verdict::wrong || !mistake.as_printed) return;
     one.verdict = Verdict::as_printed;
@@ -224,34 +190,39 @@ void call_as_printed(Judged& one, const Mistake& mistake) {
     one.reason = "the value of Eq. (" + mistake.equation + ") as printed";
 }
 
+// The mistakes that explain wrong answers, one after the other; what one explains is not left to the next.
+std::vector<Finding> findings_of(std::span<Judged> judged, std::span<const Mistake> known, std::vector<std::size_t>& left,
+                                 std::set<std::size_t>& set_aside, const Thresholds& least, bool of_the_left) {
+    std::vector<Finding> findings;
+    std::vector<Evidence> candidates;
+    for (const Mistake& mistake : known) candidates.emplace_back(judged, mistake, least.agreement);
+    const std::size_t wrong = left.size();
+    while (std::optional<Told> best =
+               most_telling(judged, candidates, left, set_aside, of_the_left ? left.size() : wrong, least)) {
+        std::erase_if(left, [&](std::size_t n) {
+            if (best->evidence->says(n) != Says::agrees) return false;
+            call_as_printed(judged[n], best->weighed.finding.mistake);
+            return set_aside.insert(n).second;
+        });
+        findings.push_back(std::move(best->weighed.finding));
+    }
+    return findings;
+}
+
 } // namespace
 
-FittedMistakes fitted_mistakes(std::span<const Judged> judged) {
-    FittedMistakes all = fitted_instants(judged);
-    all.merge(fitted_transient(judged));
-    return all;
+std::vector<Mistake> fitted_to(std::span<const Judged> judged, std::vector<Mistake> known) {
+    for (const std::optional<Fitted>& fitted : std::array{fitted_instants(judged), fitted_transient(judged)}) {
+        for (Mistake& mistake : known) {
+            if (!fitted || mistake.name != fitted->name) continue;
+            mistake.number = fitted->number;
+            mistake.answer = fitted->answer;
+        }
+    }
+    return known;
 }
 
-Signatures signatures_with(FittedMistakes fitted,
-                           std::function<std::optional<Value>(std::string_view, const ProtocolQuestion&)> answer) {
-    const auto shared = std::make_shared<const FittedMistakes>(std::move(fitted));
-    const auto found = [shared](std::string_view name) { return shared->find(std::string(name)); };
-    return {mistakes(),
-            [=, answer = std::move(answer)](std::string_view name, const ProtocolQuestion& q) {
-                const auto of_name = found(name);
-                return of_name == shared->end() ? answer(name, q) : of_name->second.answer(q);
-            },
-            [=](std::string_view name) {
-                const auto of_name = found(name);
-                return of_name == shared->end() ? std::string() : of_name->second.number;
-            }};
-}
-
-Signatures known_signatures(std::span<const Judged> judged) {
-    return signatures_with(fitted_mistakes(judged), answer_with_mistake);
-}
-
-Diagnosis diagnose(std::span<Judged> judged, const Signatures& signatures, const Thresholds& least, bool guess) {
+Diagnosis diagnose(std::span<Judged> judged, std::span<const Mistake> known, const Thresholds& least, bool guess) {
     Diagnosis diagnosis;
     std::vector<std::size_t> left;
     for (std::size_t n = 0; n < judged.size(); ++n) {
@@ -259,20 +230,12 @@ Diagnosis diagnose(std::span<Judged> judged, const Signatures& signatures, const
         if (is_wrong_value(judged[n].verdict)) left.push_back(n);
     }
     diagnosis.wrong = left.size();
-    std::vector<Evidence> candidates;
-    for (const Mistake& mistake : signatures.mistakes) candidates.emplace_back(judged, mistake, signatures, least.agreement);
     std::set<std::size_t> set_aside;
-    while (std::optional<Told> best = most_telling(judged, candidates, left, set_aside, diagnosis.wrong, least)) {
-        std::erase_if(left, [&](std::size_t n) {
-            if (best->evidence->says(n) != Says::agrees) return false;
-            call_as_printed(judged[n], *best->weighed.finding.mistake);
-            return set_aside.insert(n).second;
-        });
-        diagnosis.findings.push_back(std::move(best->weighed.finding));
-    }
+    diagnosis.findings = findings_of(judged, known, left, set_aside, least, false);
     for (const std::size_t n : left) diagnosis.unexplained.push_back(&judged[n]);
     diagnosis.chain = chain_of(diagnosis.unexplained, judged);
-    if (guess) diagnosis.simple = simple_explanations(judged, diagnosis.unexplained, left, set_aside, least);
+    if (guess && left.size() >= least_explained)
+        diagnosis.simple = findings_of(judged, guesses_at(diagnosis.unexplained), left, set_aside, least, true);
     diagnosis.by_quantity = by_quantity(diagnosis.unexplained, judged);
     diagnosis.in_common = properties_in_common(diagnosis.unexplained, judged);
     return diagnosis;

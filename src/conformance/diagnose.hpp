@@ -16,41 +16,23 @@
 /// that fewer answers contradict. The answers that it explains are set aside, and the search starts again with the rest.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "conformance/diagnosis/fitted.hpp"
 #include "conformance/mistakes/mistake.hpp"
 #include "conformance/verdict.hpp"
 
 namespace denhartog::conformance {
 
-/// @brief The known mistakes, or others in their place.
-struct Signatures {
-    std::span<const Mistake> mistakes; ///< the mistakes
-    std::function<std::optional<Value>(std::string_view name, const ProtocolQuestion& question)>
-        answer; ///< see `answer_with_mistake`
-    /// The number that was found from the answers, in words; empty where a mistake has none of its own.
-    std::function<std::string(std::string_view name)> number = {};
-};
-
-/// @brief The mistakes of `mistake.hpp`. A mistake with a number of its own, such as a grid of instants, has the number that fits
-/// some of the answers best.
+/// @brief Mistakes, each that has a number of its own, such as a grid of instants, with the number that fits some answers best.
 /// @param judged  the answers
-/// @return        the mistakes with their answers
-[[nodiscard]] Signatures known_signatures(std::span<const Judged> judged = {});
-
-/// @brief The mistakes of `mistake.hpp`, some of them with the numbers that fit.
-/// @param fitted  the mistakes with numbers
-/// @param answer  gives the answers of the other mistakes
-/// @return        the mistakes with their answers
-[[nodiscard]] Signatures signatures_with(FittedMistakes fitted,
-                                         std::function<std::optional<Value>(std::string_view, const ProtocolQuestion&)> answer);
+/// @param known   the mistakes
+/// @return        the mistakes
+[[nodiscard]] std::vector<Mistake> fitted_to(std::span<const Judged> judged,
+                                             std::vector<Mistake> known = {mistakes().begin(), mistakes().end()});
 
 /// @brief What a mistake must reach to be named. docs/diagnosis.md shows what happens without each threshold.
 struct Thresholds {
@@ -62,12 +44,11 @@ struct Thresholds {
     std::size_t words = 17;    ///< words and counts, if it explains nothing else: 2^-17 times the mistakes is below 1/1000
 };
 
-/// @brief A known mistake that was found.
+/// @brief A known mistake that was found, or a guess, which has a name and a sentence alone and does not say where to look.
 struct Finding {
-    const Mistake* mistake = nullptr;    ///< the mistake
+    Mistake mistake;                     ///< the mistake, with the number of its own that the answers show
     std::size_t explained = 0;           ///< number of wrong answers that it explains
     std::size_t contradicted = 0;        ///< number of answers that contradict it
-    std::string number;                  ///< the number of its own that the answers show, in words; empty if it has none
     bool weak = false;                   ///< whether fewer than three answers are its only evidence
     std::vector<std::string> quantities; ///< the quantities of the answers that it explains
     const Judged* example = nullptr;     ///< the explained answer with the largest error
@@ -83,14 +64,6 @@ struct InCommon {
     std::size_t all_asked = 0; ///< number of all answers to the same quantities
 };
 
-/// @brief A simple explanation of answers that no known mistake explains. It does not say where the mistake is.
-struct Simple {
-    std::string told;                    ///< in words: `beta times 1.414`
-    std::size_t explained = 0;           ///< number of wrong answers that it explains
-    std::size_t contradicted = 0;        ///< number of answers that contradict it
-    std::vector<std::string> quantities; ///< the quantities of the answers that it explains
-};
-
 /// @brief A link of the chain of quantities, each made of those before it: the first that is wrong is where to look.
 struct Link {
     std::string name;         ///< in words, e.g. `shapes`
@@ -104,19 +77,19 @@ struct Diagnosis {
     std::vector<Finding> findings;               ///< the mistakes that were found, the strongest evidence first
     std::vector<const Judged*> unexplained;      ///< wrong answers that no mistake found explains
     std::vector<Link> chain;                     ///< the chain of quantities with the unexplained answers in each link
-    std::vector<Simple> simple;                  ///< simple explanations of the unexplained answers, the best first
+    std::vector<Finding> simple;                 ///< guesses at the unexplained answers, the best first
     std::vector<InCommon> by_quantity;           ///< the unexplained answers by quantity; `asked` counts all answers to it
     std::vector<InCommon> in_common;             ///< properties that unexplained answers have more often than right ones
     std::map<std::string, std::size_t> accepted; ///< rules broken by questions that were answered, and how many questions
 };
 
 /// @brief Looks for known mistakes.
-/// @param judged      the answers; a wrong answer that an equation gives as printed gets the verdict `as-printed`
-/// @param signatures  the mistakes
-/// @param least       what a mistake must reach to be named
-/// @param guess       whether to look for simple explanations as well
-/// @return            the diagnosis; it refers to the answers
-[[nodiscard]] Diagnosis diagnose(std::span<Judged> judged, const Signatures& signatures, const Thresholds& least = {},
+/// @param judged  the answers; a wrong answer that an equation gives as printed gets the verdict `as-printed`
+/// @param known   the mistakes
+/// @param least   what a mistake must reach to be named
+/// @param guess   whether to look for simple explanations as well: a factor or an offset, another value of one input
+/// @return        the diagnosis; it refers to the answers
+[[nodiscard]] Diagnosis diagnose(std::span<Judged> judged, std::span<const Mistake> known, const Thresholds& least = {},
                                  bool guess = true);
 
 } // namespace denhartog::conformance

@@ -115,7 +115,7 @@ double distance_in_tube(double value, double before, double at, double after) {
 
 } // namespace
 
-CurveDeviation curve_deviation(const std::vector<double>& given, const std::vector<double>& reference) {
+Difference curve_deviation(const std::vector<double>& given, const std::vector<double>& reference) {
     const std::size_t n = reference.size();
     const auto x = [&](std::size_t i) { return reference[i % n]; };
     std::vector<double> second(n);
@@ -125,12 +125,12 @@ CurveDeviation curve_deviation(const std::vector<double>& given, const std::vect
         largest = std::max(largest, std::abs(second[i]));
     }
     const auto jumps = [&](std::size_t i) { return std::abs(second[(i + 1) % n] - second[i % n]) > share_of_an_event * largest; };
-    CurveDeviation worst;
+    Difference worst;
     for (std::size_t i = 0; i < n; ++i) {
         const bool event = jumps(i) || jumps(i + n - 1);
         const double deviation =
             event ? distance_in_tube(given[i], x(i + n - 1), x(i), x(i + 1)) : std::abs(given[i] - reference[i]);
-        if (deviation > worst.deviation) worst = {deviation, i};
+        if (deviation > worst.size) worst = {deviation, i};
     }
     return worst;
 }
@@ -142,10 +142,7 @@ double size_of(const std::vector<double>& numbers) {
 }
 
 Difference difference(const Quantity& asked, const std::vector<double>& given, const std::vector<double>& reference) {
-    if (asked.shape == Shape::samples) {
-        const CurveDeviation curve = curve_deviation(given, reference);
-        return {curve.deviation, curve.sample};
-    }
+    if (asked.shape == Shape::samples) return curve_deviation(given, reference);
     Difference worst;
     for (std::size_t n = 0; n < given.size(); ++n) {
         const double apart = given[n] - reference[n];

@@ -12,12 +12,6 @@ struct Difference {
     std::size_t worst = 0; ///< index of the number where it is, from 0
 };
 
-/// @brief The largest deviation of a curve.
-struct CurveDeviation {
-    double deviation = 0;   ///< in the units of the curves
-    std::size_t sample = 0; ///< index of the sample where it is, from 0
-};
-
 /// @brief Largest deviation of a motion from the true one, both sampled at equal steps over one period.
 ///
 /// At most samples the deviation is the difference of the two. Around an event the samples do not resolve the motion. There the
@@ -26,8 +20,8 @@ struct CurveDeviation {
 /// between neighbouring samples. The half step is allowed nowhere else, as it would pass a motion that is late by half a step.
 /// @param given      the motion to be judged
 /// @param reference  the true one; as many samples
-/// @return           the deviation
-[[nodiscard]] CurveDeviation curve_deviation(const std::vector<double>& given, const std::vector<double>& reference);
+/// @return           the deviation, in the units of the curves
+[[nodiscard]] Difference curve_deviation(const std::vector<double>& given, const std::vector<double>& reference);
 
 /// @brief Largest size of some numbers. @param numbers any numbers @return the largest |x|; 0 if there are none
 [[nodiscard]] double size_of(const std::vector<double>& numbers);

@@ -15,35 +15,32 @@ namespace denhartog::conformance {
 namespace {
 
 constexpr std::array<Quantity, 25> table{{
-    {"natural_frequency_ratios", "15", Shape::modes, false, false},
-    {"modal_frequency_ratios", "22", Shape::modes, false, false},
-    {"mode_shape_products", "17", Shape::modes, true, false},
-    {"complex_response", "33", Shape::complex, true, false},
-    {"first_damping_function", "34", Shape::number, true, false},
-    {"second_damping_function", "35", Shape::number, true, false},
-    {"H_j", "64", Shape::number, false, false},
-    {"S_j", "55", Shape::number, false, false},
-    {"amplitude", "38", Shape::number, true, false},
-    {"phase", "39", Shape::number, true, true},
-    {"amplitude_monoharmonic", "52", Shape::number, true, false},
-    {"phase_monoharmonic", "53", Shape::number, true, true},
+    {"natural_frequency_ratios", "15", Shape::modes, false, false, 0},
+    {"modal_frequency_ratios", "22", Shape::modes, false, false, 1},
+    {"mode_shape_products", "17", Shape::modes, true, false, 2},
+    {"complex_response", "33", Shape::complex, true, false, 6},
+    {"first_damping_function", "34", Shape::number, true, false, 7},
+    {"second_damping_function", "35", Shape::number, true, false, 8},
+    {"H_j", "64", Shape::number, false, false, 9},
+    {"S_j", "55", Shape::number, false, false, 10},
+    {"amplitude", "38", Shape::number, true, false, 12},
+    {"phase", "39", Shape::number, true, true, 13},
+    {"amplitude_monoharmonic", "52", Shape::number, true, false, 12},
+    {"phase_monoharmonic", "53", Shape::number, true, true, 13},
     {"initial_displacement", "44", Shape::number, true, false},
     {"initial_velocity", "45", Shape::number, true, false},
     {"displacement", "46", Shape::number, true, false},
-    {"beta_lim_exact", "69", Shape::number, false, false},
-    {"beta_lim_paper", "69", Shape::number, false, false},
-    {"beta_lim_approximate", "67", Shape::number, false, false},
-    {"beta_lim_sticking", "88", Shape::number, false, false},
-    {"beta_lim_high_frequency", "86", Shape::number, false, false},
-    {"regime", "69", Shape::word, false, false},
+    {"beta_lim_exact", "69", Shape::number, false, false, 11},
+    {"beta_lim_paper", "69", Shape::number, false, false, 11},
+    {"beta_lim_approximate", "67", Shape::number, false, false, 11},
+    {"beta_lim_sticking", "88", Shape::number, false, false, 11},
+    {"beta_lim_high_frequency", "86", Shape::number, false, false, 11},
+    {"regime", "69", Shape::word, false, false, 11},
     {"stops_per_period", "", Shape::number, false, false},
     {"stop_durations", "", Shape::durations, false, false},
     {"rest_interval", "", Shape::number, false, false},
     {"motion_under_force", "", Shape::samples, true, false},
 }};
-
-// As text whatever bytes its strings hold.
-std::string dumped(const nlohmann::json& x) { return x.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); }
 
 // Of a contact between two masses, 0 stands for its own displacement.
 void check_mass(const ProtocolQuestion& q) {
@@ -58,7 +55,7 @@ T member(const nlohmann::json& object, const char* key) {
     try {
         return found->get<T>();
     } catch (const nlohmann::json::exception&) {
-        throw InputError(key, "must have the type that the protocol gives", dumped(*found));
+        throw InputError(key, "must have the type that the protocol gives", text_of_json(*found));
     }
 }
 
@@ -70,17 +67,13 @@ int whole(const nlohmann::json& object, const char* key) {
     return static_cast<int>(x);
 }
 
-std::vector<double> list_or_nothing(const nlohmann::json& object, const char* key, const char* in_place_of_it) {
-    return object.contains(in_place_of_it) ? std::vector<double>() : member<std::vector<double>>(object, key);
-}
-
 // A square matrix row by row; empty where it is not given.
 std::vector<double> matrix_or_nothing(const nlohmann::json& object, const char* key) {
     std::vector<double> entries;
     if (!object.contains(key)) return entries;
     const auto rows = member<std::vector<std::vector<double>>>(object, key);
     for (const std::vector<double>& row : rows) {
-        if (row.size() != rows.size()) throw InputError(key, "must be square", dumped(object[key]));
+        if (row.size() != rows.size()) throw InputError(key, "must be square", text_of_json(object[key]));
         entries.insert(entries.end(), row.begin(), row.end());
     }
     return entries;
@@ -98,20 +91,28 @@ nlohmann::ordered_json matrix_json(const std::vector<double>& matrix) {
     return rows;
 }
 
-void put(nlohmann::ordered_json& scene, const char* ratios, const std::vector<double>& list, const char* key,
-         const std::vector<double>& matrix) {
-    if (matrix.empty())
-        scene[ratios] = list;
-    else
-        scene[key] = matrix_json(matrix);
-}
+// What a system is made of, each as ratios or as a matrix in their place.
+struct PartOfSystem {
+    const char* ratios_key;
+    std::vector<double> ProtocolQuestion::*ratios;
+    const char* matrix_key;
+    std::vector<double> ProtocolQuestion::*matrix;
+};
+
+constexpr PartOfSystem parts_of_system[] = {
+    {"mass_ratios", &ProtocolQuestion::mass_ratios, "mass_matrix", &ProtocolQuestion::mass_matrix},
+    {"stiffness_ratios", &ProtocolQuestion::stiffness_ratios, "stiffness_matrix", &ProtocolQuestion::stiffness_matrix},
+    {"damping_ratios", &ProtocolQuestion::damping_ratios, "damping_matrix", &ProtocolQuestion::damping_matrix}};
 
 // As `denhartog solve` takes it.
 nlohmann::ordered_json scene_json(const ProtocolQuestion& q) {
     nlohmann::ordered_json scene;
-    put(scene, "mass_ratios", q.mass_ratios, "mass_matrix", q.mass_matrix);
-    put(scene, "stiffness_ratios", q.stiffness_ratios, "stiffness_matrix", q.stiffness_matrix);
-    put(scene, "damping_ratios", q.damping_ratios, "damping_matrix", q.damping_matrix);
+    for (const PartOfSystem& part : parts_of_system) {
+        if ((q.*part.matrix).empty())
+            scene[part.ratios_key] = q.*part.ratios;
+        else
+            scene[part.matrix_key] = matrix_json(q.*part.matrix);
+    }
     if (q.contact_with == 0)
         scene["contact"] = q.contact;
     else
@@ -131,7 +132,7 @@ nlohmann::ordered_json scene_json(const ProtocolQuestion& q) {
 void read_places(const nlohmann::json& scene, ProtocolQuestion& q) {
     if (scene.contains("contact") && scene["contact"].is_array()) {
         const nlohmann::json& two = scene["contact"];
-        if (two.size() != 2) throw InputError("contact", "must be one mass or two", dumped(two));
+        if (two.size() != 2) throw InputError("contact", "must be one mass or two", text_of_json(two));
         const nlohmann::json of_two{{"contact", two[0]}, {"contact_with", two[1]}};
         q.contact = whole(of_two, "contact");
         q.contact_with = whole(of_two, "contact_with");
@@ -155,28 +156,30 @@ void add_numbers(std::ostringstream& line, const std::vector<double>& list) {
 void add_tags(std::ostringstream& line, const ProtocolQuestion& q) {
     if (q.contact_with != 0) line << " contact_with " << q.contact_with;
     if (!q.base_motion.empty()) line << " base_motion " << q.base_motion;
-    const std::pair<const char*, const std::vector<double>*> lists[] = {{"loads", &q.loads},
-                                                                        {"mass_matrix", &q.mass_matrix},
-                                                                        {"stiffness_matrix", &q.stiffness_matrix},
-                                                                        {"damping_matrix", &q.damping_matrix}};
-    for (const auto& [tag, list] : lists) {
-        if (list->empty()) continue;
-        line << ' ' << tag;
-        add_numbers(line, *list);
-    }
+    const auto add = [&](const char* tag, const std::vector<double>& list) {
+        if (!list.empty()) line << ' ' << tag;
+        add_numbers(line, list);
+    };
+    add("loads", q.loads);
+    for (const PartOfSystem& part : parts_of_system) add(part.matrix_key, q.*part.matrix);
 }
 
 } // namespace
 
 std::span<const Quantity> quantities() { return table; }
 
-bool is_of_the_paper(const ProtocolQuestion& q) {
-    return q.contact_with == 0 && q.loads.empty() && q.base_motion.empty() && q.mass_matrix.empty() &&
-           q.stiffness_matrix.empty() && q.damping_matrix.empty();
-}
+bool is_of_the_paper(const ProtocolQuestion& q) { return beyond_the_paper(q).empty(); }
 
-void check_of_the_paper(const ProtocolQuestion& q) {
+System<double> paper_system(const ProtocolQuestion& q) {
     if (!is_of_the_paper(q)) throw InputError("scene", "must be one of the paper", beyond_the_paper(q).front());
+    const std::size_t N = q.mass_ratios.size();
+    System<double> system;
+    system.mass_ratios = q.mass_ratios;
+    system.stiffness_ratios = q.stiffness_ratios;
+    system.damping_ratios = q.damping_ratios;
+    system.contact = mass_from(q.contact, N, "contact");
+    system.load = mass_from(q.load, N, "load");
+    return system;
 }
 
 std::size_t masses_of(const ProtocolQuestion& q) { return q.mass_matrix.empty() ? q.mass_ratios.size() : rows_of(q.mass_matrix); }
@@ -203,22 +206,16 @@ bool is_overdamped(const ProtocolQuestion& q) {
 }
 
 Scene<double> scene_of(const ProtocolQuestion& q) {
-    if (!is_of_the_paper(q)) {
-        const Scene<double> scene = scene_from_json<double>(nlohmann::json(scene_json(q)));
-        check_mass(q);
-        return scene;
-    }
-    const std::size_t N = q.mass_ratios.size();
     Scene<double> scene;
-    scene.system.mass_ratios = q.mass_ratios;
-    scene.system.stiffness_ratios = q.stiffness_ratios;
-    scene.system.damping_ratios = q.damping_ratios;
-    scene.system.contact = mass_from(q.contact, N, "contact");
-    scene.system.load = mass_from(q.load, N, "load");
-    scene.mu = q.mu;
-    scene.r = q.r;
-    scene.beta = q.beta;
-    check(scene);
+    if (is_of_the_paper(q)) {
+        scene.system = paper_system(q);
+        scene.mu = q.mu;
+        scene.r = q.r;
+        scene.beta = q.beta;
+        check(scene);
+    } else {
+        scene = scene_from_json<double>(nlohmann::json(scene_json(q)));
+    }
     check_mass(q);
     return scene;
 }
@@ -236,25 +233,22 @@ std::string question_plain(const ProtocolQuestion& q) {
     const std::size_t N = masses_of(q);
     line << q.id << ' ' << q.quantity << ' ' << N << ' ' << q.contact << ' ' << q.load << ' ' << q.mass << ' ' << q.samples << ' '
          << number_to_text(q.tau) << ' ' << number_to_text(q.mu) << ' ' << number_to_text(q.r) << ' ' << number_to_text(q.beta);
-    const std::pair<const std::vector<double>*, const std::vector<double>*> lists[] = {
-        {&q.mass_ratios, &q.mass_matrix}, {&q.stiffness_ratios, &q.stiffness_matrix}, {&q.damping_ratios, &q.damping_matrix}};
-    for (const auto& [ratios, matrix] : lists) add_numbers(line, matrix->empty() ? *ratios : std::vector<double>(N, 0));
+    for (const PartOfSystem& part : parts_of_system)
+        add_numbers(line, (q.*part.matrix).empty() ? q.*part.ratios : std::vector<double>(N, 0));
     add_tags(line, q);
     return line.str();
 }
 
 ProtocolQuestion question_from_json(const nlohmann::json& object) {
-    if (!object.is_object()) throw InputError("question", "must be a JSON object", dumped(object));
+    if (!object.is_object()) throw InputError("question", "must be a JSON object", text_of_json(object));
     const auto scene = member<nlohmann::json>(object, "scene");
     ProtocolQuestion q;
     q.id = member<std::string>(object, "id");
     q.quantity = quantity(member<std::string>(object, "quantity")).name;
-    q.mass_ratios = list_or_nothing(scene, "mass_ratios", "mass_matrix");
-    q.stiffness_ratios = list_or_nothing(scene, "stiffness_ratios", "stiffness_matrix");
-    q.damping_ratios = list_or_nothing(scene, "damping_ratios", "damping_matrix");
-    q.mass_matrix = matrix_or_nothing(scene, "mass_matrix");
-    q.stiffness_matrix = matrix_or_nothing(scene, "stiffness_matrix");
-    q.damping_matrix = matrix_or_nothing(scene, "damping_matrix");
+    for (const PartOfSystem& part : parts_of_system) {
+        if (!scene.contains(part.matrix_key)) q.*part.ratios = member<std::vector<double>>(scene, part.ratios_key);
+        q.*part.matrix = matrix_or_nothing(scene, part.matrix_key);
+    }
     read_places(scene, q);
     q.mu = member<double>(scene, "mu");
     q.r = member<double>(scene, "r");

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -32,6 +33,7 @@ struct Quantity {
     Shape shape;               ///< how many numbers
     bool of_mass;              ///< whether a question names the mass k
     bool angle;                ///< whether it is an angle: compared round the circle, in radians
+    std::size_t link = 14;     ///< its place in the chain of quantities, each made of those before it, see `chain_of`
 };
 
 /// @brief All quantities, in the order of the protocol. @return the quantities
@@ -64,6 +66,9 @@ struct ProtocolQuestion {
     std::vector<double> mass_matrix = {};      ///< M in units of m_1, row by row, in place of `mass_ratios`
     std::vector<double> stiffness_matrix = {}; ///< K in units of k_1, row by row, in place of `stiffness_ratios`
     std::vector<double> damping_matrix = {};   ///< C in units of sqrt(k_1 m_1), row by row, in place of `damping_ratios`
+
+    /// @brief Whether all members are equal.
+    bool operator==(const ProtocolQuestion&) const = default;
 };
 
 /// @brief Whether a question is about a scene of the paper: a chain with modal damping ratios, a wall, one loaded mass.
@@ -71,8 +76,11 @@ struct ProtocolQuestion {
 /// @return   false where it has one of the last six members
 [[nodiscard]] bool is_of_the_paper(const ProtocolQuestion& q);
 
-/// @brief Checks that a question is about a scene of the paper. @param q the question @throws InputError where it is not
-void check_of_the_paper(const ProtocolQuestion& q);
+/// @brief The system of a question about a scene of the paper; only the places of contact and load are checked.
+/// @param q  the question
+/// @return   the chain
+/// @throws   InputError where the scene is not of the paper, or has no such mass
+[[nodiscard]] System<double> paper_system(const ProtocolQuestion& q);
 
 /// @brief Number of masses of a question's scene. @param q the question @return N
 [[nodiscard]] std::size_t masses_of(const ProtocolQuestion& q);
@@ -126,6 +134,16 @@ struct Unusable {
 
 /// @brief An answer.
 using Answer = std::variant<Value, Rejected, Skipped, Unusable>;
+
+/// @brief Whether a word is the name of a regime. @param word the word @return whether it is
+[[nodiscard]] bool is_regime(std::string_view word);
+
+/// @brief A number as an answer writes it: decimal or hexadecimal, nothing before or after it. @param text the text
+/// @return   the number; none if it is no finite one
+[[nodiscard]] std::optional<double> finite_number(std::string_view text);
+
+/// @brief JSON as text, whatever bytes its strings hold. @param x the JSON @return the text
+[[nodiscard]] std::string text_of_json(const nlohmann::json& x);
 
 /// @brief An answer from a line of the `json` dialect, whose id has to be the question's.
 /// @param line  the line

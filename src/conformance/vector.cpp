@@ -28,11 +28,9 @@ std::vector<std::string> all_hexadecimal(const std::vector<double>& numbers) {
 }
 
 double from_hexadecimal(const std::string& text) {
-    char* end = nullptr;
-    const double x = std::strtod(text.c_str(), &end);
-    if (text.empty() || end != text.c_str() + text.size() || !std::isfinite(x))
-        throw InputError("hex", "must hold finite hexadecimal floats", text);
-    return x;
+    const std::optional<double> x = finite_number(text);
+    if (!x) throw InputError("hex", "must hold finite hexadecimal floats", text);
+    return *x;
 }
 
 // Forty digits, of which only those of a double are looked at here.
@@ -51,9 +49,9 @@ std::string text_of(double x) { return number_to_text(x); }
 std::string text_of(const std::string& x) { return x; }
 
 template <class List>
-std::string joined(const List& list) {
+std::string joined(const List& list, const char* between = " ") {
     std::string text;
-    for (const auto& x : list) text += (text.empty() ? "" : " ") + text_of(x);
+    for (const auto& x : list) text += (text.empty() ? "" : between) + text_of(x);
     return text;
 }
 
@@ -66,8 +64,7 @@ void check_id(const std::string& id) {
 }
 
 void check_regime(const std::string& name, const std::string& word) {
-    if (word != "continuous" && word != "stick_slip" && word != "permanent_sticking")
-        throw InputError(name, "must be a regime", word);
+    if (!is_regime(word)) throw InputError(name, "must be a regime", word);
 }
 
 // What answers are judged by must be there for each of their numbers.
@@ -79,12 +76,6 @@ void check_numbers(const Vector& v) {
         throw InputError("samples", "must be as many as value has numbers (" + count + ")", std::to_string(v.question.samples));
     if (!(v.scale > 0)) throw InputError("scale", "must be positive", text_of(v.scale));
 }
-
-std::string contact_text(const ProtocolQuestion& q) {
-    return std::to_string(q.contact) + (q.contact_with == 0 ? "" : " " + std::to_string(q.contact_with));
-}
-
-std::string load_text(const ProtocolQuestion& q) { return q.loads.empty() ? std::to_string(q.load) : joined(q.loads); }
 
 } // namespace
 
@@ -181,23 +172,28 @@ std::string vector_csv(const Vector& v, bool systems) {
     const ProtocolQuestion& q = v.question;
     std::string condition;
     for (const auto& [input, number] : v.condition) condition += (condition.empty() ? "" : " ") + input + ":" + text_of(number);
-    const std::string value = !v.reject.empty() ? "reject" : !v.word.empty() ? v.word : joined(v.value);
     const bool numbers = v.reject.empty() && v.word.empty();
-    const auto tolerance = [&](double x) { return numbers ? text_of(x) : std::string(); };
-    std::ostringstream line;
-    line << q.id << ',' << v.group << ',' << v.equation << ',' << v.tier << ',' << q.quantity << ',' << contact_text(q) << ','
-         << load_text(q) << ',' << q.mass << ',' << q.samples << ',' << text_of(q.tau) << ',' << text_of(q.mu) << ','
-         << text_of(q.r) << ',' << text_of(q.beta) << ',' << joined(q.mass_ratios) << ',' << joined(q.stiffness_ratios) << ','
-         << joined(q.damping_ratios) << ',';
-    line << value << ',' << joined(all_hexadecimal(v.nearest)) << ',' << (numbers ? hexadecimal_float(v.scale) : "") << ','
-         << tolerance(v.tolerance.pass) << ',' << tolerance(v.tolerance.loose) << ',' << tolerance(v.tolerance.inaccurate) << ','
-         << condition << ',' << v.regime << ',' << (v.margin ? text_of(*v.margin) : "") << ',' << joined(v.flags) << ','
-         << joined(v.catches) << ',' << (v.reject.empty() ? v.routes[0] + "; " + v.routes[1] : "") << ','
-         << (v.reject.empty() ? std::to_string(v.digits[0]) + " " + std::to_string(v.digits[1]) : "");
+    const auto of_numbers = [&](const std::string& text) { return numbers ? text : std::string(); };
+    std::vector<std::string> cells{q.id,
+                                   v.group,
+                                   v.equation,
+                                   v.tier,
+                                   q.quantity,
+                                   std::to_string(q.contact) + (q.contact_with == 0 ? "" : " " + std::to_string(q.contact_with)),
+                                   q.loads.empty() ? std::to_string(q.load) : joined(q.loads),
+                                   std::to_string(q.mass),
+                                   std::to_string(q.samples)};
+    for (const double x : {q.tau, q.mu, q.r, q.beta}) cells.push_back(text_of(x));
+    for (const auto* list : {&q.mass_ratios, &q.stiffness_ratios, &q.damping_ratios}) cells.push_back(joined(*list));
+    cells.push_back(!v.reject.empty() ? "reject" : !v.word.empty() ? v.word : joined(v.value));
+    cells.push_back(joined(all_hexadecimal(v.nearest)));
+    cells.push_back(of_numbers(hexadecimal_float(v.scale)));
+    for (const double x : {v.tolerance.pass, v.tolerance.loose, v.tolerance.inaccurate}) cells.push_back(of_numbers(text_of(x)));
+    cells.insert(cells.end(), {condition, v.regime, v.margin ? text_of(*v.margin) : "", joined(v.flags), joined(v.catches),
+                               v.reject.empty() ? joined(v.routes, "; ") : "", v.reject.empty() ? joined(v.digits) : ""});
     if (systems)
-        line << ',' << q.base_motion << ',' << joined(q.mass_matrix) << ',' << joined(q.stiffness_matrix) << ','
-             << joined(q.damping_matrix);
-    return line.str();
+        cells.insert(cells.end(), {q.base_motion, joined(q.mass_matrix), joined(q.stiffness_matrix), joined(q.damping_matrix)});
+    return joined(cells, ",");
 }
 
 std::vector<Vector> read_vectors(const std::filesystem::path& folder) {

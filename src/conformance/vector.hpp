@@ -26,9 +26,9 @@ struct Tolerance {
 /// @brief A certified vector.
 struct Vector {
     ProtocolQuestion question; ///< what is asked
-    std::string group;    ///< what the vector is about: the name of its file without its end
-    std::string equation; ///< number of the equation in the paper; empty if there is none
-    std::string tier;     ///< `must`, `should` or `stress`
+    std::string group;         ///< what the vector is about: the name of its file without its end
+    std::string equation;      ///< number of the equation in the paper; empty if there is none
+    std::string tier;          ///< `must`, `should` or `stress`
     std::vector<std::string>
         value;          ///< 40 significant digits each; empty where the question has to be rejected or its answer is a word
     std::string word;   ///< the regime, where that is the answer

@@ -10,9 +10,24 @@
 namespace denhartog::conformance {
 namespace {
 
-constexpr std::array<std::string_view, number_of_verdicts> names{"pass",    "pass-loose",   "inaccurate", "as-printed",
-                                                                 "wrong",   "wrong-regime", "rejected",   "not-rejected",
-                                                                 "skipped", "crash",        "timeout",    "stall"};
+// What is known of each verdict, in the order of the enumeration.
+struct OfVerdict {
+    std::string_view name;
+    int badness;
+};
+
+constexpr std::array<OfVerdict, number_of_verdicts> verdicts{{{"pass", 0},
+                                                              {"pass-loose", 1},
+                                                              {"inaccurate", 2},
+                                                              {"as-printed", 4},
+                                                              {"wrong", 4},
+                                                              {"wrong-regime", 4},
+                                                              {"rejected", 0},
+                                                              {"not-rejected", 4},
+                                                              {"skipped", 3},
+                                                              {"crash", 5},
+                                                              {"timeout", 5},
+                                                              {"stall", 5}}};
 
 int rank_of_tier(const std::string& tier) { return tier == "must" ? 0 : tier == "should" ? 1 : 2; }
 
@@ -23,39 +38,20 @@ double median(std::vector<double> sorted) {
 
 } // namespace
 
-std::string_view name(Verdict verdict) { return names.at(static_cast<std::size_t>(verdict)); }
+std::string_view name(Verdict verdict) { return verdicts.at(static_cast<std::size_t>(verdict)).name; }
 
 std::optional<Verdict> verdict_named(std::string_view name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) return std::nullopt;
-    return static_cast<Verdict>(found - names.begin());
+    const auto found = std::ranges::find(verdicts, name, &OfVerdict::name);
+    if (found == verdicts.end()) return std::nullopt;
+    return static_cast<Verdict>(found - verdicts.begin());
 }
 
-bool is_right(Verdict verdict) {
-    return verdict == Verdict::pass || verdict == Verdict::pass_loose || verdict == Verdict::rejected;
-}
+int badness(Verdict verdict) { return verdicts.at(static_cast<std::size_t>(verdict)).badness; }
+
+bool is_right(Verdict verdict) { return badness(verdict) <= 1; }
 
 bool is_wrong_value(Verdict verdict) {
-    return verdict == Verdict::inaccurate || verdict == Verdict::as_printed || verdict == Verdict::wrong ||
-           verdict == Verdict::wrong_regime;
-}
-
-int badness(Verdict verdict) {
-    switch (verdict) {
-    case Verdict::pass:
-    case Verdict::rejected: return 0;
-    case Verdict::pass_loose: return 1;
-    case Verdict::inaccurate: return 2;
-    case Verdict::skipped: return 3;
-    case Verdict::as_printed:
-    case Verdict::wrong:
-    case Verdict::wrong_regime:
-    case Verdict::not_rejected: return 4;
-    case Verdict::crash:
-    case Verdict::timeout:
-    case Verdict::stall: return 5;
-    }
-    return 5;
+    return badness(verdict) == 2 || (badness(verdict) == 4 && verdict != Verdict::not_rejected);
 }
 
 double digits(double error) {

@@ -12,13 +12,6 @@ using namespace denhartog::tests;
 
 namespace {
 
-const std::vector<Mistake> stubs{
-    {"twice", "38", false, "Everything is twice as large.", "factors of two"},
-    {"mu-squared", "", false, "Amplitudes go with mu squared.", "where mu enters"},
-    {"printed", "46", true, "The sign of the print.", "the sign in (46)"},
-    {"rough", "", false, "An integrator's mistake.", "the steps", 3e-2},
-};
-
 double truth(const ProtocolQuestion& q) { return q.r + q.mu; }
 
 // Right: r + mu. The stubs' answers, `printed` for displacements alone and `mu-squared` for amplitudes alone.
@@ -30,7 +23,18 @@ std::optional<Value> stub_answer(std::string_view name, const ProtocolQuestion& 
     return std::nullopt;
 }
 
-const Signatures signatures{stubs, stub_answer};
+std::vector<Mistake> known_stubs() {
+    std::vector<Mistake> stubs{{"twice", "38", "Everything is twice as large.", "factors of two", {}},
+                               {"mu-squared", "", "Amplitudes go with mu squared.", "where mu enters", {}},
+                               {"printed", "46", "The sign of the print.", "the sign in (46)", {}},
+                               {"rough", "", "An integrator's mistake.", "the steps", {}, 3e-2}};
+    stubs[2].as_printed = true;
+    for (Mistake& stub : stubs)
+        stub.answer = [name = stub.name](const ProtocolQuestion& q) { return stub_answer(name, q); };
+    return stubs;
+}
+
+const std::vector<Mistake> stubs = known_stubs();
 
 // Ten amplitudes, half of them at mu = 1, and ten displacements.
 std::vector<Vector> twenty_vectors() {
@@ -63,7 +67,7 @@ Value by(const char* name, const ProtocolQuestion& q) { return stub_answer(name,
 TEST_CASE("right answers need no diagnosis", "[conformance][diagnosis]") {
     const std::vector<Vector> vectors = twenty_vectors();
     std::vector<Judged> judged = judged_by(vectors, right);
-    const Diagnosis d = diagnose(judged, signatures);
+    const Diagnosis d = diagnose(judged, stubs);
     CHECK(d.wrong == 0);
     CHECK(d.findings.empty());
     CHECK(d.in_common.empty());
@@ -72,10 +76,10 @@ TEST_CASE("right answers need no diagnosis", "[conformance][diagnosis]") {
 TEST_CASE("a mistake is found by its answers and told with an example", "[conformance][diagnosis]") {
     const std::vector<Vector> vectors = twenty_vectors();
     std::vector<Judged> judged = judged_by(vectors, [](const ProtocolQuestion& q) { return by("twice", q); });
-    const Diagnosis d = diagnose(judged, signatures);
+    const Diagnosis d = diagnose(judged, stubs);
     CHECK(d.wrong == 20);
     REQUIRE(d.findings.size() == 1);
-    CHECK(d.findings.front().mistake->name == "twice");
+    CHECK(d.findings.front().mistake.name == "twice");
     CHECK(d.findings.front().explained == 20);
     CHECK(d.findings.front().contradicted == 0);
     CHECK(d.findings.front().quantities == std::vector<std::string>{"amplitude", "displacement"});
@@ -88,11 +92,11 @@ TEST_CASE("two mistakes in different functions are both found, and the print is 
     const std::vector<Vector> vectors = twenty_vectors();
     std::vector<Judged> judged =
         judged_by(vectors, [](const ProtocolQuestion& q) { return by(q.quantity == "amplitude" ? "mu-squared" : "printed", q); });
-    const Diagnosis d = diagnose(judged, signatures);
+    const Diagnosis d = diagnose(judged, stubs);
     CHECK(d.wrong == 15);
     REQUIRE(d.findings.size() == 2);
-    CHECK(d.findings[0].mistake->name == "printed");
-    CHECK(d.findings[1].mistake->name == "mu-squared");
+    CHECK(d.findings[0].mistake.name == "printed");
+    CHECK(d.findings[1].mistake.name == "mu-squared");
     CHECK(d.findings[1].explained == 5);
     for (const Judged& one : judged) {
         INFO(one.vector->question.id);
@@ -106,7 +110,7 @@ TEST_CASE("a mistake that right answers contradict is not told", "[conformance][
     // Twice as large at three of ten points alone: no implementation that makes the mistake does so.
     std::vector<Judged> judged = judged_by(
         vectors, [](const ProtocolQuestion& q) { return q.quantity == "amplitude" && q.r < 1.3 ? by("twice", q) : right(q); });
-    const Diagnosis d = diagnose(judged, signatures);
+    const Diagnosis d = diagnose(judged, stubs);
     CHECK(d.wrong == 3);
     CHECK(d.findings.empty());
     CHECK(d.unexplained.size() == 3);
@@ -116,7 +120,7 @@ TEST_CASE("an inaccurate answer is no mistake's whose answer is the truth there"
     const std::vector<Vector> vectors = twenty_vectors();
     // mu-squared is right at mu = 1: an answer that is off by 1e-7 there agrees with it to 1e-6, and says nothing.
     std::vector<Judged> judged = judged_by(vectors, [](const ProtocolQuestion& q) { return Value{{truth(q) * (1 + 1e-7)}, ""}; });
-    const Diagnosis d = diagnose(judged, signatures);
+    const Diagnosis d = diagnose(judged, stubs);
     CHECK(d.wrong == 20);
     CHECK(d.findings.empty());
 }
@@ -124,18 +128,19 @@ TEST_CASE("an inaccurate answer is no mistake's whose answer is the truth there"
 TEST_CASE("a mistake is matched to its own agreement: an integrator's loosely, a formula's not", "[conformance][diagnosis]") {
     const std::vector<Vector> vectors = twenty_vectors();
     std::vector<Judged> loosely = judged_by(vectors, [](const ProtocolQuestion& q) { return Value{{3.03 * truth(q)}, ""}; });
-    const Diagnosis d = diagnose(loosely, signatures);
+    const Diagnosis d = diagnose(loosely, stubs);
     REQUIRE(d.findings.size() == 1);
-    CHECK(d.findings.front().mistake->name == "rough");
+    CHECK(d.findings.front().mistake.name == "rough");
     std::vector<Judged> off = judged_by(vectors, [](const ProtocolQuestion& q) { return Value{{2.001 * truth(q)}, ""}; });
-    CHECK(diagnose(off, signatures).findings.empty());
+    CHECK(diagnose(off, stubs).findings.empty());
 }
 
 TEST_CASE("what cannot be used agrees with nothing", "[conformance][diagnosis]") {
     const std::vector<Vector> vectors = twenty_vectors();
-    const auto nothing = [](std::string_view, const ProtocolQuestion&) { return std::optional<Value>(Value{}); };
+    std::vector<Mistake> nothing = stubs;
+    for (Mistake& stub : nothing) stub.answer = [](const ProtocolQuestion&) { return std::optional(Value{}); };
     std::vector<Judged> judged = judged_by(vectors, [](const ProtocolQuestion&) { return Unusable{"nan"}; });
-    const Diagnosis d = diagnose(judged, {stubs, nothing});
+    const Diagnosis d = diagnose(judged, nothing);
     CHECK(d.wrong == 20);
     CHECK(d.findings.empty());
 }
@@ -145,7 +150,7 @@ TEST_CASE("where nothing matches, what the wrong answers have in common is told"
     std::vector<Judged> judged = judged_by(vectors, [](const ProtocolQuestion& q) {
         return q.quantity == "amplitude" && q.mu > 1 ? Value{{-7}, ""} : right(q);
     });
-    const Diagnosis d = diagnose(judged, signatures);
+    const Diagnosis d = diagnose(judged, stubs);
     CHECK(d.unexplained.size() == 5);
     REQUIRE(d.by_quantity.size() == 1);
     CHECK(d.by_quantity.front().property == "amplitude");
@@ -161,7 +166,7 @@ TEST_CASE("one or two wrong answers have nothing in common", "[conformance][diag
     std::vector<Judged> judged = judged_by(vectors, [](const ProtocolQuestion& q) {
         return q.quantity == "amplitude" && q.r > 2 ? Value{{-7}, ""} : right(q);
     });
-    const Diagnosis d = diagnose(judged, signatures);
+    const Diagnosis d = diagnose(judged, stubs);
     CHECK(d.unexplained.size() == 1);
     CHECK(d.by_quantity.size() == 1);
     CHECK(d.in_common.empty());
@@ -170,5 +175,5 @@ TEST_CASE("one or two wrong answers have nothing in common", "[conformance][diag
 TEST_CASE("rules that were not kept are counted", "[conformance][diagnosis]") {
     const Vector v = reject_vector("reject-1");
     std::vector<Judged> judged{grade(v, Value{{1}, ""})};
-    CHECK(diagnose(judged, signatures).accepted == std::map<std::string, std::size_t>{{"mu must be at least 1", 1}});
+    CHECK(diagnose(judged, stubs).accepted == std::map<std::string, std::size_t>{{"mu must be at least 1", 1}});
 }

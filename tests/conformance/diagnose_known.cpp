@@ -39,14 +39,13 @@ std::vector<Vector> seeded_vectors() {
 
 TEST_CASE("each known mistake is found by its answers, it alone", "[conformance][diagnosis][mistake]") {
     const std::vector<Vector> vectors = seeded_vectors();
-    const Signatures signatures = known_signatures();
     // What is asked of every mistake is the same: each answer is computed once.
     std::map<std::string, std::map<std::string, std::optional<Value>>> answers;
     for (const Mistake& mistake : mistakes())
         for (const Vector& v : vectors) answers[mistake.name][v.question.id] = answer_with_mistake(mistake.name, v.question);
-    const Signatures remembered{signatures.mistakes, [&](std::string_view name, const ProtocolQuestion& q) {
-                                    return answers.at(std::string(name)).at(q.id);
-                                }};
+    std::vector<Mistake> remembered(mistakes().begin(), mistakes().end());
+    for (Mistake& mistake : remembered)
+        mistake.answer = [&of_one = answers.at(mistake.name)](const ProtocolQuestion& q) { return of_one.at(q.id); };
     for (const Mistake& mistake : mistakes()) {
         std::vector<Judged> judged;
         for (const Vector& v : vectors)
@@ -54,13 +53,13 @@ TEST_CASE("each known mistake is found by its answers, it alone", "[conformance]
         const Diagnosis d = diagnose(judged, remembered);
         std::string found;
         for (const Finding& f : d.findings)
-            found += f.mistake->name + " explains " + std::to_string(f.explained) + ", contradicted " +
+            found += f.mistake.name + " explains " + std::to_string(f.explained) + ", contradicted " +
                      std::to_string(f.contradicted) + "; ";
         INFO(mistake.name << ": " << d.wrong << " wrong, " << d.unexplained.size() << " unexplained; " << found);
         CHECK(d.wrong > 0);
         CHECK(d.unexplained.empty());
         REQUIRE(d.findings.size() == 1);
-        CHECK(d.findings.front().mistake->name == mistake.name);
+        CHECK(d.findings.front().mistake.name == mistake.name);
         CHECK(d.findings.front().contradicted == 0);
     }
 }

@@ -117,21 +117,21 @@ TEST_CASE("a curve has a tube around an event and none elsewhere", "[conformance
         return samples;
     };
     const auto smooth = [](double t) { return std::cos(t); };
-    CHECK(curve_deviation(sampled(smooth, 0), sampled(smooth, 0)).deviation == 0);
-    const double late = curve_deviation(sampled(smooth, 0.4 * step), sampled(smooth, 0)).deviation;
+    CHECK(curve_deviation(sampled(smooth, 0), sampled(smooth, 0)).size == 0);
+    const double late = curve_deviation(sampled(smooth, 0.4 * step), sampled(smooth, 0)).size;
     INFO(hexadecimal(late));
     CHECK(late > 0.9 * 0.4 * step);
     // A triangle: its corners are events, its flanks are not.
     const auto corner = [](double t) { return 1 - std::abs(t - pi<double>()); };
     std::vector<double> given = sampled(corner, 0);
     given[n / 2] -= 0.4 * step;
-    CHECK(curve_deviation(given, sampled(corner, 0)).deviation == 0);
+    CHECK(curve_deviation(given, sampled(corner, 0)).size == 0);
     given[n / 2] -= 0.4 * step;
-    CHECK(curve_deviation(given, sampled(corner, 0)).deviation > 0.2 * step);
+    CHECK(curve_deviation(given, sampled(corner, 0)).size > 0.2 * step);
     given = sampled(corner, 0);
     given[n / 4] -= 0.4 * step;
-    CHECK(curve_deviation(given, sampled(corner, 0)).deviation > 0.3 * step);
-    CHECK(curve_deviation(given, sampled(corner, 0)).sample == n / 4);
+    CHECK(curve_deviation(given, sampled(corner, 0)).size > 0.3 * step);
+    CHECK(curve_deviation(given, sampled(corner, 0)).worst == n / 4);
 }
 
 TEST_CASE("a score has counts, median and worst digits a tier and group, the tier that binds first", "[conformance]") {

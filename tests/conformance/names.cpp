@@ -6,7 +6,6 @@
 #include <set>
 
 #include "conformance/diagnose.hpp"
-#include "conformance/diagnosis/fitted.hpp"
 #include "conformance/grade.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/unknown_mistakes.hpp"
@@ -84,7 +83,7 @@ struct Program {
     std::vector<std::string> allowed; // names that it may get; the first it has to get
     bool second_half = false;         // on which the thresholds are shown, not chosen
     std::vector<Judged> judged;
-    FittedMistakes fitted;
+    std::vector<Mistake> known; // with the numbers that its answers show
 };
 
 template <class Answering>
@@ -95,7 +94,10 @@ Program program(std::string rule, std::string told, std::vector<std::string> all
         const std::optional<Value> value = answering(v);
         p.judged.push_back(value ? grade(v, *value) : grade(v, Skipped{"not in the closed form"}));
     }
-    p.fitted = fitted_mistakes(p.judged);
+    std::vector<Mistake> remembered(mistakes().begin(), mistakes().end());
+    for (Mistake& mistake : remembered)
+        mistake.answer = [&of_one = known_answers().at(mistake.name)](const ProtocolQuestion& q) { return of_one.at(q.id); };
+    p.known = fitted_to(p.judged, std::move(remembered));
     return p;
 }
 
@@ -145,13 +147,6 @@ const std::vector<Program>& programs() {
     return all;
 }
 
-Diagnosis diagnosis_of(const Program& p, std::vector<Judged>& judged, const Thresholds& least, bool guess) {
-    const Signatures signatures = signatures_with(p.fitted, [](std::string_view name, const ProtocolQuestion& q) {
-        return known_answers().at(std::string(name)).at(q.id);
-    });
-    return diagnose(judged, signatures, least, guess);
-}
-
 // What came of a program.
 struct Outcome {
     std::size_t wrong = 0;
@@ -162,17 +157,17 @@ struct Outcome {
 
 Outcome outcome_of(const Program& p, const Thresholds& least, bool guess) {
     std::vector<Judged> judged = p.judged;
-    const Diagnosis d = diagnosis_of(p, judged, least, guess);
+    const Diagnosis d = diagnose(judged, p.known, least, guess);
     Outcome o;
     o.wrong = d.wrong;
     for (const Finding& f : d.findings) {
-        o.names.push_back(f.mistake->name);
-        if (std::find(p.allowed.begin(), p.allowed.end(), f.mistake->name) == p.allowed.end()) o.false_name = true;
+        o.names.push_back(f.mistake.name);
+        if (std::find(p.allowed.begin(), p.allowed.end(), f.mistake.name) == p.allowed.end()) o.false_name = true;
     }
     o.lost_name = !p.allowed.empty() && !p.allowed.front().empty() && (o.names.empty() || o.names.front() != p.allowed.front());
     for (const Link& link : d.chain)
         if (link.wrong > 0 && o.first_wrong.empty()) o.first_wrong = link.name;
-    if (!d.simple.empty()) o.simple = d.simple.front().told;
+    if (!d.simple.empty()) o.simple = d.simple.front().mistake.told;
     return o;
 }
 

@@ -40,9 +40,9 @@ std::vector<conformance::ProtocolQuestion> seeded_questions(std::uint64_t seed, 
         q.quantity = "amplitude";
         q.id = "seeded-" + std::to_string(n);
         const conformance::PlainModes m = conformance::plain_modes(q, {});
-        const conformance::PlainLimits limits = conformance::plain_limits(q, m, {});
+        const double limit = conformance::plain_limit(m, {}, conformance::plain_demand(m, {}, false));
         const double share = n % 3 < 2 ? fraction(random, 16, 60, 64) : fraction(random, 72, 160, 64);
-        q.beta = std::ldexp(std::round(std::ldexp(limits.exact * share, 16)), -16);
+        q.beta = std::ldexp(std::round(std::ldexp(limit * share, 16)), -16);
         questions.push_back(q);
     }
     return questions;

@@ -1,4 +1,4 @@
-// What the diagnosis says of wrong answers that no known mistake explains.
+// What the diagnosis finds of mistakes with a number of their own, and says of wrong answers that no known mistake explains.
 #pragma once
 
 #include <algorithm>
@@ -26,15 +26,29 @@ namespace denhartog::conformance {
 // The quantities of wrong answers, most wrong ones first.
 [[nodiscard]] std::vector<InCommon> by_quantity(std::span<const Judged* const> wrong, std::span<const Judged> judged);
 
-// A simple explanation: a factor or an offset in the answers, another value of one input, a chain read from its other end. It is a
-// guess, which the diagnosis weighs as it weighs known mistakes.
-struct Guess {
-    std::string told;                                                     // in words: `beta times 1.414`
-    std::function<std::optional<Value>(const ProtocolQuestion&)> answers; // the answer by this guess; none if it says nothing
+// Simple explanations: a factor or an offset in the answers, another value of one input, a chain read from its other end. They are
+// those whose number fits a wrong answer, and those without a number; the diagnosis weighs them as it weighs known mistakes.
+[[nodiscard]] std::vector<Mistake> guesses_at(std::span<const Judged* const> wrong);
+
+// A mistake that has a number of its own, which the answers reveal, with the number that fits.
+//
+// Programs look for the maximum in (57) at instants. As printed (57) has no maximum, and a coarse grid misses the maximum of the
+// corrected (57): either way the answer depends on the instants. If a program reads off a motion before it has settled, the
+// answer depends on the period. Such a number counts as found if `least_agreeing` answers or more show the same one.
+struct Fitted {
+    std::string name;                                                    // of the mistake
+    std::string number;                                                  // in words: `read off in period 7 from rest`
+    std::function<std::optional<Value>(const ProtocolQuestion&)> answer; // the answer of the mistake with this number
 };
 
-// Guesses whose number fits a wrong answer, and guesses without a number.
-[[nodiscard]] std::vector<Guess> guesses_at(std::span<const Judged* const> wrong);
+inline constexpr std::size_t least_agreeing = 3;
+
+// Finds the instants at which a program looks for the maximum of (57), from wrong answers for S_j and the boundaries: of
+// `57-as-printed` or `coarse-grid-of-tau`. The instants may be the same in every scene, or proportional to r, 1 / r, R_1 or R_N.
+[[nodiscard]] std::optional<Fitted> fitted_instants(std::span<const Judged> judged);
+
+// Finds the period from rest, up to the 200th, in which a program reads off wrong amplitudes and motions: of `transient`.
+[[nodiscard]] std::optional<Fitted> fitted_transient(std::span<const Judged> judged);
 
 // Where a function changes its sign between neighbours of a grid, each place by a number of halvings.
 [[nodiscard]] std::vector<double> sign_changes(const std::function<double(double)>& f, const std::vector<double>& grid,

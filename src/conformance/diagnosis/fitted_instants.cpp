@@ -1,5 +1,3 @@
-#include "conformance/diagnosis/fitted.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,7 +7,6 @@
 #include "conformance/plain/closed_form.hpp"
 #include "denhartog/elementary/elementary.hpp"
 #include "denhartog/formulas/as_printed.hpp"
-#include "denhartog/formulas/boundary.hpp"
 #include "denhartog/number/number_text.hpp"
 
 namespace denhartog::conformance {
@@ -128,12 +125,11 @@ std::array<std::size_t, 2> agreeing(std::span<const Observed> all, const WayOfSe
     for (const Observed& one : all) {
         const std::string& asked = one.question.quantity;
         const PlainModes& m = one.modes;
-        const PlainLimits limits = plain_limits(one.question, m, choices_of(search, m), needed_for(asked));
-        const bool of_S = asked == "S_j", is_exact = asked == "beta_lim_exact";
+        const Choices c = choices_of(search, m);
+        const double S = plain_demand(m, c, asked == "beta_lim_paper");
         const auto agrees = [&](double x) { return std::abs(x - one.given) <= of_instants * std::abs(x); };
-        count[0] += agrees(of_S ? limits.S : is_exact ? limits.exact : limits.paper);
-        count[1] +=
-            agrees(of_S ? limits.S : paper::friction_ratio_limit(m.V[m.j], m.U[m.j], is_exact ? limits.S : limits.S_paper));
+        count[0] += agrees(asked == "S_j" ? S : plain_limit(m, c, S));
+        count[1] += agrees(asked == "S_j" ? S : plain_limit_by(m, S));
     }
     return count;
 }
@@ -247,24 +243,20 @@ std::string told(const WayOfSearch& search) {
            (search.without_load_condition ? "; without the load condition (67)" : "");
 }
 
-Fitted fitted_with(const WayOfSearch& search) {
-    return {told(search), [search](const ProtocolQuestion& q) {
-                if (is_overdamped(q) || !asks_for(q, {"S_j", "beta_lim_exact", "beta_lim_paper", "regime"}))
-                    return std::optional<Value>();
-                return plain_answer(q, choices_of(search, plain_modes(q, {})));
-            }};
-}
-
 } // namespace
 
-FittedMistakes fitted_instants(std::span<const Judged> judged) {
+std::optional<Fitted> fitted_instants(std::span<const Judged> judged) {
     const std::vector<Observed> all = all_observed(judged);
-    if (all.size() < least_agreeing) return {};
-    if (const std::optional<WayOfSearch> printed = best_of(all, true, grids_shown(all)))
-        return {{"57-as-printed", fitted_with(*printed)}};
-    if (const std::optional<WayOfSearch> coarse = best_of(all, false, coarse_grids()))
-        return {{"coarse-grid-of-tau", fitted_with(*coarse)}};
-    return {};
+    if (all.size() < least_agreeing) return std::nullopt;
+    std::optional<WayOfSearch> search = best_of(all, true, grids_shown(all));
+    if (!search) search = best_of(all, false, coarse_grids());
+    if (!search) return std::nullopt;
+    return Fitted{search->as_printed ? "57-as-printed" : "coarse-grid-of-tau", told(*search),
+                  [search = *search](const ProtocolQuestion& q) {
+                      if (is_overdamped(q) || !asks_for(q, {"S_j", "beta_lim_exact", "beta_lim_paper", "regime"}))
+                          return std::optional<Value>();
+                      return plain_answer(q, choices_of(search, plain_modes(q, {})));
+                  }};
 }
 
 } // namespace denhartog::conformance

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "conformance/diagnosis/explanations.hpp"
-#include "conformance/diagnosis/fitted.hpp"
 #include "conformance/grade.hpp"
 #include "conformance/mistakes/mistake_definition.hpp"
 #include "conformance/plain/closed_form.hpp"
@@ -64,12 +63,12 @@ Shown shown_by(const std::vector<std::vector<double>>& all) {
 
 } // namespace
 
-FittedMistakes fitted_transient(std::span<const Judged> judged) {
+std::optional<Fitted> fitted_transient(std::span<const Judged> judged) {
     const std::vector<const Judged*> some = probes(judged);
-    if (some.size() < least_agreeing) return {};
+    if (some.size() < least_agreeing) return std::nullopt;
     std::vector<std::vector<double>> all;
     for (const Judged* one : some) {
-        if (all.size() == first_probed && shown_by(all).agreeing == 0) return {};
+        if (all.size() == first_probed && shown_by(all).agreeing == 0) return std::nullopt;
         try {
             all.push_back(distances(*one));
         } catch (const DomainError&) { // a motion that is none shows nothing
@@ -77,13 +76,12 @@ FittedMistakes fitted_transient(std::span<const Judged> judged) {
         }
     }
     const Shown shown = shown_by(all);
-    if (shown.agreeing < least_agreeing) return {};
-    return {{"transient",
-             {"read off in period " + std::to_string(shown.period) + " from rest",
-              [period = shown.period](const ProtocolQuestion& q) {
-                  if (!asks_for(q, {"amplitude", "phase", "motion_under_force"})) return std::optional<Value>();
-                  return answers_of_transient(q, period, period).front();
-              }}}};
+    if (shown.agreeing < least_agreeing) return std::nullopt;
+    return Fitted{"transient", "read off in period " + std::to_string(shown.period) + " from rest",
+                  [period = shown.period](const ProtocolQuestion& q) {
+                      if (!asks_for(q, {"amplitude", "phase", "motion_under_force"})) return std::optional<Value>();
+                      return answers_of_transient(q, period, period).front();
+                  }};
 }
 
 } // namespace denhartog::conformance

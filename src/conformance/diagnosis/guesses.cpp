@@ -31,8 +31,8 @@ std::map<std::string, std::vector<const Judged*>> numbers_by_quantity(std::span<
 }
 
 // The right answer to a question with each number changed.
-Guess changed(std::string told, const std::string& asked, std::function<double(double)> change) {
-    return {std::move(told), [asked, change = std::move(change)](const ProtocolQuestion& q) {
+Mistake changed(std::string told, const std::string& asked, std::function<double(double)> change) {
+    return {"", "", std::move(told), "", [asked, change = std::move(change)](const ProtocolQuestion& q) {
                 if (q.quantity != asked) return std::optional<Value>();
                 std::optional<Value> value = plain_answer(q);
                 if (value)
@@ -52,7 +52,7 @@ bool is_shared(const std::vector<double>& numbers, double x) {
 }
 
 // A factor, or an offset: the middle one of all answers to a quantity.
-void add_changes(std::vector<Guess>& all, const std::string& asked, const std::vector<const Judged*>& answers) {
+void add_changes(std::vector<Mistake>& all, const std::string& asked, const std::vector<const Judged*>& answers) {
     std::vector<double> factors, offsets;
     for (const Judged* one : answers) {
         const double given = one->given.numbers.front(), truth = one->vector->nearest.front();
@@ -94,8 +94,8 @@ Choices closed_form_alone() {
     return c;
 }
 
-Guess read_as(std::string told, std::function<void(ProtocolQuestion&)> change) {
-    return {std::move(told), [change = std::move(change)](const ProtocolQuestion& q) {
+Mistake read_as(std::string told, std::function<void(ProtocolQuestion&)> change) {
+    return {"", "", std::move(told), "", [change = std::move(change)](const ProtocolQuestion& q) {
                 if (!is_of_the_paper(q)) return std::optional<Value>();
                 ProtocolQuestion other = q;
                 change(other);
@@ -103,16 +103,16 @@ Guess read_as(std::string told, std::function<void(ProtocolQuestion&)> change) {
             }};
 }
 
-Guess scaled(const Input& input, double by) {
+Mistake scaled(const Input& input, double by) {
     return read_as(std::string(input.name) + " times " + short_text(by),
                    [&input, by](ProtocolQuestion& q) { input.scale(q, by); });
 }
 
 // Whether a guess gives some of the answers: most guesses do not, and need no look at the others.
-bool fits_some(const Guess& guess, std::span<const Judged* const> answers) {
+bool fits_some(const Mistake& guess, std::span<const Judged* const> answers) {
     std::size_t fitting = 0;
     for (const Judged* one : answers) {
-        const std::optional<Value> value = guess.answers(one->vector->question);
+        const std::optional<Value> value = guess.answer(one->vector->question);
         if (!value || value->numbers.size() != one->given.numbers.size()) continue;
         const double size = std::max(std::abs(one->given.numbers.front()), one->vector->scale * fits);
         fitting += std::abs(value->numbers.front() - one->given.numbers.front()) <= fits * size;
@@ -121,7 +121,7 @@ bool fits_some(const Guess& guess, std::span<const Judged* const> answers) {
 }
 
 // Factors of an input by which the closed form answers as was answered.
-void add_factors(std::vector<Guess>& all, const Input& input, std::span<const Judged* const> answers, const Judged& one) {
+void add_factors(std::vector<Mistake>& all, const Input& input, std::span<const Judged* const> answers, const Judged& one) {
     constexpr int pieces = 48;
     const double reach = elementary::log(12.0);
     const Choices c = closed_form_alone();
@@ -134,20 +134,20 @@ void add_factors(std::vector<Guess>& all, const Input& input, std::span<const Ju
     std::vector<double> grid;
     for (int n = 0; n <= pieces; ++n) grid.push_back(elementary::exp(reach * (2.0 * n / pieces - 1)));
     for (const double factor : sign_changes(apart, grid, 48)) {
-        Guess guess = scaled(input, factor);
+        Mistake guess = scaled(input, factor);
         if (std::abs(factor - 1) > fits && fits_some(guess, answers)) all.push_back(std::move(guess));
     }
 }
 
-Guess with(std::string told, std::function<void(Choices&)> choose) {
-    return {std::move(told), [choose = std::move(choose)](const ProtocolQuestion& q) {
+Mistake with(std::string told, std::function<void(Choices&)> choose) {
+    return {"", "", std::move(told), "", [choose = std::move(choose)](const ProtocolQuestion& q) {
                 Choices c = closed_form_alone();
                 choose(c);
                 return plain_answer(q, c);
             }};
 }
 
-void add_others(std::vector<Guess>& all) {
+void add_others(std::vector<Mistake>& all) {
     const auto reversed = [](std::vector<double>& list, std::size_t from) {
         std::reverse(list.begin() + static_cast<long>(from), list.end());
         const double unit = list.front();
@@ -202,9 +202,9 @@ std::vector<double> sign_changes(const std::function<double(double)>& f, const s
     return places;
 }
 
-std::vector<Guess> guesses_at(std::span<const Judged* const> wrong) {
+std::vector<Mistake> guesses_at(std::span<const Judged* const> wrong) {
     constexpr std::size_t least = 3, most_probed = 6, probes = 2;
-    std::vector<Guess> all;
+    std::vector<Mistake> all;
     std::map<std::string, std::vector<const Judged*>> of = numbers_by_quantity(wrong);
     for (const auto& [asked, answers] : of)
         if (answers.size() >= least) add_changes(all, asked, answers);
@@ -215,9 +215,9 @@ std::vector<Guess> guesses_at(std::span<const Judged* const> wrong) {
         const std::vector<const Judged*> probed = spread(found->second, most_probed);
         for (const Input& input : inputs)
             for (const Judged* probe : spread(probed, probes)) add_factors(all, input, probed, *probe);
-        std::vector<Guess> others;
+        std::vector<Mistake> others;
         add_others(others);
-        for (Guess& guess : others)
+        for (Mistake& guess : others)
             if (fits_some(guess, probed)) all.push_back(std::move(guess));
         break;
     }

@@ -36,11 +36,8 @@ std::set<std::string> properties(const Vector& v) {
     return all;
 }
 
-bool was_answered(const Judged& one) { return is_right(one.verdict) || is_wrong_value(one.verdict); }
-
-std::size_t count_of(const std::map<std::string, std::size_t>& counts, const std::string& key) {
-    const auto found = counts.find(key);
-    return found == counts.end() ? 0 : found->second;
+bool was_answered(const Judged& one) {
+    return one.vector->reject.empty() && (is_right(one.verdict) || is_wrong_value(one.verdict));
 }
 
 bool larger_share_of_wrong(const InCommon& a, const InCommon& b) {
@@ -66,26 +63,7 @@ constexpr std::array<std::string_view, 15> links{"natural frequencies",
 } // namespace
 
 std::size_t place_in_chain(const ProtocolQuestion& q) {
-    static const std::map<std::string_view, std::size_t> places{{"natural_frequency_ratios", 0},
-                                                                {"modal_frequency_ratios", 1},
-                                                                {"mode_shape_products", 2},
-                                                                {"complex_response", 6},
-                                                                {"first_damping_function", 7},
-                                                                {"second_damping_function", 8},
-                                                                {"H_j", 9},
-                                                                {"S_j", 10},
-                                                                {"beta_lim_exact", 11},
-                                                                {"beta_lim_paper", 11},
-                                                                {"beta_lim_approximate", 11},
-                                                                {"beta_lim_sticking", 11},
-                                                                {"beta_lim_high_frequency", 11},
-                                                                {"regime", 11},
-                                                                {"amplitude", 12},
-                                                                {"amplitude_monoharmonic", 12},
-                                                                {"phase", 13},
-                                                                {"phase_monoharmonic", 13}};
-    const auto found = places.find(q.quantity);
-    const std::size_t place = found == places.end() ? 14 : found->second;
+    const std::size_t place = quantity(q.quantity).link;
     const bool of_one_mass = q.mass_ratios.size() == 1 && place >= 6 && place <= 8;
     return of_one_mass ? place - 3 : place;
 }
@@ -94,8 +72,7 @@ std::vector<Link> chain_of(std::span<const Judged* const> wrong, std::span<const
     std::array<Link, links.size()> all;
     for (std::size_t n = 0; n < links.size(); ++n) all[n].name = links[n];
     for (const Judged& one : judged)
-        if (one.vector->reject.empty() && (is_right(one.verdict) || is_wrong_value(one.verdict)))
-            ++all[place_in_chain(one.vector->question)].answered;
+        if (was_answered(one)) ++all[place_in_chain(one.vector->question)].answered;
     for (const Judged* one : wrong) ++all[place_in_chain(one->vector->question)].wrong;
     std::vector<Link> answered;
     std::copy_if(all.begin(), all.end(), std::back_inserter(answered), [](const Link& link) { return link.answered > 0; });
@@ -112,13 +89,13 @@ std::vector<InCommon> properties_in_common(std::span<const Judged* const> wrong,
     }
     std::size_t asked = 0;
     for (const Judged& one : judged) {
-        if (!was_answered(one) || !one.vector->reject.empty() || !quantities.contains(one.vector->question.quantity)) continue;
+        if (!was_answered(one) || !quantities.contains(one.vector->question.quantity)) continue;
         ++asked;
         for (const std::string& property : properties(*one.vector)) ++of_asked[property];
     }
     std::vector<InCommon> found;
     for (const auto& [property, count] : of_wrong) {
-        const InCommon one{property, count, wrong.size(), count_of(of_asked, property), asked};
+        const InCommon one{property, count, wrong.size(), of_asked[property], asked};
         const bool common = share(one.wrong, one.all_wrong) >= share_in_common;
         if (common && share(one.wrong, one.asked) >= least_lift * share(one.all_wrong, asked)) found.push_back(one);
     }
@@ -131,10 +108,10 @@ std::vector<InCommon> by_quantity(std::span<const Judged* const> wrong, std::spa
     std::map<std::string, std::size_t> of_wrong, of_asked;
     for (const Judged* one : wrong) ++of_wrong[one->vector->question.quantity];
     for (const Judged& one : judged)
-        if (was_answered(one) && one.vector->reject.empty()) ++of_asked[one.vector->question.quantity];
+        if (was_answered(one)) ++of_asked[one.vector->question.quantity];
     std::vector<InCommon> found;
     for (const auto& [quantity, count] : of_wrong)
-        found.push_back({quantity, count, wrong.size(), count_of(of_asked, quantity), judged.size()});
+        found.push_back({quantity, count, wrong.size(), of_asked[quantity], judged.size()});
     std::stable_sort(found.begin(), found.end(), [](const InCommon& a, const InCommon& b) { return a.wrong > b.wrong; });
     return found;
 }

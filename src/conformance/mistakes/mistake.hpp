@@ -2,6 +2,7 @@
 /// @brief Known mistakes. Each is given by the answers of an implementation that makes it.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,15 +20,17 @@ inline constexpr double nearer_than_truth = 0.1;
 struct Mistake {
     std::string name;     ///< stable name, e.g. `46-as-printed`, `mu-ignored`
     std::string equation; ///< equation of the paper that it concerns; empty if it concerns none
-    bool as_printed;      ///< whether the code follows the equation as the paper prints it
     std::string told;     ///< a sentence that says what the mistake is, with the equation
     std::string look_at;  ///< the place to look at in code that makes it; completes "Look at ..."
-    /// The relative distance from `answer_with_mistake` within which implementations that make the mistake answer. Rounding
-    /// decides it if one formula stands for another; the steps in time or the harmonics decide it if the mistake is a solver's.
+    std::function<std::optional<Value>(const ProtocolQuestion&)> answer; ///< see `answer_with_mistake`
+    /// The relative distance from its answer within which implementations that make the mistake answer. Rounding decides it if
+    /// one formula stands for another; the steps in time or the harmonics decide it if the mistake is a solver's.
     double agreement = 1e-6;
     /// The quantities of its own equation, if the mistake need not affect the other quantities that it can affect: a program
     /// that has (44) as printed may take the motion from (46). Empty if it affects all of them.
     std::vector<std::string> core = {};
+    bool as_printed = false; ///< whether the code follows the equation as the paper prints it
+    std::string number = {}; ///< the number of its own that answers show, in words; empty if they show none
 };
 
 /// @brief All known mistakes, sorted by name. @return the mistakes

@@ -1,4 +1,5 @@
-#include <numeric>
+#include <algorithm>
+#include <cmath>
 
 #include "conformance/mistakes/mistake_definition.hpp"
 #include "denhartog/number/number.hpp"
@@ -6,47 +7,15 @@
 namespace denhartog::conformance {
 namespace {
 
-using Names = std::vector<std::string_view>;
-using Change = std::function<void(double& x, const ProtocolQuestion& q)>;
-
-bool among(const Names& names, const ProtocolQuestion& q) {
-    return std::find(names.begin(), names.end(), q.quantity) != names.end();
-}
-
-// The right answer, each of its numbers changed.
-MistakeDefinition told_otherwise(std::string name, std::string equation, std::string told, std::string look_at, Names touched,
-                                 Change change) {
-    return {{std::move(name), std::move(equation), false, std::move(told), std::move(look_at)},
-            [touched = std::move(touched), change = std::move(change)](const ProtocolQuestion& q) {
-                if (!among(touched, q)) return std::optional<Value>();
-                std::optional<Value> value = plain_answer(q);
-                if (value)
-                    for (double& x : value->numbers) change(x, q);
-                return value;
-            }};
-}
-
-// The right answer to another quantity.
-MistakeDefinition other_quantity(std::string name, std::string equation, std::string told, std::string look_at,
-                                 std::vector<std::pair<std::string_view, std::string>> others) {
-    return {{std::move(name), std::move(equation), false, std::move(told), std::move(look_at)},
-            [others = std::move(others)](const ProtocolQuestion& q) {
-                for (const auto& [asked, answered] : others) {
-                    if (q.quantity != asked) continue;
-                    ProtocolQuestion other = q;
-                    other.quantity = answered;
-                    return plain_answer(other);
-                }
-                return std::optional<Value>();
-            }};
-}
-
-MistakeDefinition elsewhere(std::string name, std::string equation, std::string told, std::string look_at,
-                            std::function<std::optional<Value>(const ProtocolQuestion&)> answer,
-                            std::vector<std::string> core = {}) {
-    Mistake mistake{std::move(name), std::move(equation), false, std::move(told), std::move(look_at)};
-    mistake.core = std::move(core);
-    return {std::move(mistake), std::move(answer)};
+// The right answer to some quantities, each of its numbers changed.
+Answering changed(Names touched, std::function<void(double& x, const ProtocolQuestion& q)> change) {
+    return [touched = std::move(touched), change = std::move(change)](const ProtocolQuestion& q) {
+        std::optional<Value> value;
+        if (std::ranges::find(touched, q.quantity) != touched.end()) value = plain_answer(q);
+        if (value)
+            for (double& x : value->numbers) change(x, q);
+        return value;
+    };
 }
 
 const Names angles{"phase", "phase_monoharmonic"};
@@ -65,74 +34,10 @@ bool slides(ProtocolQuestion q) {
 
 // Displacement of the loaded mass under the amplitude of the load at rest, without friction, in units of P / k_1.
 double static_deflection(const ProtocolQuestion& q) {
-    check_of_the_paper(q);
+    const System<double> system = paper_system(q);
     double sum = 0;
-    for (int i = 0; i < q.load; ++i) sum += 1 / q.stiffness_ratios[static_cast<std::size_t>(i)];
+    for (std::size_t i = 0; i <= system.load.index; ++i) sum += 1 / system.stiffness_ratios[i];
     return sum;
-}
-
-std::vector<MistakeDefinition> of_angles() {
-    return {
-        told_otherwise("degrees", "39", "Angles are given in degrees; the protocol has radians.", "the unit of every phase",
-                       angles, [](double& x, const ProtocolQuestion&) { x *= 180 / pi<double>(); }),
-        told_otherwise("phase-sign", "39", "Phases are given as lead; the protocol has the lag behind the force.",
-                       "the sign of every phase: positive where the mass is late", angles,
-                       [](double& x, const ProtocolQuestion&) { x = wrapped_angle(-x); }),
-        told_otherwise("phase-wrap", "39", "Phases are wrapped to [0, 2 pi); the protocol has (-pi, pi].",
-                       "the interval to which phases are wrapped", angles,
-                       [](double& x, const ProtocolQuestion&) { x = x < 0 ? x + 2 * pi<double>() : x; }),
-        told_otherwise("phase-behind-contact", "47",
-                       "Phases are given behind the mass in contact; the protocol has the lag behind the force.",
-                       "whether phi_j is added in (47) and (53)", angles,
-                       [](double& x, const ProtocolQuestion& q) { x = slides(q) ? wrapped_angle(x - phase_of_contact(q)) : x; }),
-    };
-}
-
-std::vector<MistakeDefinition> of_displacements() {
-    return {
-        told_otherwise("peak-to-peak", "38", "Amplitudes are given peak to peak; the protocol has the largest displacement.",
-                       "a factor of 2 in the amplitude", {"amplitude", "amplitude_monoharmonic"},
-                       [](double& x, const ProtocolQuestion&) { x *= 2; }),
-        told_otherwise("amplitude-halved", "38", "Amplitudes are halved, as if the motion had been taken peak to peak before.",
-                       "a factor of 1/2 in the amplitude", {"amplitude", "amplitude_monoharmonic"},
-                       [](double& x, const ProtocolQuestion&) { x /= 2; }),
-        told_otherwise("root-mean-square", "38", "Amplitudes are those of a harmonic motion over sqrt(2): its root mean square.",
-                       "how the amplitude is read off the motion", {"amplitude", "amplitude_monoharmonic"},
-                       [](double& x, const ProtocolQuestion&) { x /= std::sqrt(2.0); }),
-        told_otherwise("static-deflection-of-loaded-mass", "5",
-                       "Displacements are in units of the static deflection of the loaded mass; (5) has P / k_1.",
-                       "the unit of displacements: the stiffness of the first spring",
-                       {"amplitude", "amplitude_monoharmonic", "initial_displacement", "initial_velocity", "displacement",
-                        "complex_response", "motion_under_force", "rest_interval"},
-                       [](double& x, const ProtocolQuestion& q) { x /= static_deflection(q); }),
-        elsewhere("tau-from-force", "46",
-                  "tau = 0 is taken at the maximum of the force; the closed form has it at that of the contact.",
-                  "the origin of tau: the force is cos(tau + phi_j)",
-                  [](const ProtocolQuestion& q) -> std::optional<Value> {
-                      if (!asks_for(q, {"displacement", "initial_displacement"})) return std::nullopt;
-                      ProtocolQuestion other = q;
-                      other.tau = (q.quantity == "displacement" ? q.tau : 0) - phase_of_contact(q);
-                      other.quantity = "displacement";
-                      return plain_answer(other);
-                  },
-                  {"displacement"}),
-        elsewhere("motion-from-contact", "46",
-                  "The motion is sampled from the maximum of the contact on; motion_under_force starts at that of the force.",
-                  "the origin of tau: the contact is at its maximum at tau = phi_j",
-                  [](const ProtocolQuestion& q) -> std::optional<Value> {
-                      if (q.quantity != "motion_under_force" || !slides(q)) return std::nullopt;
-                      Value value;
-                      for (int n = 0; n < q.samples; ++n) {
-                          ProtocolQuestion other = q;
-                          other.quantity = "displacement";
-                          other.tau = 2 * pi<double>() * n / q.samples;
-                          const std::optional<Value> x = plain_answer(other);
-                          if (!x) return std::nullopt;
-                          value.numbers.push_back(x->numbers.front());
-                      }
-                      return value;
-                  }),
-    };
 }
 
 // Displacement of a mass behind the mass before it, the ground before the first.
@@ -158,37 +63,129 @@ std::optional<Value> under_a_sine(const ProtocolQuestion& q) {
     return value;
 }
 
-std::vector<MistakeDefinition> of_quantities() {
-    return {
-        other_quantity("monoharmonic-taken-for-exact", "52",
-                       "(52) and (53) are given for amplitude and phase; (46) has more than one harmonic.",
-                       "how the maximum of (46) over tau is found",
-                       {{"amplitude", "amplitude_monoharmonic"}, {"phase", "phase_monoharmonic"}}),
-        elsewhere("elongation-for-displacement", "5",
-                  "The elongation of the spring before a mass is given for the displacement of the mass.",
-                  "the coordinates: x_k is measured from the place of rest of mass k", elongation),
-        elsewhere("force-as-sine", "1",
-                  "The load is taken as a sine of tau; the protocol has a cosine: the load is largest at tau = 0.",
-                  "the origin of tau, and a phase of pi / 2", under_a_sine),
-        elsewhere("amplitude-at-contact-maximum", "44",
-                  "The amplitude of a mass is taken as its displacement at the maximum of the contact.",
-                  "how the maximum of (46) over tau is found",
-                  [](const ProtocolQuestion& q) -> std::optional<Value> {
-                      if (q.quantity != "amplitude") return std::nullopt;
-                      ProtocolQuestion other = q;
-                      other.quantity = "initial_displacement";
-                      std::optional<Value> value = plain_answer(other);
-                      if (value) value->numbers.front() = std::abs(value->numbers.front());
-                      return value;
-                  }),
-    };
+bool of_motion(const ProtocolQuestion& q) { return asks_for(q, {"amplitude", "phase", "motion_under_force"}); }
+
+// A contact that never rests: what both laws without sticking answer to questions about stops.
+std::optional<Value> without_stops(const ProtocolQuestion& q) {
+    if (!asks_for(q, {"regime", "stops_per_period", "stop_durations"})) return std::nullopt;
+    const std::optional<Value> right = plain_answer(q);
+    if (!right || q.quantity == "stop_durations") return right ? std::optional(Value{}) : std::nullopt;
+    return q.quantity == "regime" ? Value{{}, "continuous"} : Value{{0}, ""};
 }
 
 } // namespace
 
-std::vector<MistakeDefinition> mistakes_of_output() {
-    std::vector<MistakeDefinition> all = of_angles();
-    for (const auto& part : {of_displacements(), of_quantities()}) all.insert(all.end(), part.begin(), part.end());
+std::vector<Mistake> mistakes_of_output() {
+    return {
+        {"degrees", "39", "Angles are given in degrees; the protocol has radians.", "the unit of every phase",
+         changed(angles, [](double& x, const ProtocolQuestion&) { x *= 180 / pi<double>(); })},
+        {"phase-sign", "39", "Phases are given as lead; the protocol has the lag behind the force.",
+         "the sign of every phase: positive where the mass is late",
+         changed(angles, [](double& x, const ProtocolQuestion&) { x = wrapped_angle(-x); })},
+        {"phase-wrap", "39", "Phases are wrapped to [0, 2 pi); the protocol has (-pi, pi].",
+         "the interval to which phases are wrapped",
+         changed(angles, [](double& x, const ProtocolQuestion&) { x = x < 0 ? x + 2 * pi<double>() : x; })},
+        {"phase-behind-contact", "47", "Phases are given behind the mass in contact; the protocol has the lag behind the force.",
+         "whether phi_j is added in (47) and (53)",
+         changed(angles,
+                 [](double& x, const ProtocolQuestion& q) { x = slides(q) ? wrapped_angle(x - phase_of_contact(q)) : x; })},
+        {"peak-to-peak", "38", "Amplitudes are given peak to peak; the protocol has the largest displacement.",
+         "a factor of 2 in the amplitude",
+         changed({"amplitude", "amplitude_monoharmonic"}, [](double& x, const ProtocolQuestion&) { x *= 2; })},
+        {"amplitude-halved", "38", "Amplitudes are halved, as if the motion had been taken peak to peak before.",
+         "a factor of 1/2 in the amplitude",
+         changed({"amplitude", "amplitude_monoharmonic"}, [](double& x, const ProtocolQuestion&) { x /= 2; })},
+        {"root-mean-square", "38", "Amplitudes are those of a harmonic motion over sqrt(2): its root mean square.",
+         "how the amplitude is read off the motion",
+         changed({"amplitude", "amplitude_monoharmonic"}, [](double& x, const ProtocolQuestion&) { x /= std::sqrt(2.0); })},
+        {"static-deflection-of-loaded-mass", "5",
+         "Displacements are in units of the static deflection of the loaded mass; (5) has P / k_1.",
+         "the unit of displacements: the stiffness of the first spring",
+         changed({"amplitude", "amplitude_monoharmonic", "initial_displacement", "initial_velocity", "displacement",
+                  "complex_response", "motion_under_force", "rest_interval"},
+                 [](double& x, const ProtocolQuestion& q) { x /= static_deflection(q); })},
+        {"tau-from-force",
+         "46",
+         "tau = 0 is taken at the maximum of the force; the closed form has it at that of the contact.",
+         "the origin of tau: the force is cos(tau + phi_j)",
+         reading([](ProtocolQuestion& q) {
+             if (!asks_for(q, {"displacement", "initial_displacement"})) return;
+             q.tau = (q.quantity == "displacement" ? q.tau : 0) - phase_of_contact(q);
+             q.quantity = "displacement";
+         }),
+         1e-6,
+         {"displacement"}},
+        {"motion-from-contact", "46",
+         "The motion is sampled from the maximum of the contact on; motion_under_force starts at that of the force.",
+         "the origin of tau: the contact is at its maximum at tau = phi_j",
+         [](const ProtocolQuestion& q) -> std::optional<Value> {
+             if (q.quantity != "motion_under_force" || !slides(q)) return std::nullopt;
+             ProtocolQuestion other = q;
+             other.quantity = "displacement";
+             return sampled(q, [&](double tau) {
+                 other.tau = tau;
+                 const std::optional<Value> x = plain_answer(other);
+                 return x ? x->numbers.front() : std::nan("");
+             });
+         }},
+        {"monoharmonic-taken-for-exact", "52",
+         "(52) and (53) are given for amplitude and phase; (46) has more than one harmonic.",
+         "how the maximum of (46) over tau is found", reading([](ProtocolQuestion& q) {
+             if (asks_for(q, {"amplitude", "phase"})) q.quantity += "_monoharmonic";
+         })},
+        {"elongation-for-displacement", "5",
+         "The elongation of the spring before a mass is given for the displacement of the mass.",
+         "the coordinates: x_k is measured from the place of rest of mass k", elongation},
+        {"force-as-sine", "1", "The load is taken as a sine of tau; the protocol has a cosine: the load is largest at tau = 0.",
+         "the origin of tau, and a phase of pi / 2", under_a_sine},
+        {"amplitude-at-contact-maximum", "44",
+         "The amplitude of a mass is taken as its displacement at the maximum of the contact.",
+         "how the maximum of (46) over tau is found", [](const ProtocolQuestion& q) -> std::optional<Value> {
+             if (q.quantity != "amplitude") return std::nullopt;
+             ProtocolQuestion other = q;
+             other.quantity = "initial_displacement";
+             std::optional<Value> value = plain_answer(other);
+             if (value) value->numbers.front() = std::abs(value->numbers.front());
+             return value;
+         }}};
+}
+
+std::vector<Mistake> mistakes_of_integrators() {
+    constexpr double of_collocation = 1e-2;
+    constexpr int period = 10; // where the answers do not show another
+    std::vector<Mistake> all{
+        {"transient", "", "The motion is read off before the transient has decayed.",
+         "how many periods are integrated from rest; go on until two in a row agree",
+         [](const ProtocolQuestion& q) { return of_motion(q) ? answers_of_transient(q, period, period).front() : std::nullopt; },
+         of_steps_in_time},
+        {"sliding-beyond-the-boundary", "69", "The closed form is used where the contact stops: (69) is not asked.",
+         "whether beta < beta_lim is tested before (38) is used",
+         by_formulas({"amplitude", "phase", "motion_under_force"}, [](Choices& c) { c.beyond_the_boundary = true; })},
+        {"sgn-of-0-is-0", "3",
+         "The contact never rests: friction at rest is taken as sgn(0) = 0; (3) has any value up to mu beta there.",
+         "the friction law at zero velocity: while the load is at most mu beta the contact sticks, (74)", without_stops,
+         of_steps_in_time}};
+    for (const auto& [name, number, width] : {std::tuple("tanh-1e-1", "0.1", 1e-1),
+                                              {"tanh-1e-2", "0.01", 1e-2},
+                                              {"tanh-1e-3", "0.001", 1e-3},
+                                              {"tanh-1e-4", "0.0001", 1e-4}})
+        all.push_back(
+            {name, "3",
+             std::string("The contact creeps where it should rest: sgn is replaced by a hyperbolic tangent of the velocity d x / "
+                         "d tau over ") +
+                 number + ".",
+             "the friction law at zero velocity: friction that needs a velocity holds nothing",
+             [width = width](const ProtocolQuestion& q) { return of_motion(q) ? answer_of_creep(q, width) : without_stops(q); },
+             of_steps_in_time});
+    for (const int highest : {1, 3, 5, 7, 9}) {
+        const std::string number = std::to_string(highest);
+        all.push_back(
+            {"harmonics-up-to-" + number, "", "Friction is cut off after harmonic " + number + ".",
+             "the number of harmonics; those of a square wave fall like one over their order",
+             by_formulas({"amplitude", "phase", "motion_under_force", "displacement", "initial_displacement", "initial_velocity"},
+                         [highest](Choices& c) { c.harmonics = highest; }),
+             of_collocation});
+    }
     return all;
 }
 

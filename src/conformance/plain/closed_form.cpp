@@ -79,55 +79,40 @@ bool is_of_motion(const std::string& quantity) {
            quantity == "stop_durations" || quantity == "rest_interval";
 }
 
-bool slides(const ProtocolQuestion& q, const PlainModes& m, const Choices& c) {
+bool slides(const PlainModes& m, const Choices& c) {
     if (c.beyond_the_boundary || c.harmonics > 0) return true;
     const double V = modulus(m.V[m.j]), root = std::sqrt(V * V - m.beta * m.U[m.j] * (m.beta * m.U[m.j]));
     if (!(root > m.beta * (m.H_j + m.mu * m.sum_of_squares))) return false; // (67), which costs no search
-    return m.beta < plain_limits(q, m, {}, {true, false, false}).exact;
-}
-
-std::vector<double> samples_of_motion(const ProtocolQuestion& q, const PlainModes& m, const Choices& c, std::size_t k) {
-    std::vector<double> x;
-    for (int n = 0; n < q.samples; ++n)
-        x.push_back(plain_motion(m, c, k, 2 * pi<double>() * n / q.samples - plain_phase(m, c)).x);
-    return x;
+    return m.beta < plain_limit(m, {}, plain_demand(m, {}, false));
 }
 
 Value regime(const ProtocolQuestion& q, const PlainModes& m, const Choices& c) {
     if (c.beyond_the_boundary) return {{}, "continuous"};
-    const PlainLimits limits = plain_limits(q, m, c, needed_for(q.quantity));
-    if (m.beta < limits.exact) return {{}, "continuous"};
-    return {{}, m.beta >= limits.sticking ? "permanent_sticking" : "stick_slip"};
+    if (m.beta < plain_limit(m, c, plain_demand(m, c, false))) return {{}, "continuous"};
+    return {{}, m.beta >= plain_sticking_limit(q, m, c) ? "permanent_sticking" : "stick_slip"};
 }
 
 // Quantities of the modes and of the boundaries, which do not depend on the motion; none for another quantity.
 std::optional<std::vector<double>> without_motion(const ProtocolQuestion& q, const PlainModes& m, const Choices& c,
                                                   std::size_t k) {
     const std::string& name = q.quantity;
-    const auto listed = [&](std::vector<double> modes) {
-        if (c.descending) std::reverse(modes.begin(), modes.end());
-        return modes;
-    };
-    const auto limits = [&] { return plain_limits(q, m, c, needed_for(name)); };
-    if (name == "natural_frequency_ratios") return listed(m.r_n);
-    if (name == "modal_frequency_ratios") return listed(m.R);
+    if (name == "natural_frequency_ratios") return m.r_n;
+    if (name == "modal_frequency_ratios") return m.R;
     if (name == "mode_shape_products") {
         std::vector<double> products;
         for (std::size_t i = 0; i < m.R.size(); ++i) products.push_back(m.psi[k][i] * m.psi[m.j][i]);
-        return listed(std::move(products));
+        return products;
     }
     if (name == "complex_response") return std::vector{m.V[k].re, m.V[k].im};
     if (name == "first_damping_function") return std::vector{m.U[k]};
     if (name == "second_damping_function") return std::vector{m.G[k]};
     if (name == "H_j") return std::vector{m.H_j};
-    if (name == "S_j") return std::vector{limits().S};
-    if (name == "beta_lim_exact") return std::vector{limits().exact};
-    if (name == "beta_lim_paper") return std::vector{limits().paper};
-    if (name == "beta_lim_approximate") return std::vector{limits().approximate};
-    if (name == "beta_lim_sticking") return std::vector{limits().sticking};
-    if (name == "beta_lim_high_frequency")
-        return std::vector{c.mu_at_high_frequency ? as_printed::friction_ratio_limit_at_high_frequency(m.mu)
-                                                  : paper::friction_ratio_limit_at_high_frequency(m.mu)};
+    if (name == "S_j") return std::vector{plain_demand(m, c, false)};
+    if (name == "beta_lim_exact" || name == "beta_lim_paper")
+        return std::vector{plain_limit(m, c, plain_demand(m, c, name == "beta_lim_paper"))};
+    if (name == "beta_lim_approximate") return std::vector{plain_approximate_limit(m, c)};
+    if (name == "beta_lim_sticking") return std::vector{plain_sticking_limit(q, m, c)};
+    if (name == "beta_lim_high_frequency") return std::vector{paper::friction_ratio_limit_at_high_frequency(m.mu)};
     return std::nullopt;
 }
 
@@ -143,7 +128,8 @@ std::vector<double> of_motion(const ProtocolQuestion& q, const PlainModes& m, co
     if (name == "initial_displacement") return {plain_start(m, c, k).x};
     if (name == "initial_velocity") return {plain_start(m, c, k).v};
     if (name == "displacement") return {plain_motion(m, c, k, q.tau).x};
-    if (name == "motion_under_force") return samples_of_motion(q, m, c, k);
+    if (name == "motion_under_force")
+        return sampled(q, [&](double tau) { return plain_motion(m, c, k, tau - plain_phase(m, c)).x; }).numbers;
     if (name == "stops_per_period") return {0};
     return {};
 }
@@ -155,7 +141,7 @@ std::optional<Value> computed(const ProtocolQuestion& q, const Choices& c) {
     const std::size_t k = of_mass ? static_cast<std::size_t>(q.mass - 1) : 0;
     if (q.quantity == "regime") return regime(q, m, c);
     if (const std::optional<std::vector<double>> numbers = without_motion(q, m, c, k)) return Value{*numbers, ""};
-    if (is_of_motion(q.quantity) && !slides(q, m, c)) return c.closed_form_alone ? std::nullopt : answer_of_steady_motion(q);
+    if (is_of_motion(q.quantity) && !slides(m, c)) return c.closed_form_alone ? std::nullopt : answer_of_steady_motion(q);
     if (q.quantity == "rest_interval") return std::nullopt;
     return Value{of_motion(q, m, c, k), ""};
 }
@@ -173,6 +159,12 @@ std::optional<Value> where_finite(const std::function<std::optional<Value>()>& a
     } catch (const PrecisionError&) {
     }
     return std::nullopt;
+}
+
+Value sampled(const ProtocolQuestion& q, const std::function<double(double tau)>& f) {
+    Value value;
+    for (int n = 0; n < q.samples; ++n) value.numbers.push_back(f(2 * pi<double>() * n / q.samples));
+    return value;
 }
 
 double wrapped_angle(double angle) {

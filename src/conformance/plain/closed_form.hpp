@@ -7,32 +7,21 @@
 #include <vector>
 
 #include "conformance/plain/modes.hpp"
+#include "denhartog/stick_slip/stuck_response.hpp"
 
 namespace denhartog::conformance {
 
-// The boundaries of the regimes by the plain closed form.
-struct PlainLimits {
-    double S = 0;           // the largest demand in (69): the maximum of the sum over modes
-    double exact = 0;       // (69) with S
-    double S_paper = 0;     // that of (56): the sum of the maxima of the modes
-    double paper = 0;       // (69) with (56)
-    double approximate = 0; // (67)
-    double sticking = 0;    // the smallest beta at which the contact never moves
-};
+// The largest demand in (69): the maximum over tau of the sum over modes, or (56), the sum of the maxima of the modes.
+[[nodiscard]] double plain_demand(const PlainModes& m, const Choices& c, bool of_paper);
 
-// Says which boundaries to compute. The searches for a maximum cost most of the time.
-struct Needed {
-    bool S = true;        // S and `exact`
-    bool paper = true;    // `paper`
-    bool sticking = true; // `sticking`
-};
+// (69) with a demand and the load condition (67); with the demand alone; (67).
+[[nodiscard]] double plain_limit(const PlainModes& m, const Choices& c, double S);
+[[nodiscard]] double plain_limit_by(const PlainModes& m, double S);
+[[nodiscard]] double plain_approximate_limit(const PlainModes& m, const Choices& c);
 
-// The boundaries that a quantity needs.
-[[nodiscard]] Needed needed_for(std::string_view quantity);
-
-// The boundaries at a question's frequency ratio. 0 for one that is not needed.
-[[nodiscard]] PlainLimits plain_limits(const ProtocolQuestion& q, const PlainModes& m, const Choices& c,
-                                       const Needed& needed = {});
+// The smallest beta at which the contact never moves; the same in the forms that (88) has.
+[[nodiscard]] double plain_sticking_limit(const ProtocolQuestion& q, const PlainModes& m, const Choices& c);
+[[nodiscard]] StickingBoundary sticking_boundary_of(const ProtocolQuestion& q);
 
 // The answer of the plain closed form to a question; beyond the sliding regime the exact solver answers in double. The
 // scene is of the paper; the formulas are used as they stand even if it breaks a rule of friction. None if the answer is not
@@ -44,6 +33,9 @@ struct Needed {
 
 // An answer; none where it has a number that is not finite, or no answer but an InputError, a DomainError or a PrecisionError.
 [[nodiscard]] std::optional<Value> where_finite(const std::function<std::optional<Value>()>& answer);
+
+// The values of a function at the instants of a question, equally spaced over a period from 0 on.
+[[nodiscard]] Value sampled(const ProtocolQuestion& q, const std::function<double(double tau)>& f);
 
 // An angle as the protocol gives it, in (-pi, pi].
 [[nodiscard]] double wrapped_angle(double angle);
@@ -57,13 +49,10 @@ struct Needed {
 // not to the paper.
 [[nodiscard]] std::vector<std::optional<Value>> answers_of_transient(const ProtocolQuestion& q, int first, int last);
 
-/// @brief The answer of a solver that replaces sgn by a hyperbolic tangent: a contact that should rest permanently creeps.
-///
-/// \f[ \bar{x}_j' = -\varepsilon\,\mathrm{artanh}\frac{|\lambda|\cos(\tau+\angle\lambda)}{\beta} \f] with the load
-/// \f$ \lambda \f$ of (88) on the held contact; this is of first order in the width.
-/// @param q      the question, of amplitude or motion
-/// @param width  velocity over which friction changes its sign, in the unit of d x / d tau
-/// @return       the answer; none if another mass is asked about, the contact moves, or only static friction holds it
+// The answer of a solver that replaces sgn by a hyperbolic tangent, to a question of amplitude or motion: a contact that should
+// rest permanently creeps with x_j' = -width artanh(|load| cos(tau + arg load) / beta), with the load of (88) on the held
+// contact; this is of first order in the width, a velocity in the unit of d x / d tau. None if another mass is asked about, the
+// contact moves, or only static friction holds it.
 [[nodiscard]] std::optional<Value> answer_of_creep(const ProtocolQuestion& q, double width);
 
 // The answer about a system beyond the paper (a contact between two masses, several loads, a moving base, matrices), by the library in double. None if only a chain has

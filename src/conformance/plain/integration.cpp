@@ -41,12 +41,8 @@ Extremum largest_of_contact(const ExactMotion& motion, std::size_t contact, Extr
 std::optional<Value> read_off(ExactSolver& solver, const ExactMotion& motion, const ProtocolQuestion& q) {
     const std::size_t contact = solver.system().contact.index;
     const std::size_t k = q.mass > 0 ? static_cast<std::size_t>(q.mass - 1) : contact;
-    if (q.quantity == "motion_under_force") {
-        Value value;
-        for (int n = 0; n < q.samples; ++n)
-            value.numbers.push_back(displacement_at(solver, motion.phases, period * n / q.samples, k));
-        return value;
-    }
+    if (q.quantity == "motion_under_force")
+        return sampled(q, [&](double tau) { return displacement_at(solver, motion.phases, tau, k); });
     Extremum largest = solver.largest_displacements()[k];
     if (k == contact) largest = largest_of_contact(motion, k, largest);
     if (q.quantity == "amplitude") return Value{{std::abs(largest.x)}, ""};
@@ -73,9 +69,7 @@ std::optional<Value> answer_of_stuck_motion(const ProtocolQuestion& q, const Sce
     const StuckMass& mass = response.masses[static_cast<std::size_t>(q.mass - 1)];
     if (q.quantity == "amplitude") return Value{{mass.amplitude}, ""};
     if (q.quantity == "phase") return mass.phase ? std::optional(Value{{*mass.phase}, ""}) : std::nullopt;
-    Value value;
-    for (int n = 0; n < q.samples; ++n) value.numbers.push_back(times_cosine(mass.X, double(period * n / q.samples)));
-    return value;
+    return sampled(q, [&](double tau) { return times_cosine(mass.X, tau); });
 }
 
 } // namespace
@@ -130,10 +124,7 @@ std::optional<Value> answer_of_creep(const ProtocolQuestion& q, double width) {
     };
     if (q.quantity == "amplitude") return Value{{std::abs(path(period / 4))}, ""};
     if (q.quantity != "motion_under_force") return std::nullopt;
-    Value value;
-    for (int n = 0; n < q.samples; ++n)
-        value.numbers.push_back(path(std::remainder(period * n / q.samples + argument(load), period)));
-    return value;
+    return sampled(q, [&](double tau) { return path(std::remainder(tau + argument(load), period)); });
 }
 
 } // namespace denhartog::conformance

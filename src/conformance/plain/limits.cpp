@@ -105,54 +105,38 @@ double limit_mode_by_mode(const PlainModes& m, double limit) {
     return limit;
 }
 
-double sticking_limit(const ProtocolQuestion& q, const PlainModes& m, const Choices& c) {
-    if (c.sticking == StickingForm::exact) return paper::sticking_limit(m.V[m.j], double(m.mu * modulus(m.Y_jj)));
-    System<double> system;
-    system.mass_ratios = q.mass_ratios;
-    system.stiffness_ratios = q.stiffness_ratios;
-    system.damping_ratios = q.damping_ratios;
-    system.contact = Mass{m.j};
-    system.load = Mass{m.l};
-    const StuckConfiguration<double> stuck = stuck_configuration(system, modal_basis(system));
-    const StuckResponse response = stuck_response(stuck, system.load, q.r);
-    const StickingBoundary boundary = sticking_boundary(response, stuck_chain(system, stuck), m.mu);
-    return c.sticking == StickingForm::as_printed ? boundary.paper.value_or(std::nan("")) : boundary.without_damping_load;
-}
+double demand_at_rest(const PlainModes& m) { return paper::static_friction_demand(m.H_j, m.mu, m.sum_of_squares); }
 
 } // namespace
 
-Needed needed_for(std::string_view quantity) {
-    const bool regime = quantity == "regime";
-    return {regime || quantity == "S_j" || quantity == "beta_lim_exact", quantity == "beta_lim_paper",
-            regime || quantity == "beta_lim_sticking"};
+StickingBoundary sticking_boundary_of(const ProtocolQuestion& q) {
+    const System<double> system = paper_system(q);
+    const StuckConfiguration<double> stuck = stuck_configuration(system, modal_basis(system));
+    return sticking_boundary(stuck_response(stuck, system.load, q.r), stuck_chain(system, stuck), q.mu);
 }
 
-PlainLimits plain_limits(const ProtocolQuestion& q, const PlainModes& m, const Choices& c, const Needed& needed) {
-    const Complex<double>& V_j = m.V[m.j];
-    const double U_j = m.U[m.j];
-    const double at_rest = paper::static_friction_demand(m.H_j, double(c.sign_of_mu * m.mu), m.sum_of_squares);
-    const auto limit = [&](double S) { return paper::friction_ratio_limit(V_j, U_j, S); };
-    PlainLimits limits;
-    const bool is_paper = c.maximum_of_each_mode || c.demand_at_start;
-    double S_paper = 0;
-    if (c.demand_at_start)
-        S_paper = m.H_j + m.sum_of_squares;
-    else if (needed.paper || (needed.S && is_paper))
-        S_paper = sum_of_maxima(m, c);
-    limits.S_paper = S_paper;
-    if (needed.S) limits.S = is_paper ? S_paper : maximum_of_sum(m, c);
-    limits.approximate = limit(at_rest);
-    if (c.load_of_each_mode) limits.approximate = limit_mode_by_mode(m, limits.approximate);
-    const double by_68 = limit(m.H_j - m.mu * m.sum_of_squares);
-    const auto ends = [&](double S) {
-        if (c.sliding_beyond_68 && by_68 < limit(S)) return limit(S);
-        if (c.without_load_condition) return limit(S);
-        return c.load_of_each_mode ? std::min(limit(S), limits.approximate) : limit(std::max(S, at_rest));
-    };
-    if (needed.S) limits.exact = ends(limits.S);
-    if (needed.paper) limits.paper = ends(S_paper);
-    if (needed.sticking) limits.sticking = sticking_limit(q, m, c);
-    return limits;
+double plain_demand(const PlainModes& m, const Choices& c, bool of_paper) {
+    if (c.demand_at_start) return m.H_j + m.sum_of_squares;
+    return of_paper || c.maximum_of_each_mode ? sum_of_maxima(m, c) : maximum_of_sum(m, c);
+}
+
+double plain_limit_by(const PlainModes& m, double S) { return paper::friction_ratio_limit(m.V[m.j], m.U[m.j], S); }
+
+double plain_approximate_limit(const PlainModes& m, const Choices& c) {
+    const double limit = plain_limit_by(m, demand_at_rest(m));
+    return c.load_of_each_mode ? limit_mode_by_mode(m, limit) : limit;
+}
+
+double plain_limit(const PlainModes& m, const Choices& c, double S) {
+    const double by_S = plain_limit_by(m, S);
+    if (c.without_load_condition || (c.sliding_beyond_68 && plain_limit_by(m, m.H_j - m.mu * m.sum_of_squares) < by_S))
+        return by_S;
+    return c.load_of_each_mode ? std::min(by_S, plain_approximate_limit(m, c))
+                               : plain_limit_by(m, std::max(S, demand_at_rest(m)));
+}
+
+double plain_sticking_limit(const ProtocolQuestion& q, const PlainModes& m, const Choices& c) {
+    return c.sticking ? c.sticking(q) : paper::sticking_limit(m.V[m.j], double(m.mu * modulus(m.Y_jj)));
 }
 
 } // namespace denhartog::conformance

@@ -16,31 +16,8 @@
 namespace denhartog::conformance {
 namespace {
 
-std::size_t place(int counted_from_1, std::size_t N, const char* name) {
-    if (counted_from_1 < 1 || static_cast<std::size_t>(counted_from_1) > N)
-        throw InputError(name, "must be a mass of the chain", std::to_string(counted_from_1));
-    return static_cast<std::size_t>(counted_from_1 - 1);
-}
-
-double factor_of_shape(Normalisation normalisation, double r, const Eigen::VectorXd& shape) {
-    switch (normalisation) {
-    case Normalisation::mass_matrix: return 1 / r;
-    case Normalisation::without_r: return 1;
-    case Normalisation::largest_entry: return 1 / shape.cwiseAbs().maxCoeff();
-    case Normalisation::unit_length: return 1 / shape.norm();
-    }
-    return 1 / r;
-}
-
 // The response of a mode to the n-th harmonic, (23) at n R.
 Complex<double> response_to_harmonic(int n, double R, double zeta) { return paper::complex_response(double(n * R), zeta); }
-
-// (23) with a damping force in phase with the velocity but of the size of the displacement.
-Complex<double> hysteretic_response(double R, double zeta) {
-    const double stiffness = (1 - R) * (1 + R), damping = 2 * zeta;
-    const double square = stiffness * stiffness + damping * damping;
-    return {stiffness / square, -damping / square};
-}
 
 // What (28), (29) and the braces of (40) become where friction is a square wave cut off after some harmonics.
 evaluation::DampingFunctions<double> truncated_functions(int highest, double R, double zeta) {
@@ -93,14 +70,8 @@ void sum_modes(PlainModes& m) {
 } // namespace
 
 PlainModes plain_modes(const ProtocolQuestion& q, const Choices& c) {
-    check_of_the_paper(q);
+    const System<double> system = paper_system(q);
     const std::size_t N = q.mass_ratios.size();
-    System<double> system;
-    system.mass_ratios = q.mass_ratios;
-    system.stiffness_ratios = q.stiffness_ratios;
-    system.damping_ratios = q.damping_ratios;
-    system.contact = Mass{place(q.contact, N, "contact")};
-    system.load = Mass{place(q.load, N, "load")};
     const ModalBasis<double> basis = modal_basis(system);
     PlainModes m;
     m.j = system.contact.index;
@@ -113,19 +84,16 @@ PlainModes plain_modes(const ProtocolQuestion& q, const Choices& c) {
     m.psi.assign(N, std::vector<double>(N));
     for (std::size_t i = 0; i < N; ++i) {
         const Eigen::VectorXd shape = basis.phi.col(static_cast<Eigen::Index>(i));
-        const double factor = factor_of_shape(c.normalisation, q.r, shape);
-        for (std::size_t k = 0; k < N; ++k) m.psi[k][i] = factor * shape(static_cast<Eigen::Index>(k));
+        for (std::size_t k = 0; k < N; ++k) m.psi[k][i] = shape(static_cast<Eigen::Index>(k)) / q.r;
         const double R = q.r / basis.r_n[i], zeta = m.zeta[i];
         m.R.push_back(R);
         const evaluation::DampingFunctions<double> f =
             c.harmonics > 0 ? truncated_functions(c.harmonics, R, zeta) : evaluation::damping_functions(R, zeta);
         m.u.push_back(f.u);
         m.g.push_back(f.g);
-        m.v.push_back(c.hysteretic          ? hysteretic_response(R, zeta)
-                      : c.factor_in_23 == 2 ? evaluation::complex_response(R, zeta)
-                                            : paper::complex_response(R, double(zeta * c.factor_in_23 / 2)));
+        m.v.push_back(evaluation::complex_response(R, zeta));
     }
-    m.sum_of_squares = 1 / (q.mass_ratios[m.j] * (c.power_of_r_in_65 == 1 ? q.r : q.r * q.r));
+    m.sum_of_squares = 1 / (q.mass_ratios[m.j] * (q.r * q.r));
     if (c.change_modes) c.change_modes(m);
     sum_modes(m);
     if (c.change_sums) c.change_sums(m);

@@ -15,21 +15,6 @@
 
 namespace denhartog::conformance {
 
-// How mode shapes are normalised.
-enum class Normalisation {
-    mass_matrix,   // with r^2 diag(m_i / m_1), Eq. (17)
-    without_r,     // with diag(m_i / m_1), without r
-    largest_entry, // the largest entry of each shape is 1
-    unit_length    // the squares of the entries of each shape add up to 1
-};
-
-// The form of the boundary of permanent sticking, (88).
-enum class StickingForm {
-    exact,               // all forces on the contact
-    as_printed,          // only the spring between the contact and its neighbour, with modal superposition
-    without_damping_load // all forces except the damping forces of the moving masses on the contact
-};
-
 // Equally spaced instants in the half-period.
 struct Instants {
     double first = 0;       // the first
@@ -41,35 +26,28 @@ struct PlainModes;
 
 // The points of variation of the plain closed form.
 struct Choices {
-    Normalisation normalisation = Normalisation::mass_matrix; // of the mode shapes
-    bool descending = false;                                  // the modes are in descending order of natural frequency
-    bool motion_as_printed = false;                           // the bracket of (46) as printed
-    bool initial_displacement_as_printed = false;             // (44) as printed
-    bool initial_velocity_as_printed = false;                 // (45) as printed
-    bool motion_from_start = false;                           // (41) and (49) in place of (46) and (50) to (52)
-    bool cosine_as_printed = false;                           // (50) as printed
-    bool amplitude_from_parts = false;                        // the monoharmonic amplitude from (50) and (51) in place of (52)
-    bool monoharmonic_as_printed = false;                     // (52) as printed
-    bool maximum_of_each_mode = false;                        // (56) in place of the maximum of the sum over modes
-    bool demand_at_start = false;                             // (72) in place of the maximum of the sum over modes, and of (56)
-    bool load_of_each_mode = false;                           // (67) from (63), required of every mode by itself
+    bool motion_as_printed = false;                // the bracket of (46) as printed
+    bool initial_displacement_as_printed = false;  // (44) as printed
+    bool initial_velocity_as_printed = false;      // (45) as printed
+    bool motion_from_start = false;                // (41) and (49) in place of (46) and (50) to (52)
+    bool cosine_as_printed = false;                // (50) as printed
+    bool amplitude_from_parts = false;             // the monoharmonic amplitude from (50) and (51) in place of (52)
+    bool monoharmonic_as_printed = false;          // (52) as printed
+    bool maximum_of_each_mode = false;             // (56) in place of the maximum of the sum over modes
+    bool demand_at_start = false;                  // (72) in place of the maximum of the sum over modes, and of (56)
+    bool load_of_each_mode = false;                // (67) from (63), required of every mode by itself
     bool sliding_beyond_68 = false;                // the condition of sliding is (58) and "(67) or (68)", with (68) as printed
-    bool mu_at_high_frequency = false;             // (86) as printed
-    StickingForm sticking = StickingForm::exact;   // the boundary of permanent sticking
     bool argument_in_half_plane = false;           // the argument of V_dj is the arctangent of a quotient
     bool no_half_period_for_minima = false;        // (47) leaves out the half-period if the mass is at a minimum
     bool beyond_the_boundary = false;              // the closed form answers in every regime
     bool closed_form_alone = false;                // there is no answer for the motion beyond the sliding regime
-    double factor_in_23 = 2;                       // the factor of zeta R in (23)
-    double sign_of_mu = 1;                         // the sign of mu / (gamma_j r^2) in (67)
-    double power_of_r_in_65 = 2;                   // the power of r in (65)
     bool demand_as_printed = false;                // (57) as printed, which needs `instants`
     std::optional<Instants> instants;              // where to look for the maximum of (57); none: everywhere
     bool without_load_condition = false;           // (69) from the maximum alone, without the load condition (67)
-    bool hysteretic = false;                       // 2 zeta in place of 2 zeta R in (23)
     int harmonics = 0;                             // the highest harmonic of friction that is kept; 0: all
     std::function<void(PlainModes&)> change_modes; // changes the modes before the sums; empty: no change
     std::function<void(PlainModes&)> change_sums;  // changes the sums over the modes; empty: no change
+    std::function<double(const ProtocolQuestion&)> sticking; // another boundary of permanent sticking, (88); empty: the right one
 };
 
 // Modes and sums over modes of a question's scene.

@@ -16,49 +16,33 @@ namespace {
 constexpr int digits_asked = 11;
 
 // What friction does not change, and the motion while the contact slides.
-class Sliding {
-public:
-    explicit Sliding(const ProtocolQuestion& q)
-        : scene_(scene_of(q)), row_(row_of(q)), sums_(sums_of(scene_)), limits_(boundary(sums_, scene_.mu)) {}
-
-    std::vector<double> numbers(const ProtocolQuestion& q) const {
-        const std::string& name = q.quantity;
-        if (name == "complex_response") return {sums_.V[row_].re, sums_.V[row_].im};
-        if (name == "first_damping_function") return {sums_.U[row_]};
-        if (name == "second_damping_function") return {sums_.G[row_]};
-        if (name == "H_j") return {sums_.H_j};
-        if (name == "S_j") return {limits_.S_exact};
-        if (name == "beta_lim_exact") return {limits_.exact};
-        if (name == "beta_lim_sticking") return limits_.sticking ? std::vector{*limits_.sticking} : std::vector<double>();
-        const SteadyState<double> state = steady_state(sums_, limits_, *scene_.beta);
-        const MassResponse<double>& m = state.masses[row_];
-        if (name == "amplitude_monoharmonic") return {m.amplitude_monoharmonic};
-        if (name == "phase_monoharmonic") return {m.phase_monoharmonic};
-        if (name == "initial_displacement") return {m.x0};
-        if (name == "initial_velocity") return {m.v0};
-        return {motion(sums_, state, q.tau).x[row_]};
-    }
-
-private:
-    Scene<double> scene_;
-    std::size_t row_;
-    ModeSums<double> sums_;
-    Boundary<double> limits_;
-
-    std::size_t row_of(const ProtocolQuestion& q) const {
-        return q.mass == 0 ? contact_row(scene_.system).index : static_cast<std::size_t>(q.mass - 1);
-    }
-
-    static ModeSums<double> sums_of(const Scene<double>& scene) {
-        const System<double>& s = scene.system;
-        const ModalBasis<double> basis = modal_basis(s);
-        if (basis.coupled()) return values_of(coupled_sums(s, as_input(*scene.r)));
-        return mode_sums(basis, contact_row(s), load_row(s), *scene.r);
-    }
-};
+std::vector<double> of_sums(const ProtocolQuestion& q) {
+    const Scene<double> scene = scene_of(q);
+    const System<double>& s = scene.system;
+    const std::size_t k = q.mass == 0 ? contact_row(s).index : static_cast<std::size_t>(q.mass - 1);
+    const ModalBasis<double> basis = modal_basis(s);
+    const ModeSums<double> sums = basis.coupled() ? values_of(coupled_sums(s, as_input(*scene.r)))
+                                                  : mode_sums(basis, contact_row(s), load_row(s), *scene.r);
+    const std::string& name = q.quantity;
+    if (name == "complex_response") return {sums.V[k].re, sums.V[k].im};
+    if (name == "first_damping_function") return {sums.U[k]};
+    if (name == "second_damping_function") return {sums.G[k]};
+    if (name == "H_j") return {sums.H_j};
+    const Boundary<double> limits = boundary(sums, scene.mu);
+    if (name == "S_j") return {limits.S_exact};
+    if (name == "beta_lim_exact") return {limits.exact};
+    if (name == "beta_lim_sticking") return limits.sticking ? std::vector{*limits.sticking} : std::vector<double>();
+    const SteadyState<double> state = steady_state(sums, limits, *scene.beta);
+    const MassResponse<double>& m = state.masses[k];
+    if (name == "amplitude_monoharmonic") return {m.amplitude_monoharmonic};
+    if (name == "phase_monoharmonic") return {m.phase_monoharmonic};
+    if (name == "initial_displacement") return {m.x0};
+    if (name == "initial_velocity") return {m.v0};
+    return {motion(sums, state, q.tau).x[k]};
+}
 
 // Displacements of the mass asked about, or of the contact, at the instants of the question.
-std::vector<double> sampled(const ProtocolQuestion& q, const Scene<double>& scene, const Solution& solution) {
+std::vector<double> samples_of(const ProtocolQuestion& q, const Scene<double>& scene, const Solution& solution) {
     std::vector<double> x;
     for (const State& state : sampled_solution(scene_source(scene), solution, static_cast<std::size_t>(q.samples)).states) {
         const auto of = [&](int mass) { return state.x[static_cast<std::size_t>(mass - 1)]; };
@@ -95,7 +79,7 @@ std::optional<Value> of_motion(const ProtocolQuestion& q) {
     if (solution.periods != 1) return std::nullopt;
     if (name == "rest_interval")
         return solution.rest_interval ? std::optional(Value{{solution.rest_interval->to.value}, ""}) : std::nullopt;
-    if (name == "motion_under_force") return Value{sampled(q, scene, solution), ""};
+    if (name == "motion_under_force") return Value{samples_of(q, scene, solution), ""};
     if (name == "stops_per_period") return Value{{static_cast<double>(solution.stops.size())}, ""};
     if (name == "stop_durations") {
         Value lengths;
@@ -115,10 +99,11 @@ std::optional<Value> answer_of_system(const ProtocolQuestion& q) {
     if (asks_for(q,
                  {"amplitude", "phase", "regime", "rest_interval", "stops_per_period", "stop_durations", "motion_under_force"}))
         return of_motion(q);
-    const bool of_sums = asks_for(q, {"complex_response", "first_damping_function", "second_damping_function", "H_j", "S_j",
-                                      "beta_lim_exact", "beta_lim_sticking", "amplitude_monoharmonic", "phase_monoharmonic",
-                                      "initial_displacement", "initial_velocity", "displacement"});
-    return of_sums ? std::optional(Value{Sliding(q).numbers(q), ""}) : std::nullopt;
+    if (asks_for(q, {"complex_response", "first_damping_function", "second_damping_function", "H_j", "S_j", "beta_lim_exact",
+                     "beta_lim_sticking", "amplitude_monoharmonic", "phase_monoharmonic", "initial_displacement",
+                     "initial_velocity", "displacement"}))
+        return Value{of_sums(q), ""};
+    return std::nullopt;
 }
 
 } // namespace denhartog::conformance

@@ -54,45 +54,26 @@ struct GroupActivity {
     bool stopped = false;         // one of them is stopped by a signal
 };
 
-// Of /proc/N/stat what follows the name, which may hold anything.
-struct Status {
-    char state = '?';
-    pid_t group = 0;
-    double ticks = 0;
-};
-
-std::optional<Status> status_in(const std::filesystem::path& process) {
-    std::ifstream file(process / "stat");
-    const std::string text(std::istreambuf_iterator<char>(file), {});
-    const std::size_t name_end = text.rfind(')');
-    if (name_end == std::string::npos) return std::nullopt;
-    std::istringstream fields(text.substr(name_end + 1));
-    Status status;
-    long skipped = 0, user = 0, system = 0, user_of_children = 0, system_of_children = 0;
-    fields >> status.state >> skipped >> status.group;
-    for (int n = 0; n < 8; ++n) fields >> skipped;
-    fields >> user >> system >> user_of_children >> system_of_children;
-    if (!fields) return std::nullopt;
-    status.ticks = static_cast<double>(user + system + user_of_children + system_of_children);
-    return status;
-}
-
 // What a process group does, from /proc; none where there is none.
 std::optional<GroupActivity> group_activity(pid_t group) {
     std::error_code fault;
-    GroupActivity activity;
-    bool any = false;
+    std::optional<GroupActivity> activity;
     const double ticks_a_second = static_cast<double>(::sysconf(_SC_CLK_TCK));
     for (std::filesystem::directory_iterator at("/proc", fault), end; !fault && at != end; at.increment(fault)) {
-        const std::string name = at->path().filename();
-        if (name.find_first_not_of("0123456789") != std::string::npos) continue;
-        const std::optional<Status> status = status_in(at->path());
-        if (!status || status->group != group) continue;
-        any = true;
-        activity.processor_seconds += status->ticks / ticks_a_second;
-        activity.stopped = activity.stopped || status->state == 'T';
+        if (at->path().filename().string().find_first_not_of("0123456789") != std::string::npos) continue;
+        std::ifstream file(at->path() / "stat");
+        const std::string text(std::istreambuf_iterator<char>(file), {});
+        std::istringstream fields(text.substr(text.rfind(')') + 1)); // behind the name, which may hold anything
+        char state = '?';
+        long skipped = 0, its_group = 0, user = 0, system = 0, user_of_children = 0, system_of_children = 0;
+        fields >> state >> skipped >> its_group;
+        for (int n = 0; n < 8; ++n) fields >> skipped;
+        if (!(fields >> user >> system >> user_of_children >> system_of_children) || its_group != group) continue;
+        if (!activity) activity.emplace();
+        activity->processor_seconds +=
+            static_cast<double>(user + system + user_of_children + system_of_children) / ticks_a_second;
+        activity->stopped = activity->stopped || state == 'T';
     }
-    if (!any) return std::nullopt;
     return activity;
 }
 
@@ -105,13 +86,6 @@ std::atomic<bool>& interruption() {
 
 WithoutBrokenPipeSignal::WithoutBrokenPipeSignal() : earlier(std::signal(SIGPIPE, SIG_IGN)) {}
 WithoutBrokenPipeSignal::~WithoutBrokenPipeSignal() { std::signal(SIGPIPE, earlier); }
-
-Process::Process(const std::vector<std::string>& command) {
-    const StartedProgram program = start(command);
-    group = program.group;
-    to = program.to;
-    from = program.from;
-}
 
 Process::~Process() {
     kill_group();
@@ -149,9 +123,7 @@ void Process::send(std::string_view& rest) {
 bool Process::set_aside() {
     bool at_end = false;
     std::size_t size = received.size();
-    while (size <= longest_line && receive(at_end)) {
-        size = received.size();
-    }
+    while (size <= longest_line && receive(at_end)) size = received.size();
     for (std::size_t start = 0; start < received.size();) {
         const std::size_t end = std::min(received.find('\n', start), received.size());
         if (extra.lines++ == 0) extra.first = received.substr(start, std::min<std::size_t>(end - start, 200));
@@ -163,7 +135,7 @@ bool Process::set_aside() {
 
 Reply Process::ask(std::string_view line, double seconds) {
     // What comes before the first line is sent is read as the reply to it: whether it comes before or after is chance.
-    if (asked && !set_aside()) return {Heard::broken, "", "it wrote more than a megabyte without being asked"};
+    if (asked && !set_aside()) return {"", Verdict::crash, "it wrote more than a megabyte without being asked"};
     asked = true;
     const std::string text = std::string(line) + '\n';
     std::string_view rest = text;
@@ -174,14 +146,14 @@ Reply Process::ask(std::string_view line, double seconds) {
     while (true) {
         const std::size_t end = received.find('\n', searched);
         if (end != std::string::npos && end <= longest_line) {
-            Reply reply{Heard::line, received.substr(0, end), ""};
+            Reply reply{received.substr(0, end), std::nullopt, ""};
             received.erase(0, end + 1);
             return reply;
         }
-        if (received.size() > longest_line) return {Heard::broken, "", "it wrote a line of more than a megabyte"};
+        if (received.size() > longest_line) return {"", Verdict::crash, "it wrote a line of more than a megabyte"};
         searched = received.size();
         if (ended) return broken_off();
-        if (interruption()) return {Heard::interrupted, "", "the runner was interrupted"};
+        if (interruption()) return {"", Verdict::skipped, "the runner was interrupted"};
         const double waited = seconds_since(start);
         if (waited >= seconds) return no_line(waited - seconds / 2, at_half);
         if (at_half < 0 && waited >= seconds / 2) {
@@ -202,11 +174,11 @@ Reply Process::ask(std::string_view line, double seconds) {
 Reply Process::no_line(double second_half, double processor_time_at_half) {
     const auto activity = group_activity(group);
     const std::string part = received.empty() ? "" : "; it has written half a line";
-    if (!activity || processor_time_at_half < 0) return {Heard::timeout, "", "it did not answer in time" + part};
-    if (activity->stopped) return {Heard::stall, "", "it is stopped by a signal" + part};
+    if (!activity || processor_time_at_half < 0) return {"", Verdict::timeout, "it did not answer in time" + part};
+    if (activity->stopped) return {"", Verdict::stall, "it is stopped by a signal" + part};
     const double used = activity->processor_seconds - processor_time_at_half;
-    if (used > share_of_a_waiting_program * second_half) return {Heard::timeout, "", "it was still computing" + part};
-    return {Heard::stall, "", "it waits and computes nothing: does it flush its output after each line?" + part};
+    if (used > share_of_a_waiting_program * second_half) return {"", Verdict::timeout, "it was still computing" + part};
+    return {"", Verdict::stall, "it waits and computes nothing: does it flush its output after each line?" + part};
 }
 
 Reply Process::broken_off() {
@@ -214,8 +186,8 @@ Reply Process::broken_off() {
     const std::string half = received.empty() ? "" : ", in the middle of a line";
     const Clock::time_point start = Clock::now();
     while (!has_ended(group) && seconds_since(start) < patience) ::poll(nullptr, 0, 1);
-    if (!has_ended(group)) return {Heard::broken, "", "it closed its standard output" + half};
-    return {Heard::broken, "", how_it_ended(0) + half};
+    if (!has_ended(group)) return {"", Verdict::crash, "it closed its standard output" + half};
+    return {"", Verdict::crash, how_it_ended(0) + half};
 }
 
 // Waits for the end of the program and kills what is left of its group.
@@ -227,7 +199,7 @@ std::string Process::how_it_ended(double seconds) {
             return "it did not end when its standard input was closed";
         }
         bool at_end = false;
-        static_cast<void>(receive(at_end));
+        receive(at_end);
         if (received.size() > longest_line) received.resize(1);
         ::poll(nullptr, 0, 2);
     }
@@ -243,7 +215,7 @@ std::string Process::finish(double seconds) {
     ::close(to);
     to = -1;
     const std::string end = how_it_ended(seconds);
-    static_cast<void>(set_aside());
+    set_aside();
     return end == "it ended with status 0" ? "" : end;
 }
 

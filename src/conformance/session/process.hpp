@@ -9,29 +9,23 @@
 
 #include <atomic>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "conformance/verdict.hpp"
 
 namespace denhartog::conformance {
 
 // Longest line that is read from a program, in bytes; also the most that it may write without being asked.
 inline constexpr std::size_t longest_line = 1'000'000;
 
-// What came of a line that was sent.
-enum class Heard {
-    line,       // a line
-    timeout,    // nothing in time while the program was computing
-    stall,      // nothing in time, and the program was waiting
-    broken,     // the program ended, closed its output or wrote too much
-    interrupted // the runner itself is to end
-};
-
 // The reply to a line.
 struct Reply {
-    Heard heard = Heard::broken; // what came of it
-    std::string line;            // the line without its end
-    std::string told;            // what happened where there is no line, as a phrase: `it ended with status 1`
+    std::string line;               // the line without its end
+    std::optional<Verdict> trouble; // in place of one: `crash`, `timeout`, `stall`; `skipped` where the runner itself is to end
+    std::string told;               // what happened then, as a phrase: `it ended with status 1`
 };
 
 // What a program wrote that it was not asked for.
@@ -58,7 +52,10 @@ private:
 // A running program; killed with all its group where this ends.
 class Process {
 public:
-    // Starts a program. Throws std::system_error where it cannot be started.
+    // Starts a program. Its standard error is the runner's: what it writes there is never kept. Where the system has it, the
+    // system kills the program as soon as the thread that started it ends, in whatever way: a runner that is killed leaves no
+    // program behind that computes for ever. The program's own children do not end with it; they find their standard input at
+    // its end. Throws std::system_error where it cannot be started.
     explicit Process(const std::vector<std::string>& command);
     ~Process();
     Process(const Process&) = delete;
@@ -79,12 +76,12 @@ public:
 
 private:
     pid_t group = -1;
-    int to = -1, from = -1;
+    int to = -1, from = -1; // ends of the pipes to its standard input and from its output, which do not block
     bool asked = false;
     std::string received;
     Unasked extra;
 
-    [[nodiscard]] bool receive(bool& at_end);
+    bool receive(bool& at_end);
     void send(std::string_view& rest);
     bool set_aside();
     [[nodiscard]] Reply no_line(double second_half, double processor_time_at_half);
@@ -92,18 +89,5 @@ private:
     [[nodiscard]] std::string how_it_ended(double seconds);
     void kill_group();
 };
-
-// A program that was started. Whoever has it closes the pipes and waits for its end.
-struct StartedProgram {
-    pid_t group = -1; // its process, which leads a group of the same number
-    int to = -1;      // end of the pipe to its standard input, which does not block
-    int from = -1;    // end of the pipe from its standard output, which does not block
-};
-
-// Starts a program. Its standard error is the runner's: what it writes there is never kept. Where the system has it, the system
-// kills the program as soon as the thread that started it ends, in whatever way: a runner that is killed leaves no program behind
-// that computes for ever. The program's own children do not end with it; they find their standard input at its end. Throws
-// std::system_error where it cannot be started.
-[[nodiscard]] StartedProgram start(const std::vector<std::string>& command);
 
 } // namespace denhartog::conformance

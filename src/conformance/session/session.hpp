@@ -36,7 +36,7 @@ struct RunSettings {
 // A program that answered the handshake.
 struct Partner {
     std::unique_ptr<Process> process; // the program
-    bool plain = false;               // its dialect
+    std::string dialect;              // `json` or `plain`
     std::string name;                 // its name
 };
 

@@ -62,82 +62,47 @@ SmokeCheck check_of(const Quantity& asked, const ProtocolQuestion& q, const Answ
 // A question about a quantity that there is not: one that is known, with its name replaced in the line.
 std::string line_about_nothing(const Partner& partner, const ProtocolQuestion& known) {
     std::string line = line_for(partner, known);
-    const std::string quoted = partner.plain ? " H_j " : "\"H_j\"";
-    const std::string other = partner.plain ? " no_such_quantity " : "\"no_such_quantity\"";
+    const std::string quoted = partner.dialect == "plain" ? " H_j " : "\"H_j\"";
+    const std::string other = partner.dialect == "plain" ? " no_such_quantity " : "\"no_such_quantity\"";
     return line.replace(line.find(quoted), quoted.size(), other);
 }
-
-class Smoking {
-public:
-    explicit Smoking(const RunSettings& run_settings) : settings(run_settings), partner(shake_hands(run_settings)) {
-        found.name = partner.name;
-        found.dialect = partner.plain ? "plain" : "json";
-        found.checks.push_back({"handshake", found.dialect + ", " + found.name, true});
-    }
-
-    Smoke all() {
-        for (const Quantity& asked : quantities())
-            if (!look(asked)) return found;
-        if (look_at_nothing() && look_at_negative_mass()) look_at_end();
-        return found;
-    }
-
-private:
-    const RunSettings& settings;
-    Partner partner;
-    Smoke found;
-
-    std::optional<Answer> answer_to(const std::string& what, const std::string& line, const std::string& id) {
-        const Reply reply = partner.process->ask(line, settings.seconds);
-        if (reply.heard == Heard::line) return answer_in(partner, reply.line, id);
-        found.broken = true;
-        found.checks.push_back({what, reply.told, false});
-        return std::nullopt;
-    }
-
-    bool look(const Quantity& asked) {
-        const ProtocolQuestion q = question_about(asked);
-        const std::optional<Answer> answer = answer_to(q.quantity, line_for(partner, q), q.id);
-        if (answer) found.checks.push_back(check_of(asked, q, *answer));
-        return answer.has_value();
-    }
-
-    bool look_at_nothing() {
-        ProtocolQuestion q = question_about(quantity("H_j"));
-        q.id = "smoke-unknown";
-        const std::optional<Answer> answer = answer_to("unknown quantity", line_about_nothing(partner, q), q.id);
-        if (!answer) return false;
-        const bool skipped = std::holds_alternative<Skipped>(*answer);
-        found.checks.push_back({"unknown quantity", skipped ? "skipped" : "must be skipped", skipped});
-        return true;
-    }
-
-    bool look_at_negative_mass() {
-        ProtocolQuestion q = question_about(quantity("H_j"));
-        q.id = "smoke-rejected";
-        q.mass_ratios.back() = -1;
-        const std::optional<Answer> answer = answer_to("negative mass", line_for(partner, q), q.id);
-        if (!answer) return false;
-        const bool good = std::holds_alternative<Rejected>(*answer) || std::holds_alternative<Skipped>(*answer);
-        found.checks.push_back({"negative mass", good ? "rejected or skipped" : "must be rejected", good});
-        return true;
-    }
-
-    void look_at_end() {
-        const std::string end = partner.process->finish(settings.seconds);
-        found.checks.push_back({"end", end.empty() ? "status 0 when its standard input was closed" : end, end.empty()});
-        const Unasked& unasked = partner.process->unasked();
-        if (unasked.lines == 0) return;
-        found.checks.push_back(
-            {"nothing unasked", std::to_string(unasked.lines) + " lines, the first " + legible(unasked.first), false});
-    }
-};
 
 } // namespace
 
 Smoke smoke(const RunSettings& settings) {
     const WithoutBrokenPipeSignal guard;
-    return Smoking(settings).all();
+    const Partner partner = shake_hands(settings);
+    Smoke found{partner.name, partner.dialect, {{"handshake", partner.dialect + ", " + partner.name, true}}, false};
+    const auto look = [&](const std::string& what, const std::string& line, const std::string& id, const auto& check) {
+        if (found.broken) return;
+        const Reply reply = partner.process->ask(line, settings.seconds);
+        found.broken = reply.trouble.has_value();
+        found.checks.push_back(found.broken ? SmokeCheck{what, reply.told, false} : check(answer_in(partner, reply.line, id)));
+    };
+    for (const Quantity& asked : quantities()) {
+        const ProtocolQuestion q = question_about(asked);
+        look(q.quantity, line_for(partner, q), q.id, [&](const Answer& answer) { return check_of(asked, q, answer); });
+    }
+    ProtocolQuestion q = question_about(quantity("H_j"));
+    q.id = "smoke-unknown";
+    look("unknown quantity", line_about_nothing(partner, q), q.id, [](const Answer& answer) {
+        const bool good = std::holds_alternative<Skipped>(answer);
+        return SmokeCheck{"unknown quantity", good ? "skipped" : "must be skipped", good};
+    });
+    q.id = "smoke-rejected";
+    q.mass_ratios.back() = -1;
+    look("negative mass", line_for(partner, q), q.id, [](const Answer& answer) {
+        const bool good = std::holds_alternative<Rejected>(answer) || std::holds_alternative<Skipped>(answer);
+        return SmokeCheck{"negative mass", good ? "rejected or skipped" : "must be rejected", good};
+    });
+    if (found.broken) return found;
+    const std::string end = partner.process->finish(settings.seconds);
+    found.checks.push_back({"end", end.empty() ? "status 0 when its standard input was closed" : end, end.empty()});
+    const Unasked& unasked = partner.process->unasked();
+    if (unasked.lines > 0)
+        found.checks.push_back(
+            {"nothing unasked", std::to_string(unasked.lines) + " lines, the first " + legible(unasked.first), false});
+    return found;
 }
 
 } // namespace denhartog::conformance

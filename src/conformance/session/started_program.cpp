@@ -44,29 +44,6 @@ struct Pipe {
     }
 };
 
-// No signal reaches the child before it is the program: a handler of the runner's would run there.
-class SignalsHeld {
-public:
-    SignalsHeld() {
-        sigset_t all;
-        ::sigfillset(&all);
-        ::pthread_sigmask(SIG_SETMASK, &all, &before);
-    }
-    ~SignalsHeld() { ::pthread_sigmask(SIG_SETMASK, &before, nullptr); }
-    SignalsHeld(const SignalsHeld&) = delete;
-    SignalsHeld& operator=(const SignalsHeld&) = delete;
-
-private:
-    sigset_t before{};
-};
-
-// Children that a program leaves behind come to this process to be waited for, where the system has that; else to the first one.
-void adopt_orphans() {
-#ifdef __linux__
-    ::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);
-#endif
-}
-
 // The signal comes when the runner dies; a runner that died before it was asked for shows by another parent.
 void die_with(pid_t runner) {
 #ifdef __linux__
@@ -95,43 +72,40 @@ bool becomes(int end, int standard) {
     ::_exit(127);
 }
 
-// The fault that kept the child from becoming the program; 0 where the pipe was closed by its becoming it.
-int fault_from(int pipe) {
-    int fault = 0;
-    ssize_t size = 0;
-    do {
-        size = ::read(pipe, &fault, sizeof fault);
-    } while (size < 0 && errno == EINTR);
-    return size == sizeof fault ? fault : 0;
-}
-
 } // namespace
 
-StartedProgram start(const std::vector<std::string>& command) {
+Process::Process(const std::vector<std::string>& command) {
     std::vector<std::string> words = command;
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
-    adopt_orphans();
+#ifdef __linux__ // children that a program leaves behind come to this process to be waited for; else to the first one
+    ::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);
+#endif
     // One at a time, or a program could inherit the other's pipe before it is closed to it.
     static std::mutex starting;
     const std::lock_guard<std::mutex> lock(starting);
     Pipe in, out, faults;
     const pid_t runner = ::getpid();
-    pid_t child = -1;
-    {
-        const SignalsHeld held;
-        child = ::fork();
-        if (child == 0) become(arguments.data(), runner, in.ends[0], out.ends[1], faults.ends[1]);
-    }
-    if (child < 0) fail(errno, "fork");
+    sigset_t all, before; // no signal reaches the child before it is the program: a handler of the runner's would run there
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &before);
+    const pid_t child = ::fork();
+    if (child == 0) become(arguments.data(), runner, in.ends[0], out.ends[1], faults.ends[1]);
+    const int not_forked = errno;
+    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    if (child < 0) fail(not_forked, "fork");
     faults.close(1);
-    const int fault = fault_from(faults.ends[0]);
-    if (fault != 0) {
+    int fault = 0; // that kept the child from becoming the program; its becoming it closes the pipe
+    ssize_t size = 0;
+    while ((size = ::read(faults.ends[0], &fault, sizeof fault)) < 0 && errno == EINTR) continue;
+    if (size == sizeof fault) {
         while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) continue;
         fail(fault, words.front());
     }
-    return {child, in.keep(1), out.keep(0)};
+    group = child;
+    to = in.keep(1);
+    from = out.keep(0);
 }
 
 } // namespace denhartog::conformance

@@ -94,20 +94,17 @@ void show(const SelectionOptions& options, const std::string& id) {
 void add_list(CLI::App& conform) {
     CLI::App* command = conform.add_subcommand("list", "The vectors, the known mistakes, or the methods");
     const auto options = std::make_shared<SelectionOptions>();
-    const auto summary = std::make_shared<bool>(false);
     add_selection_options(*command, *options);
-    const auto csv = std::make_shared<bool>(false);
-    command->add_flag("--summary", *summary, "the number of vectors in each group and tier");
-    command->add_flag("--csv", *csv, "all that is known about each vector, as comma-separated values, with a heading")
+    command->add_flag("--summary")->description("the number of vectors in each group and tier");
+    command->add_flag("--csv")
+        ->description("all that is known about each vector, as comma-separated values, with a heading")
         ->excludes("--summary");
-    const auto known = std::make_shared<bool>(false);
-    command->add_flag("--mistakes", *known, "the known mistakes, with their equations and what to look at");
-    const auto by = std::make_shared<bool>(false);
-    command->add_flag("--methods", *by, "the methods of --method, with their tolerances")->excludes("--mistakes");
+    command->add_flag("--mistakes")->description("the known mistakes, with their equations and what to look at");
+    command->add_flag("--methods")->description("the methods of --method, with their tolerances")->excludes("--mistakes");
     command->callback([=] {
-        if (*known) return list_mistakes();
-        if (*by) return list_methods();
-        *csv ? list_csv(*options) : list(*options, *summary);
+        if (command->count("--mistakes") > 0) return list_mistakes();
+        if (command->count("--methods") > 0) return list_methods();
+        command->count("--csv") > 0 ? list_csv(*options) : list(*options, command->count("--summary") > 0);
     });
 }
 

@@ -17,6 +17,13 @@ using Json = nlohmann::ordered_json;
 
 Json optional_number(const std::optional<double>& x) { return x && std::isfinite(*x) ? Json(*x) : Json(); }
 
+template <class All, class Of>
+Json list_of(const All& all, const Of& of) {
+    Json list = Json::array();
+    for (const auto& one : all) list.push_back(of(one));
+    return list;
+}
+
 Json counts_json(const conformance::Counts& counts) {
     Json object = Json::object();
     for (std::size_t n = 0; n < counts.size(); ++n) object[std::string(name(static_cast<Verdict>(n)))] = counts[n];
@@ -24,12 +31,6 @@ Json counts_json(const conformance::Counts& counts) {
 }
 
 Json value_json(const conformance::Value& value) { return value.word.empty() ? Json(value.numbers) : Json(value.word); }
-
-Json hexadecimal_json(const std::vector<double>& numbers) {
-    Json list = Json::array();
-    for (const double x : numbers) list.push_back(conformance::hexadecimal_float(x));
-    return list;
-}
 
 Json result_json(const Judged& one) {
     const conformance::Vector& v = *one.vector;
@@ -41,11 +42,11 @@ Json result_json(const Judged& one) {
     if (!one.equation.empty()) object["equation"] = one.equation;
     if (!one.reason.empty()) object["reason"] = one.reason;
     if (one.answered) object["answer"] = value_json(one.given);
-    if (!one.given.numbers.empty()) object["answer_hex"] = hexadecimal_json(one.given.numbers);
+    if (!one.given.numbers.empty()) object["answer_hex"] = list_of(one.given.numbers, conformance::hexadecimal_float);
     if (!v.reject.empty()) return object;
     object["truth"] = v.word.empty() ? Json(v.value) : Json(v.word);
     if (!v.word.empty()) return object;
-    object["truth_hex"] = hexadecimal_json(v.nearest);
+    object["truth_hex"] = list_of(v.nearest, conformance::hexadecimal_float);
     if (!one.error) return object;
     object["error"] = optional_number(one.error);
     object["worst_number"] = one.worst;
@@ -57,15 +58,15 @@ Json result_json(const Judged& one) {
 }
 
 Json finding_json(const conformance::Finding& f) {
-    return {{"mistake", f.mistake->name},
-            {"equation", f.mistake->equation},
-            {"as_printed", f.mistake->as_printed},
-            {"told", f.mistake->told},
-            {"look_at", f.mistake->look_at},
+    return {{"mistake", f.mistake.name},
+            {"equation", f.mistake.equation},
+            {"as_printed", f.mistake.as_printed},
+            {"told", f.mistake.told},
+            {"look_at", f.mistake.look_at},
             {"explained", f.explained},
             {"contradicted", f.contradicted},
             {"weak", f.weak},
-            {"number", f.number},
+            {"number", f.mistake.number},
             {"quantities", f.quantities},
             {"example",
              {{"id", f.example->vector->question.id},
@@ -74,36 +75,37 @@ Json finding_json(const conformance::Finding& f) {
               {"truth", value_json(truth_of(*f.example->vector))}}}};
 }
 
-Json in_common_json(const std::vector<conformance::InCommon>& all) {
-    Json list = Json::array();
-    for (const conformance::InCommon& one : all)
-        list.push_back({{"property", one.property}, {"wrong", one.wrong}, {"of_wrong", one.all_wrong}, {"answers", one.asked}});
-    return list;
+Json in_common_json(const conformance::InCommon& one) {
+    return {{"property", one.property}, {"wrong", one.wrong}, {"of_wrong", one.all_wrong}, {"answers", one.asked}};
 }
 
 Json diagnosis_json(const conformance::Diagnosis& d) {
-    Json object = {{"wrong", d.wrong}, {"findings", Json::array()}, {"unexplained", Json::array()}};
-    for (const conformance::Finding& finding : d.findings) object["findings"].push_back(finding_json(finding));
-    for (const Judged* one : d.unexplained) object["unexplained"].push_back(one->vector->question.id);
-    object["chain"] = Json::array();
-    for (const conformance::Link& link : d.chain)
-        object["chain"].push_back({{"link", link.name}, {"answers", link.answered}, {"wrong", link.wrong}});
-    object["simple"] = Json::array();
-    for (const conformance::Simple& one : d.simple)
-        object["simple"].push_back({{"told", one.told},
-                                    {"explained", one.explained},
-                                    {"contradicted", one.contradicted},
-                                    {"quantities", one.quantities}});
-    object["by_quantity"] = in_common_json(d.by_quantity);
-    object["in_common"] = in_common_json(d.in_common);
+    Json object = {{"wrong", d.wrong}, {"findings", list_of(d.findings, finding_json)}};
+    object["unexplained"] = list_of(d.unexplained, [](const Judged* one) { return one->vector->question.id; });
+    object["chain"] = list_of(d.chain, [](const conformance::Link& link) {
+        return Json{{"link", link.name}, {"answers", link.answered}, {"wrong", link.wrong}};
+    });
+    object["simple"] = list_of(d.simple, [](const conformance::Finding& one) {
+        return Json{{"told", one.mistake.told},
+                    {"explained", one.explained},
+                    {"contradicted", one.contradicted},
+                    {"quantities", one.quantities}};
+    });
+    object["by_quantity"] = list_of(d.by_quantity, in_common_json);
+    object["in_common"] = list_of(d.in_common, in_common_json);
     object["accepted"] = d.accepted;
     return object;
 }
 
-Json changes_json(const std::vector<Change>& changes) {
-    Json list = Json::array();
-    for (const Change& c : changes) list.push_back({{"id", c.id}, {"before", name(c.before)}, {"now", name(c.now)}});
-    return list;
+Json change_json(const Change& c) { return {{"id", c.id}, {"before", name(c.before)}, {"now", name(c.now)}}; }
+
+Json score_json(const conformance::Score& score) {
+    return {{"tier", score.tier},
+            {"group", score.group},
+            {"asked", score.asked},
+            {"counts", counts_json(score.counts)},
+            {"median_digits", optional_number(score.median_digits)},
+            {"worst_digits", optional_number(score.worst_digits)}};
 }
 
 } // namespace
@@ -119,20 +121,13 @@ std::string report_json(const ConformReport& report) {
     if (!report.cut_short.empty()) object["cut_short"] = report.cut_short;
     object["needed"] = report.needed;
     object["counts"] = counts_json(conformance::counts_of(report.judged));
-    object["scores"] = Json::array();
-    for (const conformance::Score& score : conformance::scores(report.judged))
-        object["scores"].push_back({{"tier", score.tier},
-                                    {"group", score.group},
-                                    {"asked", score.asked},
-                                    {"counts", counts_json(score.counts)},
-                                    {"median_digits", optional_number(score.median_digits)},
-                                    {"worst_digits", optional_number(score.worst_digits)}});
+    object["scores"] = list_of(conformance::scores(report.judged), score_json);
     object["diagnosis"] = diagnosis_json(report.diagnosis);
     object["notes"] = report.notes;
     if (report.changes)
-        object["since"] = {{"better", changes_json(report.changes->better)}, {"worse", changes_json(report.changes->worse)}};
-    object["results"] = Json::array();
-    for (const Judged& one : report.judged) object["results"].push_back(result_json(one));
+        object["since"] = {{"better", list_of(report.changes->better, change_json)},
+                           {"worse", list_of(report.changes->worse, change_json)}};
+    object["results"] = list_of(report.judged, result_json);
     return object.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -146,8 +141,7 @@ std::optional<Verdicts> tracked_verdicts(const std::string& path) {
         throw InputError(no_such_file);
     Verdicts verdicts;
     for (const auto& [id, text] : file["verdicts"].items()) {
-        const std::optional<Verdict> verdict =
-            text.is_string() ? conformance::verdict_named(text.get_ref<const std::string&>()) : std::nullopt;
+        const auto verdict = text.is_string() ? conformance::verdict_named(text.get<std::string>()) : std::nullopt;
         if (!verdict) throw InputError(no_such_file);
         verdicts.emplace(id, *verdict);
     }

@@ -4,12 +4,21 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "conformance/diagnose.hpp"
 
 namespace denhartog::program {
+
+// Texts and numbers of things, one after the other.
+template <class... Parts>
+[[nodiscard]] std::string said(const Parts&... parts) {
+    std::ostringstream text;
+    (text << ... << parts);
+    return text.str();
+}
 
 // Verdicts by id.
 using Verdicts = std::map<std::string, conformance::Verdict>;

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "conformance/question.hpp"
 #include "conformance/grade.hpp"
 #include "conformance/method.hpp"
+#include "conformance/question.hpp"
 #include "conformance/verdict.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
@@ -73,7 +73,7 @@ void finish(ConformReport& report, const ConformOptions& options, const std::opt
     conformance::Thresholds least;
     least.agreement = conformance::least_agreement(method);
     report.method = method.name;
-    report.diagnosis = conformance::diagnose(report.judged, conformance::known_signatures(report.judged), least);
+    report.diagnosis = conformance::diagnose(report.judged, conformance::fitted_to(report.judged), least);
     report.needed = options.needed;
     report.verbose = options.verbose;
     report.conforms = report.cut_short.empty() && conformance::conforms(report.judged, needed_quantities(options));
@@ -140,16 +140,16 @@ void conform_repro(const ConformOptions& options, ExitStatus& status) {
     write_standard_output("# with the runner\n" + runner_command(options, v) + "\n\n# as a bare pipe\n" +
                           pipe_command(options, line) + "\n\n# what came of it\n");
     const conformance::Reply reply = partner.process->ask(line, settings.seconds);
-    const bool answered = reply.heard == conformance::Heard::line;
+    const bool answered = !reply.trouble;
     conformance::Judged judged;
     std::string told = reply.told + "\n";
     if (answered) {
         judged = conformance::grade(v, conformance::answer_in(partner, reply.line, v.question.id));
         conformance::excuse(judged, method);
-        const conformance::Diagnosis d = conformance::diagnose({&judged, 1}, conformance::known_signatures());
+        const conformance::Diagnosis d = conformance::diagnose({&judged, 1}, conformance::mistakes());
         told = legible(reply.line) + "\n" + answer_text(judged, "");
         for (const conformance::Finding& finding : d.findings)
-            told += "  it is the answer of the mistake " + finding.mistake->name + ": " + finding.mistake->told + "\n";
+            told += "  it is the answer of the mistake " + finding.mistake.name + ": " + finding.mistake.told + "\n";
     }
     write_standard_output(told);
     status.broken = !answered;

@@ -32,13 +32,12 @@ std::string condition_text(const conformance::Vector& v) {
 // The number that has the error, where an answer has several.
 std::string numbers_text(const Judged& one, const std::string& indent) {
     const conformance::Vector& v = *one.vector;
-    const auto single = [&](double x) { return conformance::Value{{x}, ""}; };
+    const auto single = [](double x) { return value_text({{x}, ""}); };
     if (one.error && v.nearest.size() > 1)
-        return indent + "answer " + value_text(single(one.given.numbers[one.worst])) + ", number " +
-               std::to_string(one.worst + 1) + " of " + std::to_string(v.nearest.size()) + "\n" + indent + "true   " +
-               value_text(single(v.nearest[one.worst])) + "\n";
-    return (one.answered ? indent + "answer " + value_text(one.given) + "\n" : "") + indent + "true   " +
-           (v.reject.empty() ? value_text(truth_of(v)) : "to be rejected: " + v.reject) + "\n";
+        return said(indent, "answer ", single(one.given.numbers[one.worst]), ", number ", one.worst + 1, " of ", v.nearest.size(),
+                    "\n", indent, "true   ", single(v.nearest[one.worst]), "\n");
+    return said(one.answered ? indent + "answer " + value_text(one.given) + "\n" : "", indent, "true   ",
+                v.reject.empty() ? value_text(truth_of(v)) : "to be rejected: " + v.reject, "\n");
 }
 
 // What several answers share: the reason where there is one, and what their scenes are.
@@ -46,14 +45,6 @@ std::string group_of(const Judged& one) {
     const std::string reason = one.reason.find("finite") != std::string::npos ? "not finite" : std::string(name(one.verdict));
     return reason + (is_overdamped(one.vector->question) ? ", overdamped" : "") +
            (one.vector->regime.empty() ? "" : ", " + one.vector->regime);
-}
-
-std::string groups_text(const std::vector<const Judged*>& worst) {
-    std::map<std::string, std::size_t> groups;
-    for (const Judged* one : worst) ++groups[group_of(*one)];
-    std::string text;
-    for (const auto& [group, count] : groups) text += "  " + std::to_string(count) + " " + group + "\n";
-    return text;
 }
 
 // Right in kind everywhere: no mistake is to be looked for.
@@ -66,35 +57,35 @@ std::string digits_text(const ConformReport& report) {
         if (worst == nullptr || one.error.value_or(0) > worst->error.value_or(0)) worst = &one;
     }
     if (worst == nullptr || inaccurate != report.diagnosis.wrong) return "";
-    return "\nDigits are missing in " + std::to_string(inaccurate) + " answers, and nothing else is wrong. The worst has " +
-           digits_cell(conformance::digits(*worst->error)) + " digits: " + worst->vector->question.id + ", " +
-           worst->vector->question.quantity + ".\n";
+    return said("\nDigits are missing in ", inaccurate, " answers, and nothing else is wrong. The worst has ",
+                digits_cell(conformance::digits(*worst->error)), " digits: ", worst->vector->question.id, ", ",
+                worst->vector->question.quantity, ".\n");
 }
 
 std::string worst_text(const ConformReport& report) {
     const std::vector<const Judged*> worst = conformance::worst_first(report.judged);
     if (worst.empty()) return "";
     const std::size_t told = report.verbose ? worst.size() : std::min(worst.size(), worst_told);
-    std::string text = "\nWorst answers" +
-                       (told < worst.size() ? ", " + std::to_string(told) + " of " + std::to_string(worst.size()) : "") + ":\n";
-    if (told < worst.size()) text += groups_text(worst);
+    std::string text = "\nWorst answers" + (told < worst.size() ? said(", ", told, " of ", worst.size()) : "") + ":\n";
+    std::map<std::string, std::size_t> groups;
+    if (told < worst.size())
+        for (const Judged* one : worst) ++groups[group_of(*one)];
+    for (const auto& [group, count] : groups) text += said("  ", count, " ", group, "\n");
     for (std::size_t n = 0; n < told; ++n) text += answer_text(*worst[n], "  ");
     return text;
 }
 
 std::string finding_text(const conformance::Finding& f, std::size_t number, std::size_t wrong) {
-    const std::string equation = f.mistake->equation.empty() ? "" : ", Eq. (" + f.mistake->equation + ")";
-    return "  " + std::to_string(number) + ". " + f.mistake->name + equation + ": " + f.mistake->told + "\n     It explains " +
-           std::to_string(f.explained) + " of " + std::to_string(wrong) + " wrong answers (" + joined(f.quantities) + "); " +
-           contradicted_by(f.contradicted) + "." +
-           (f.weak ? "\n     This is weak evidence, because few answers are wrong." : "") +
-           (f.number.empty() ? "" : "\n     Your answers show its number: " + f.number + ".") + "\n     Look at " +
-           f.mistake->look_at + "." +
-           (f.mistake->equation.empty() ? ""
-                                        : "\n     See its statement and correction: denhartog equations " + f.mistake->equation) +
-           "\n     An example is " + f.example->vector->question.id + ":\n       answer        " + value_text(f.example->given) +
-           "\n       this mistake  " + value_text(f.mistaken) + "\n       true          " +
-           value_text(truth_of(*f.example->vector)) + "\n";
+    const conformance::Mistake& m = f.mistake;
+    return said("  ", number, ". ", m.name, m.equation.empty() ? "" : ", Eq. (" + m.equation + ")", ": ", m.told,
+                "\n     It explains ", f.explained, " of ", wrong, " wrong answers (", joined(f.quantities), "); ",
+                contradicted_by(f.contradicted), ".",
+                f.weak ? "\n     This is weak evidence, because few answers are wrong." : "",
+                m.number.empty() ? "" : "\n     Your answers show its number: " + m.number + ".", "\n     Look at ", m.look_at,
+                ".", m.equation.empty() ? "" : "\n     See its statement and correction: denhartog equations " + m.equation,
+                "\n     An example is ", f.example->vector->question.id, ":\n       answer        ", value_text(f.example->given),
+                "\n       this mistake  ", value_text(f.mistaken), "\n       true          ",
+                value_text(truth_of(*f.example->vector)), "\n");
 }
 
 // What is right along the chain of quantities, and the first that is wrong.
@@ -102,50 +93,38 @@ std::string chain_text(const std::vector<conformance::Link>& chain) {
     std::string right;
     for (const conformance::Link& link : chain) {
         if (link.wrong > 0)
-            return "    Along the chain of quantities the first wrong one is: " + link.name + ", in " +
-                   std::to_string(link.wrong) + " of " + std::to_string(link.answered) + " answers." +
-                   (right.empty() ? "" : " Before it all is right: " + right + ".") + "\n";
+            return said("    Along the chain of quantities the first wrong one is: ", link.name, ", in ", link.wrong, " of ",
+                        link.answered, " answers.", right.empty() ? "" : " Before it all is right: " + right + ".", "\n");
         right += (right.empty() ? "" : ", ") + link.name;
     }
     return "";
 }
 
-std::string simple_text(const conformance::Simple& simple) {
-    return "    A guess is: " + simple.told + ". It explains " + std::to_string(simple.explained) + " of them (" +
-           joined(simple.quantities) + "); " + contradicted_by(simple.contradicted) + ".\n";
-}
-
 std::string diagnosis_text(const conformance::Diagnosis& d) {
     std::string text;
-    if (d.wrong > 0) text += "\nDiagnosis (" + std::to_string(d.wrong) + " answers are wrong or inaccurate):\n";
+    if (d.wrong > 0) text += said("\nDiagnosis (", d.wrong, " answers are wrong or inaccurate):\n");
     for (std::size_t n = 0; n < d.findings.size(); ++n) text += finding_text(d.findings[n], n + 1, d.wrong);
     if (!d.unexplained.empty()) {
-        text +=
-            "  Wrong answers that match no known mistake: " + std::to_string(d.unexplained.size()) + ".\n" + chain_text(d.chain);
-        for (const conformance::Simple& simple : d.simple) text += simple_text(simple);
+        text += said("  Wrong answers that match no known mistake: ", d.unexplained.size(), ".\n", chain_text(d.chain));
+        for (const conformance::Finding& f : d.simple)
+            text += said("    A guess is: ", f.mistake.told, ". It explains ", f.explained, " of them (", joined(f.quantities),
+                         "); ", contradicted_by(f.contradicted), ".\n");
         for (const conformance::InCommon& one : d.by_quantity)
-            text += "    For " + one.property + " they are " + std::to_string(one.wrong) + " of the " +
-                    std::to_string(one.asked) + " answers.\n";
+            text += said("    For ", one.property, " they are ", one.wrong, " of the ", one.asked, " answers.\n");
         for (const conformance::InCommon& one : d.in_common)
-            text += "    They have in common: " + one.property + ", in " + std::to_string(one.wrong) + " of the " +
-                    std::to_string(one.all_wrong) + ". Of all answers to these quantities " + std::to_string(one.asked) + " of " +
-                    std::to_string(one.all_asked) + " have it.\n";
+            text += said("    They have in common: ", one.property, ", in ", one.wrong, " of the ", one.all_wrong,
+                         ". Of all answers to these quantities ", one.asked, " of ", one.all_asked, " have it.\n");
     }
     for (const auto& [rule, count] : d.accepted)
-        text += (text.empty() ? "\n" : "") + std::string("  Questions that the program answered although they break a rule: ") +
-                std::to_string(count) + " (" + rule + ").\n";
+        text += said(text.empty() ? "\n" : "", "  Questions that the program answered although they break a rule: ", count, " (",
+                     rule, ").\n");
     return text;
 }
 
 std::string changes_text(const Comparison& changes) {
-    std::string text = "\nSince the last run: " + std::to_string(changes.better.size()) + " better, " +
-                       std::to_string(changes.worse.size()) + " worse\n";
-    const auto line = [](const char* way, const Change& c) {
-        return std::string("  ") + way + " " + c.id + ": " + std::string(name(c.before)) + " -> " + std::string(name(c.now)) +
-               "\n";
-    };
-    for (const Change& change : changes.worse) text += line("worse ", change);
-    for (const Change& change : changes.better) text += line("better", change);
+    std::string text = said("\nSince the last run: ", changes.better.size(), " better, ", changes.worse.size(), " worse\n");
+    for (const auto& [way, list] : {std::pair("worse ", &changes.worse), {"better", &changes.better}})
+        for (const Change& c : *list) text += said("  ", way, " ", c.id, ": ", name(c.before), " -> ", name(c.now), "\n");
     return text;
 }
 
@@ -204,30 +183,28 @@ Rows score_cells(const ConformReport& report, const std::string& worst, const st
 
 std::string contradicted_by(std::size_t answers) {
     if (answers == 0) return "no answer contradicts it";
-    return answers == 1 ? "1 answer contradicts it" : std::to_string(answers) + " answers contradict it";
+    return answers == 1 ? "1 answer contradicts it" : said(answers, " answers contradict it");
 }
 
 std::string answer_text(const Judged& one, const std::string& indent) {
     const conformance::Vector& v = *one.vector;
-    std::string text = indent + v.question.id + "  " + std::string(name(one.verdict)) +
-                       (one.equation.empty() ? "" : " (" + one.equation + ")") + "  " + v.question.quantity + ", " + v.tier +
-                       "\n";
+    std::string text = said(indent, v.question.id, "  ", name(one.verdict), one.equation.empty() ? "" : " (" + one.equation + ")",
+                            "  ", v.question.quantity, ", ", v.tier, "\n");
     const std::string inner = indent + "  ";
     if (!one.reason.empty()) text += inner + one.reason + "\n";
     if (one.verdict == Verdict::skipped) return text;
     text += numbers_text(one, inner);
     if (one.error)
-        text += inner + "error " + rough(*one.error) + ", over tolerance " +
-                rough(conformance::error_over_tolerance(one).value_or(0)) +
-                (v.condition.empty() ? "" : "; " + condition_text(v)) + "\n";
+        text += said(inner, "error ", rough(*one.error), ", over tolerance ",
+                     rough(conformance::error_over_tolerance(one).value_or(0)),
+                     v.condition.empty() ? "" : "; " + condition_text(v), "\n");
     return text;
 }
 
 std::string report_text(const ConformReport& report) {
-    std::string text = report.subject + (report.dialect.empty() ? "" : " (" + report.dialect + ")") + ": " +
-                       std::to_string(report.judged.size()) + " questions" + method_text(report) + "\n\n" +
-                       aligned(score_cells(report, "worst", ".")) + worst_text(report) + digits_text(report) +
-                       diagnosis_text(report.diagnosis);
+    std::string text = said(report.subject, report.dialect.empty() ? "" : " (" + report.dialect + ")", ": ", report.judged.size(),
+                            " questions", method_text(report), "\n\n", aligned(score_cells(report, "worst", ".")),
+                            worst_text(report), digits_text(report), diagnosis_text(report.diagnosis));
     if (report.verbose) {
         text += "\nAll other answers:\n";
         for (const Judged& one : report.judged)
