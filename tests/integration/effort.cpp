@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "denhartog/answer/reference_invariant_points.hpp"
+#include "denhartog/answer/reference.hpp"
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/modal_basis.hpp"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "denhartog/answer/reference_invariant_points.hpp"
+#include "denhartog/answer/reference.hpp"
 #include "denhartog/formulas/mode.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/formulas/superposition.hpp"

@@ -2,7 +2,7 @@
 /// @brief Invariant points of a system as doubles. Header only.
 #pragma once
 
-#include "denhartog/answer/reference_invariant_points.hpp"
+#include "denhartog/answer/reference.hpp"
 #include "denhartog/number/number_text.hpp"
 
 namespace denhartog::tests {

@@ -1,4 +1,4 @@
-#include "denhartog/search/first_zero.hpp"
+#include "denhartog/search/zeros.hpp"
 
 #include <cmath>
 #include <random>

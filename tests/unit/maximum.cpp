@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/search/bracketed_zero.hpp"
+#include "denhartog/search/zeros.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/multiprecision.hpp"
 

@@ -1,5 +1,5 @@
 #if DENHARTOG_REFERENCE
-#include "denhartog/answer/reference_invariant_points.hpp"
+#include "denhartog/answer/reference.hpp"
 
 #include <algorithm>
 

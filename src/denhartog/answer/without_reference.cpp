@@ -1,7 +1,6 @@
 #if !DENHARTOG_REFERENCE
 #include "denhartog/answer/modes_by_reference.hpp"
 #include "denhartog/answer/reference.hpp"
-#include "denhartog/answer/reference_invariant_points.hpp"
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "denhartog/search/first_zero.hpp"
+#include "denhartog/search/zeros.hpp"
 
 namespace denhartog {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/search/bracketed_zero.hpp"
+#include "denhartog/search/zeros.hpp"
 #include "denhartog/search/largest.hpp"
 
 namespace denhartog {

@@ -11,7 +11,6 @@
 #include "denhartog/scene/converted.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/solve_by_reference.hpp"
-#include "denhartog/solve/solve_task.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
 

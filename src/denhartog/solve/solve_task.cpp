@@ -1,4 +1,4 @@
-#include "denhartog/solve/solve_task.hpp"
+#include "denhartog/solve/solve_by_reference.hpp"
 
 #include <algorithm>
 #include <utility>

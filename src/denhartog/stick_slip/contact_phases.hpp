@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "denhartog/search/first_zero.hpp"
+#include "denhartog/search/zeros.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/stick_slip/linear_motion.hpp"
 
