@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "denhartog/answer/scene_source.hpp"
+#include "denhartog/evaluation/mode_values.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 
 namespace denhartog {
@@ -30,8 +31,7 @@ void leave_out_coupling(ModalBasis<Bounded<double>>& basis);
 [[nodiscard]] ModesInDouble modes_in_double(const SceneSource& source);
 
 /// @brief Prepares a system for the exact solver in double, sliding and stuck.
-[[nodiscard]] std::shared_ptr<const ContactSystem> moving_in_double(const SceneSource& source,
-                                                                            const ModesInDouble& modes);
+[[nodiscard]] std::shared_ptr<const ContactSystem> moving_in_double(const SceneSource& source, const ModesInDouble& modes);
 
 /// @brief The same with the modes of the reference; `because` says why double has none, or not their digits.
 [[nodiscard]] ContactSystem moving_by_reference(const SceneSource& source, const std::string& because);
@@ -47,5 +47,19 @@ struct CoupledDamping {
 /// @brief Whether the damping matrix of a scene couples the modes, and how much. Double tells; the reference where it fails. None
 /// where damping was given by ratios, or by a matrix that does not couple the modes. @eq{18}
 [[nodiscard]] std::optional<CoupledDamping> coupled_damping(const SceneSource& source);
+
+/// @brief The modal basis to `digits_by_default` digits, in double if that has them, else by the reference.
+///
+/// Of other systems than chains double has the squares of natural frequencies to some units of the highest one. Beside a light
+/// mass or a stiff spring that leaves the lowest ones few digits. Of modes with one frequency, and of more than 200 masses, it is
+/// what double has.
+/// @eq{14,15,18}
+[[nodiscard]] std::shared_ptr<const ModalBasis<Bounded<double>>>
+certain_modes(const SceneSource& source, const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis);
+
+/// @brief (23), (28), (29) of each mode at the frequency ratio of a scene, in double if that has the digits, else by the
+/// reference. The modes are not coupled; DomainError where an undamped one is at a pole. @eq{22,23,28,29}
+[[nodiscard]] std::vector<evaluation::ModeFunctions<Bounded<double>>>
+certain_mode_functions(const SceneSource& source, const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis);
 
 } // namespace denhartog

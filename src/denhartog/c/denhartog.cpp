@@ -6,7 +6,7 @@
 #include "denhartog/formulas/high_frequency.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/number_text.hpp"
-#include "denhartog/solve/certain_modes.hpp"
+#include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/solve/solve_by_reference.hpp"
 #include "denhartog/version.hpp"
 

@@ -1,5 +1,5 @@
 #include "denhartog/c/handles.hpp"
-#include "denhartog/solve/certain_modes.hpp"
+#include "denhartog/answer/modes_in_double.hpp"
 
 using namespace denhartog;
 using namespace denhartog::c_interface;

@@ -59,8 +59,7 @@ void say_whether_unique(const ModalBasis<Bounded<double>>& basis, double mu, Sol
 [[nodiscard]] bool must_stop(const SolveTask& task, const Solution& s);
 
 /// @brief A periodic orbit, with its masses, as the answer; `open` where double does not tell if the motion stops.
-void answer_by_orbit(const SolveTask& task, ExactSolver& solver, const PeriodicOrbit& orbit, bool open,
-                     Solution& s);
+void answer_by_orbit(const SolveTask& task, ExactSolver& solver, const PeriodicOrbit& orbit, bool open, Solution& s);
 
 /// @brief What a proof of a motion that double found periodic starts from, in the masses of the scene. Stops and slips shorter
 /// than `shortest`, in tau, are left out; zero leaves out those of no length only. There are no directions where the motion has

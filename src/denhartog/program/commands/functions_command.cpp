@@ -8,7 +8,6 @@
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/json/solution_json.hpp"
 #include "denhartog/scene/point_rules.hpp"
-#include "denhartog/solve/certain_modes.hpp"
 #include "denhartog/solve/quantities.hpp"
 
 namespace denhartog::program {
