@@ -45,7 +45,7 @@ struct PeriodicOrbit {
     MassMotion contact{};                ///< amplitude and phase of the mass in contact
     std::vector<MassMotion> masses;      ///< amplitude and phase of every mass; empty where the contact's alone are asked
     std::vector<Multiplier> multipliers; ///< Floquet multipliers over its period, by descending size
-    bool stable = false;                 ///< all multipliers inside the unit circle, by more than their error
+    bool stable = false;                 ///< whether all multipliers are certainly inside the unit circle
     double error_bound = 0;              ///< bound of the error of the displacements, units of P / k_1
     std::vector<double> velocity_errors; ///< of the velocity of each coordinate, then of each mass that is none; units of P / k_1
     bool more_digits_may_tell = false;   ///< none was found, and rounding may be why
