@@ -67,7 +67,7 @@ struct ProtocolQuestion {
     std::vector<double> stiffness_matrix = {}; ///< K in units of k_1, row by row, in place of `stiffness_ratios`
     std::vector<double> damping_matrix = {};   ///< C in units of sqrt(k_1 m_1), row by row, in place of `damping_ratios`
 
-    /// @brief Whether all members are equal.
+    /// @brief Whether all members are equal. @return true if so
     bool operator==(const ProtocolQuestion&) const = default;
 };
 

@@ -13,7 +13,7 @@ struct State {
     std::vector<double> x_prime; ///< velocities with respect to tau, N values
 };
 
-/// @brief The state of N masses at rest at zero.
+/// @brief The state of N masses at rest at zero. @param N their number @return the state
 [[nodiscard]] inline State at_rest(std::size_t N) { return {std::vector<double>(N), std::vector<double>(N)}; }
 
 /// @brief An interval of time in which the contact slides in one direction, or sticks.
