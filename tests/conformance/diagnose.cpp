@@ -29,8 +29,7 @@ std::vector<Mistake> known_stubs() {
                                {"printed", "46", "The sign of the print.", "the sign in (46)", {}},
                                {"rough", "", "An integrator's mistake.", "the steps", {}, 3e-2}};
     stubs[2].as_printed = true;
-    for (Mistake& stub : stubs)
-        stub.answer = [name = stub.name](const ProtocolQuestion& q) { return stub_answer(name, q); };
+    for (Mistake& stub : stubs) stub.answer = [name = stub.name](const ProtocolQuestion& q) { return stub_answer(name, q); };
     return stubs;
 }
 

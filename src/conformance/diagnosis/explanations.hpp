@@ -26,8 +26,8 @@ namespace denhartog::conformance {
 // The quantities of wrong answers, most wrong ones first.
 [[nodiscard]] std::vector<InCommon> by_quantity(std::span<const Judged* const> wrong, std::span<const Judged> judged);
 
-// Simple explanations: a factor or an offset in the answers, another value of one input, a chain read from its other end. They are
-// those whose number fits a wrong answer, and those without a number; the diagnosis weighs them as it weighs known mistakes.
+// Simple explanations: a factor or an offset in the answers, another value of one input, a chain read from its other end. Those
+// with a number fit a wrong answer; the diagnosis weighs all as it weighs known mistakes.
 [[nodiscard]] std::vector<Mistake> guesses_at(std::span<const Judged* const> wrong);
 
 // A mistake that has a number of its own, which the answers reveal, with the number that fits.

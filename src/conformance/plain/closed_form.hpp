@@ -1,4 +1,4 @@
-// The answers of the plain closed form, and of the exact solver in double beyond it, to every quantity of the protocol, with its points of variation.
+// The answers of the plain closed form, and of the exact solver in double beyond it, to every quantity of the protocol.
 #pragma once
 
 #include <functional>
@@ -44,9 +44,8 @@ namespace denhartog::conformance {
 // of one period is found.
 [[nodiscard]] std::optional<Value> answer_of_steady_motion(const ProtocolQuestion& q);
 
-// The answers that are read off some of the periods between rest and the steady motion. One answer for
-// each period of the force from the first, at least 1, to the last; none if the quantity does not belong to a motion, or the scene
-// not to the paper.
+// The answers that are read off some of the periods between rest and the steady motion, one for each period of the force from
+// the first, at least 1, to the last; none if the quantity does not belong to a motion, or the scene not to the paper.
 [[nodiscard]] std::vector<std::optional<Value>> answers_of_transient(const ProtocolQuestion& q, int first, int last);
 
 // The answer of a solver that replaces sgn by a hyperbolic tangent, to a question of amplitude or motion: a contact that should
@@ -55,9 +54,9 @@ namespace denhartog::conformance {
 // contact moves, or only static friction holds it.
 [[nodiscard]] std::optional<Value> answer_of_creep(const ProtocolQuestion& q, double width);
 
-// The answer about a system beyond the paper (a contact between two masses, several loads, a moving base, matrices), by the library in double. None if only a chain has
-// the quantity, or if the motion takes more than one period to repeat. Throws InputError if the question breaks a rule;
-// DomainError and PrecisionError if the library has no answer.
+// The answer about a system beyond the paper (a contact between two masses, several loads, a moving base, matrices), by the
+// library in double. None if only a chain has the quantity, or if the motion takes more than one period to repeat. Throws
+// InputError if the question breaks a rule; DomainError and PrecisionError if the library has no answer.
 [[nodiscard]] std::optional<Value> answer_of_system(const ProtocolQuestion& q);
 
 } // namespace denhartog::conformance

@@ -72,7 +72,7 @@ struct PlainModes {
     double sum_of_squares = 0;            // Eq. (65)
 };
 
-// Modes and sums of a question. Not finite at a pole of a mode without damping. Throws InputError if there is no such mass, or if the matrices have no modes.
+// Modes and sums of a question. Not finite at a pole of a mode without damping. Throws InputError if there is no such mass.
 [[nodiscard]] PlainModes plain_modes(const ProtocolQuestion& q, const Choices& c);
 
 // A displacement and its rate.

@@ -19,8 +19,8 @@ constexpr const char* greeting = "denhartog-conform 1";
 
 std::string in_quotes(const std::string& text) { return "'" + legible(text) + "'"; }
 
-// A conversation in the making, by several processes; what is not const is touched under the lock alone, but for the exchange of a
-// question, which belongs to one of them.
+// A conversation in the making, by several processes. What is not const is touched under the lock alone; the exchange of a
+// question belongs to one of them.
 class Talk {
 public:
     Talk(const RunSettings& run_settings, std::span<const ProtocolQuestion* const> asked,
