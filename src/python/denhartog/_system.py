@@ -461,6 +461,13 @@ def solve_many(systems: Union[System, Sequence[System], np.ndarray], r: ArrayLik
         With arrays of the broadcast shape, those over masses with the masses last: as many as the largest system has, with NaN
         for a mass that a system does not have.
 
+    Raises
+    ------
+    InputError
+        Where a value breaks a rule; the message names quantity, rule and value.
+    Cancelled
+        Where `progress` ended it.
+
     Examples
     --------
     >>> pair = [System(mass_ratios=[1, 1], stiffness_ratios=[1, 1], damping_ratios=zeta, contact=2, load=1) for zeta in (0.05, 0.1)]

@@ -183,6 +183,11 @@ def run(function: Function, program: Union[str, "os.PathLike[str]", None] = None
         ``function(question: dict)`` returns the value; see the head of this module.
     program, filter, **selection
         As of `Vectors`: also `vectors`, `group`, `tier`, `systems`, `method`.
+
+    Returns
+    -------
+    Report
+        Raises `Error` where the program or the vectors are not found.
     """
     vectors = Vectors(program, filter=filter, **selection)
     return vectors.ask(function, vectors.questions())
