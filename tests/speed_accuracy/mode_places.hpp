@@ -44,7 +44,7 @@ std::string hexadecimal(T x) {
 /// The expression under the maximum in (57) with (28) and (29), by the forms that ship, in more digits and rounded once.
 template <class T>
 T s_d_rounded_once(const T& tau, const T& R, const T& zeta) {
-    using Wide = std::conditional_t<std::is_same_v<T, Real50>, Real100, Real50>;
+    using Wide = std::conditional_t<(std::numeric_limits<T>::digits10 < 50), Real50, Real100>;
     const Wide wide_R(R), wide_zeta(zeta);
     return static_cast<T>(
         evaluation::s_d_integrand_of(Wide(tau), wide_R, wide_zeta, evaluation::selected_damping_functions(wide_R, wide_zeta)));

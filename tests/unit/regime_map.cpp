@@ -129,10 +129,8 @@ TEST_CASE("where static friction is hardly larger, stops too short for double ar
     const Solution found = solve(scene_source(scene), {.digits = 10});
     CHECK(found.regime.regime == Regime::stick_slip);
     CHECK(found.stops.size() == 2);
-    CHECK(found.regime.reason.find(
-              "double precision does not tell whether the contact stops, and the reference proves that it does") !=
-          std::string::npos);
-    CHECK(found.regime.other.empty());
+    CHECK(found.regime.other.empty()); // whether double sees the stops is rounding
+    CHECK(solve(scene_source(scene), {.digits = 20}).stops.size() == 2);
     scene.mu = 1.000000000001;
     scene.r = 0.1434919;
     scene.beta = 0.006821971779371876; // a last digit above the boundary

@@ -1,5 +1,5 @@
-#include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/solve/solve.hpp"
+#include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 
 #include <atomic>
@@ -257,6 +257,29 @@ TEST_CASE("where double does not tell whether a motion is stable, the reference 
     CHECK(s.stability->stable);
     CHECK(s.stability->multipliers.front().value + s.stability->multipliers.front().error < 1);
     CHECK(asking(scene, Asked::phase).method.precision == "double");
+}
+
+TEST_CASE("a list with one unit load has the (88) of that load", "[solve][eq:88]") {
+    for (const auto& [contact, load, list] : {std::tuple{1, 2, "[0, 1, 0, 0]"}, std::tuple{4, 3, "[0, 0, 1, 0]"}}) {
+        const auto by_88 = [contact = contact](const std::string& text) {
+            return *asking(read_scene<double>(R"({"mass_ratios": [1, 1, 2, 1], "stiffness_ratios": [1, 1, 1, 3], "r": 0.5,
+                "damping_ratios": 0.05, "beta": 50, "contact": )" +
+                                              std::to_string(contact) + R"(, "load": )" + text + "}"),
+                           Asked::regime)
+                        .sticking_by_88;
+        };
+        CHECK(by_88(list).value == by_88(std::to_string(load)).value);
+        CHECK(by_88(list).error == by_88(std::to_string(load)).error);
+    }
+}
+
+TEST_CASE("the motion from rest comes to the sliding motion also where a mode hardly moves", "[solve]") {
+    const Solution s = asking(read_scene<double>(R"({"mass_ratios": [1, 1.918, 0.6775, 0.6021], "contact": 2, "mu": 3,
+        "stiffness_ratios": [1, 1.442, 1.367, 0.5502], "damping_ratios": [64.96, 5229000.0, 1.309, 364.8],
+        "load": [-1, -0.00279, 1, 0.003776], "r": 0.2156, "beta": 1e-12})"),
+                              Asked::motion);
+    CHECK(s.regime.regime == Regime::continuous);
+    CHECK(s.method.model == "closed form");
 }
 
 TEST_CASE("with mu above 1 the answer is that of the start from rest and is not called unique", "[solve]") {

@@ -66,8 +66,9 @@ std::optional<Certified> limit_by_88(const Scene<double>& scene, const StuckConf
     if (!chain->kappa) return certified(paper::sticking_limit_under_load(mu));
     const auto n = static_cast<Eigen::Index>(chain->masses.size()),
                first = static_cast<Eigen::Index>(chain->masses.front().index);
-    const bool before = s.load.index < s.contact.index;
-    const Eigen::Index of_stuck = before ? first : first - 1, load = static_cast<Eigen::Index>(s.load.index) - first;
+    const Mass loaded = load_row(s);
+    const bool before = loaded.index < s.contact.index;
+    const Eigen::Index of_stuck = before ? first : first - 1, load = static_cast<Eigen::Index>(loaded.index) - first;
     System<double> moving; // as much of it as the bounds need
     moving.mass_ratios.assign(s.mass_ratios.begin() + first, s.mass_ratios.begin() + first + n);
     moving.stiffness_ratios.assign(s.stiffness_ratios.begin() + first, s.stiffness_ratios.begin() + first + n);

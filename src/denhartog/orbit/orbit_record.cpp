@@ -165,10 +165,11 @@ std::optional<PeriodicOrbit> orbit_of(const OrbitMap& map, const State& z, const
     orbit.touching = map.motion().touching;
     if (search.with_stability) {
         orbit.multipliers = multipliers_of_orbit(map, *errors);
-        // With mu = 1 no deviation grows, wherever the events are; where every motion is damped it falls.
+        // With mu = 1, or without stops, no deviation grows, wherever the events are; where every motion is damped it falls.
+        const bool shrinks = map.solver().excitation().mu == 1 || (map.slides_throughout() && orbit.touching == 0);
         orbit.stable = are_inside(orbit.multipliers) ||
-                       (map.solver().excitation().mu == 1 &&
-                        (every_motion_is_damped(map.solver().system().basis) || are_inside(multipliers_next_to(map))));
+                       (shrinks && (every_motion_is_damped(map.solver().system().basis) ||
+                                    (map.solver().excitation().mu == 1 && are_inside(multipliers_next_to(map)))));
         if (orbit.symmetric) orbit.multipliers = squared(std::move(orbit.multipliers));
     }
     if (orbit.touching > 0)

@@ -166,7 +166,7 @@ private:
     void judge_candidate() {
         const std::vector<Multiplier> multipliers = multipliers_next_to(map_);
         candidate_.largest_multiplier = multipliers.empty() ? 1 : size_of(multipliers.front().value);
-        candidate_.stable = are_inside(multipliers);
+        candidate_.stable = are_inside(multipliers) || (damped_ && map_.slides_throughout());
         const std::vector<Phase>& phases = map_.motion().phases;
         if (damped_ && candidate_.h == 1 && phases.size() == 2 && phases[0].direction * phases[1].direction < 0)
             candidate_.reach = map_.solver().sliding_reach(1);
