@@ -282,6 +282,16 @@ TEST_CASE("the motion from rest comes to the sliding motion also where a mode ha
     CHECK(s.method.model == "closed form");
 }
 
+TEST_CASE("a motion without stops that double does not see mirror itself is the sliding motion all the same", "[solve][eq:38]") {
+    const Scene<double> scene = read_scene<double>(R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": [0],
+        "contact": 1, "load": 1, "mu": 1.71, "r": 45, "beta": 0.000764})");
+    const Solution s = asking(scene, Asked::motion), exact = asking(scene, Asked::motion, 20);
+    CHECK(s.method.model == "closed form");
+    CHECK(s.symmetric);
+    CHECK(std::abs(s.masses[0].amplitude.value - exact.masses[0].amplitude.value) <= s.masses[0].amplitude.error);
+    CHECK(exact.regime.reason.find("not that of the closed form") == std::string::npos);
+}
+
 TEST_CASE("with mu above 1 the answer is that of the start from rest and is not called unique", "[solve]") {
     const Scene<double> scene = with_beta(oscillator(0.05, 1, 2), 0.55);
     const Solution s = asking(scene, Asked::motion);

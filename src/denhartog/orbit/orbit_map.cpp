@@ -108,13 +108,13 @@ Column<double> OrbitMap::largest_energies() const {
 
 // What errors get of a unit of energy of one mode, the column, into each mode, the row, over the stretch.
 //
-// Every phase adds some units in the last place of what it makes of the modes. A natural frequency that is some units off, at
-// least N, turns the mode by that part of its phase angle, which is the larger the more of its periods fit in the stretch. Modes
-// are turned towards each other by rounding: the difference of their stiffnesses and of their dampings then lets the one force
-// the other, which follows it at rest or is driven over the stretch. Of modes of nearly one frequency the angle may be large;
-// where they are damped differently, that damps each of them by some of the other's damping. All these errors are taken as an
-// eighth of the bounds of the closed form. What a damping matrix loses on its way to the modes, where large dashpots nearly
-// cancel, is a force on each mode over the whole stretch.
+// Every phase adds some units in the last place of what it makes of the modes; Newton's method settles each mode to its own. A
+// natural frequency that is some units off, at least N, turns the mode by that part of its phase angle, which is the larger the
+// more of its periods fit in the stretch. Modes are turned towards each other by rounding: the difference of their stiffnesses and
+// of their dampings then lets the one force the other, which follows it at rest or is driven over the stretch. Of modes of nearly
+// one frequency the angle may be large; where they are damped differently, that damps each of them by some of the other's damping.
+// All these errors are taken as an eighth of the bounds of the closed form. What a damping matrix loses on its way to the modes,
+// where large dashpots nearly cancel, is a force on each mode over the whole stretch.
 Matrix<double> OrbitMap::errors_between_modes(double units, bool of_modes) const {
     const ContactSystem& s = solver_->system();
     const double r = solver_->excitation().r, length = h_ * pi<double>(), eps = std::numeric_limits<double>::epsilon();
@@ -123,7 +123,7 @@ Matrix<double> OrbitMap::errors_between_modes(double units, bool of_modes) const
         const double r_i = s.basis.r_n[i];
         for (std::size_t k = 0; k < s.basis.r_n.size(); ++k) {
             const double r_k = s.basis.r_n[k];
-            E(i, k) += units * std::max(1.0, r_i / r_k);
+            E(i, k) += units * (of_modes ? std::max(1.0, r_i / r_k) : i == k);
             if (i == k) E(i, i) += length * r_i / r * std::max(of_modes ? s.detuned[i] / 8 : 0, static_cast<int>(N) * eps);
             if (i == k || !of_modes) continue;
             const double angle =

@@ -37,7 +37,7 @@ public:
             const double rounding = map_->rounding_in_energy().norm(); // a bound, and some way above what is seen
             const bool falls = !held && (least < 0 || residual < least * (1 - part / 8));
             if (falls) residual_ = residual;
-            if (!held && residual <= (falls ? rounding / 32 : 8 * rounding)) return true;
+            if (!held && residual <= (falls ? rounding / 8 : 8 * rounding)) return true;
             bad += !falls;
             if (bad > static_cast<int>(bad_steps)) return false;
             part = !falls ? part / 2 : prepare_step(z) ? 1 : 0;
