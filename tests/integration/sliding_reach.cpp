@@ -96,12 +96,12 @@ TEST_CASE("a motion within the reach of the sliding one never stops, and one som
                 try_state(moved(p, turning->z, direction, factor * turning->reach), turning->tau, factor);
         }
         // The worst that can be done: next to a turning point the velocity is made zero, and what is left takes from the load.
-        const std::size_t j = p.system.contact.index;
+        const Contact& contact = p.system.stuck.contact;
         double of_velocity = 0, of_load = 0;
         std::vector<double> velocity(2 * N), load(2 * N);
         for (std::size_t i = 0; i < N; ++i) {
-            velocity[N + i] = p.system.basis.phi(j, i);
-            load[i] = p.system.basis.phi(j, i) * p.system.basis.r_n[i];
+            velocity[N + i] = p.system.contact_shape(static_cast<Eigen::Index>(i));
+            load[i] = p.system.contact_shape(static_cast<Eigen::Index>(i)) * p.system.basis.r_n[i];
             of_velocity = std::hypot(of_velocity, velocity[N + i]);
             of_load = std::hypot(of_load, load[i]);
         }
@@ -114,15 +114,15 @@ TEST_CASE("a motion within the reach of the sliding one never stops, and one som
                         double from = 0, to = pi<double>() / 2; // where the contact is as fast as that, by bisection
                         const auto time = [&](double t) { return before == 1 ? pi<double>() - t : t; };
                         const auto state = [&](double t) { return solver.state_at(0, turning->tau + time(t)); };
-                        if (std::abs(state(to).x_prime[j]) < speed) continue;
+                        if (std::abs(contact.of(state(to).x_prime)) < speed) continue;
                         for (int n = 0; n < 40; ++n) {
                             const double middle = from + (to - from) / 2;
-                            (std::abs(state(middle).x_prime[j]) < speed ? from : to) = middle;
+                            (std::abs(contact.of(state(middle).x_prime)) < speed ? from : to) = middle;
                         }
                         State z = state(from);
-                        const double v = z.x_prime[j];
+                        const double v = contact.of(z.x_prime);
                         z = moved(p, z, velocity, -v / of_velocity);
-                        z.x_prime[j] = 0;
+                        contact.hold(z.x_prime.data());
                         z = moved(p, z, load, side * distance * std::sqrt(1 - part * part));
                         try_state(z, turning->tau + time(from), factor);
                     }

@@ -110,11 +110,11 @@ Column<double> OrbitMap::largest_energies() const {
 //
 // Every phase adds some units in the last place of what it makes of the modes; Newton's method settles each mode to its own. A
 // natural frequency that is some units off, at least N, turns the mode by that part of its phase angle, which is the larger the
-// more of its periods fit in the stretch. Modes are turned towards each other by rounding: the difference of their stiffnesses and
-// of their dampings then lets the one force the other, which follows it at rest or is driven over the stretch. Of modes of nearly
-// one frequency the angle may be large; where they are damped differently, that damps each of them by some of the other's damping.
-// All these errors are taken as an eighth of the bounds of the closed form. What a damping matrix loses on its way to the modes,
-// where large dashpots nearly cancel, is a force on each mode over the whole stretch.
+// more of its periods fit in the stretch. Modes are turned towards each other by rounding: the difference of their stiffnesses
+// and of their dampings then lets the one force the other, which follows it at rest or is driven over the stretch. Of modes of
+// nearly one frequency the angle may be large; where they are damped differently, that damps each of them by some of the
+// other's damping. All these errors are taken as an eighth of the bounds of the closed form. What a damping matrix loses on its
+// way to the modes, where large dashpots nearly cancel, is a force on each mode over the whole stretch.
 Matrix<double> OrbitMap::errors_between_modes(double units, bool of_modes) const {
     const ContactSystem& s = solver_->system();
     const double r = solver_->excitation().r, length = h_ * pi<double>(), eps = std::numeric_limits<double>::epsilon();
