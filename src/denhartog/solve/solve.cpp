@@ -162,8 +162,8 @@ void keep_asked_mass(const Question& question, Solution& s) {
 // Whether a motion with stops that dies out if the contact slides on may be stable or not, as far as double tells.
 bool is_vague(const SolveTask& task, const Solution& s) {
     if (!s.stability || s.stops.empty() || s.stability->stable || !every_motion_is_damped(*task.known.basis)) return false;
-    const Certified& largest = s.stability->multipliers.front();
-    return !(largest.value - largest.error > 1);
+    const std::vector<Certified>& sizes = s.stability->multipliers; // none where they were not found
+    return sizes.empty() || !(sizes.front().value - sizes.front().error > 1);
 }
 
 AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, const Question& question) {
