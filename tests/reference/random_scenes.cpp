@@ -1,5 +1,5 @@
 // Seeded scenes of every kind: what `solve` tells of them in double lies within its bounds of the proved numbers. A sample here;
-// a hundred thousand of them with the preset `sweeps`.
+// a hundred thousand of them with the preset `sweeps`, or as many as DENHARTOG_SCENES says, from DENHARTOG_SEED on.
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -76,8 +76,9 @@ private:
 
 TEST_CASE("every number of random scenes in double lies within its bound of the proved one", "[scenes][accuracy]") {
     const bool all = std::getenv("DENHARTOG_SWEEPS") != nullptr;
-    const int count = all ? 100'000 : 150;
-    RandomScenes scenes(20261128);
+    const char *scenes_asked = std::getenv("DENHARTOG_SCENES"), *seed = std::getenv("DENHARTOG_SEED");
+    const int count = scenes_asked != nullptr ? std::stoi(scenes_asked) : all ? 100'000 : 150;
+    RandomScenes scenes(seed != nullptr ? std::stoull(seed) : 20261128);
     SurveyOfBounds survey;
     int refused = 0;
     for (int n = 0; n < count; ++n) {
