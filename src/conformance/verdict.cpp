@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "denhartog/elementary/elementary.hpp"
+#include "elementary/elementary.hpp"
 
 namespace denhartog::conformance {
 namespace {

@@ -5,9 +5,9 @@
 #include "conformance/diagnosis/explanations.hpp"
 #include "conformance/mistakes/mistake_definition.hpp"
 #include "conformance/plain/closed_form.hpp"
-#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/number/number_text.hpp"
+#include "elementary/elementary.hpp"
 
 namespace denhartog::conformance {
 namespace {

@@ -5,8 +5,8 @@
 #include "conformance/grade.hpp"
 #include "conformance/mistakes/mistake_definition.hpp"
 #include "conformance/plain/closed_form.hpp"
-#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/number/errors.hpp"
+#include "elementary/elementary.hpp"
 
 namespace denhartog::conformance {
 namespace {

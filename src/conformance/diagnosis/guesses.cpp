@@ -6,9 +6,9 @@
 #include <map>
 
 #include "conformance/plain/closed_form.hpp"
-#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/number/number_text.hpp"
+#include "elementary/elementary.hpp"
 
 namespace denhartog::conformance {
 namespace {

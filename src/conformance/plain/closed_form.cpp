@@ -4,13 +4,13 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 
-#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/contact.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
 #include "denhartog/formulas/motion.hpp"
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/number/errors.hpp"
+#include "elementary/elementary.hpp"
 
 namespace denhartog::conformance {
 namespace {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
+#include "elementary/elementary.hpp"
 
 namespace denhartog::conformance {
 namespace {

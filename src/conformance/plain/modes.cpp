@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/evaluation/friction_motion.hpp"
 #include "denhartog/evaluation/mode.hpp"
 #include "denhartog/formulas/as_printed.hpp"
@@ -12,6 +11,7 @@
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/errors.hpp"
+#include "elementary/elementary.hpp"
 
 namespace denhartog::conformance {
 namespace {

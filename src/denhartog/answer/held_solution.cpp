@@ -6,7 +6,6 @@
 #include <string>
 
 #include "denhartog/answer/certify.hpp"
-#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/model/linear_algebra.hpp"
@@ -14,6 +13,7 @@
 #include "denhartog/stick_slip/stuck_response.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
+#include "elementary/elementary.hpp"
 
 namespace denhartog {
 namespace {

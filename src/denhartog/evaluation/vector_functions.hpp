@@ -10,9 +10,9 @@
 #include <bit>
 #include <cstdint>
 
-#include "denhartog/elementary/exact_arithmetic.hpp"
-#include "denhartog/elementary/series_tables.hpp"
 #include "denhartog/evaluation/batch_forms.hpp"
+#include "elementary/exact_arithmetic.hpp"
+#include "elementary/series_tables.hpp"
 
 namespace denhartog::evaluation {
 

@@ -13,8 +13,8 @@
 #include <concepts>
 #include <limits>
 
-#include "denhartog/elementary/exact_arithmetic.hpp"
 #include "denhartog/number/number.hpp"
+#include "elementary/exact_arithmetic.hpp"
 
 namespace denhartog {
 

@@ -17,7 +17,7 @@
 #include <concepts>
 #include <numbers>
 
-#include "denhartog/elementary/elementary.hpp"
+#include "elementary/elementary.hpp"
 
 namespace denhartog {
 

@@ -7,9 +7,9 @@
 #include <limits>
 #include <utility>
 
-#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/number/bounded_arithmetic.hpp"
+#include "elementary/elementary.hpp"
 
 namespace denhartog {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
+#include "elementary/elementary.hpp"
 
 namespace denhartog {
 

@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/model/modal_basis.hpp"
+#include "elementary/elementary.hpp"
 
 namespace denhartog {
 

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/paper_algorithm/contact_equations.hpp"
 #include "denhartog/paper_algorithm/step_function.hpp"
+#include "elementary/elementary.hpp"
 
 namespace denhartog {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "denhartog/elementary/elementary.hpp"
+#include "elementary/elementary.hpp"
 
 namespace denhartog {
 namespace {

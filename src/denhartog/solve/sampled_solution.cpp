@@ -5,13 +5,13 @@
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/answer/reference.hpp"
-#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/solve/quantities.hpp"
 #include "denhartog/solve/solve_by_reference.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
+#include "elementary/elementary.hpp"
 
 namespace denhartog {
 namespace {

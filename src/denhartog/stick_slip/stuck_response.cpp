@@ -6,13 +6,13 @@
 #include <string>
 #include <utility>
 
-#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/natural_modes.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/work_counted.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "elementary/elementary.hpp"
 
 namespace denhartog {
 namespace {

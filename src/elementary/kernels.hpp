@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
-#include "denhartog/elementary/angle_tables.hpp"
-#include "denhartog/elementary/circle_tables.hpp"
-#include "denhartog/elementary/exact_arithmetic.hpp"
-#include "denhartog/elementary/power_tables.hpp"
+#include "elementary/angle_tables.hpp"
+#include "elementary/circle_tables.hpp"
+#include "elementary/exact_arithmetic.hpp"
+#include "elementary/power_tables.hpp"
 
 namespace denhartog::elementary {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "denhartog/elementary/elementary.hpp"
-#include "denhartog/elementary/kernels.hpp"
-#include "denhartog/elementary/logarithm_tables.hpp"
+#include "elementary/elementary.hpp"
+#include "elementary/kernels.hpp"
+#include "elementary/logarithm_tables.hpp"
 
 namespace denhartog::elementary {
 namespace {

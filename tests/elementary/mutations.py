@@ -2,7 +2,7 @@
 
 Of the tables, which the tests compare with MPFR entry by entry, every 97th entry is changed. Some changes nobody can find, and they are
 listed with the reason; the status is 1 where another one is not found, and where one of these is found.
-Usage: elementary_mutations.py COMPILER SOURCES TEMPORARY_FOLDER [EVERY], which takes one change in so many
+Usage: mutations.py COMPILER SOURCES TEMPORARY_FOLDER [EVERY], which takes one change in so many
 """
 import re
 import shutil
@@ -53,13 +53,13 @@ def main():
     compiler, sources, temporary = sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3])
     every = int(sys.argv[4]) if len(sys.argv) > 4 else 1
     shutil.rmtree(temporary, ignore_errors=True)
-    mutated, library = temporary / "denhartog" / "elementary", sources / "src" / "denhartog"
-    shutil.copytree(library / "elementary", mutated)
+    mutated = temporary / "elementary"
+    shutil.copytree(sources / "src" / "elementary", mutated)
     subprocess.run([sys.executable, mutated / "make_tables.py", mutated], check=True)
     options = [compiler, "-std=c++20", "-O1", "-ffp-contract=off", f"-I{temporary}", f"-I{sources / 'src'}", f"-I{sources}"]
     program = temporary / "tests"
 
-    parts = {"main": sources / "tests" / "main.cpp", "elementary": sources / "tests" / "unit" / "elementary.cpp"}
+    parts = {"main": sources / "tests" / "main.cpp", "elementary": sources / "tests" / "elementary" / "elementary.cpp"}
     parts |= {name: mutated / f"{name}.cpp" for name in ("exponential", "angle")}
     read = {name: subprocess.run([*options, "-MM", source], check=True, capture_output=True, text=True).stdout.split()
             for name, source in parts.items()}

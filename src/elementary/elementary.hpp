@@ -3,7 +3,7 @@
 ///
 /// They are made of the operations of IEEE 754 and of tables, and call no function of the system: those of glibc differ from
 /// processor to processor, and from version to version. Each is rounded within 0.55 units in the last place, `hypot` within 0.6,
-/// the hyperbolic sine within 0.7; results below the normal range within 1. `tests/unit/elementary.cpp` measures that against
+/// the hyperbolic sine within 0.7; results below the normal range within 1. `tests/elementary/elementary.cpp` measures that against
 /// MPFR. Arguments are reduced exactly, however large they are. Outside its domain a function gives what is no number, beyond the
 /// range of a double infinity.
 ///

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <cstdio>
 
-#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/evaluation/vector_functions.hpp"
 #include "denhartog/model/product_of_doubles.hpp"
+#include "elementary/elementary.hpp"
 
 using namespace denhartog;
 

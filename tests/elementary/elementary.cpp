@@ -1,4 +1,4 @@
-#include "denhartog/elementary/elementary.hpp"
+#include "elementary/elementary.hpp"
 
 #include <mpfr.h>
 
@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/elementary/angle_tables.hpp"
-#include "denhartog/elementary/circle_tables.hpp"
-#include "denhartog/elementary/kernels.hpp"
-#include "denhartog/elementary/logarithm_tables.hpp"
-#include "denhartog/elementary/power_tables.hpp"
-#include "denhartog/elementary/series_tables.hpp"
+#include "elementary/angle_tables.hpp"
+#include "elementary/circle_tables.hpp"
+#include "elementary/kernels.hpp"
+#include "elementary/logarithm_tables.hpp"
+#include "elementary/power_tables.hpp"
+#include "elementary/series_tables.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog;

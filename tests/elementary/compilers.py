@@ -15,11 +15,10 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-SOURCES = [ROOT / "tests/digits/functions.cpp",
-           *(ROOT / f"src/denhartog/{name}.cpp"
-             for name in ("elementary/angle", "elementary/exponential", "model/product_of_doubles"))]
+SOURCES = [ROOT / "tests/elementary/functions.cpp",
+           *(ROOT / f"src/{name}.cpp" for name in ("elementary/angle", "elementary/exponential", "denhartog/model/product_of_doubles"))]
 COMMON = ["-std=c++20", f"-I{ROOT / 'src'}", f"-I{ROOT}"]
-TABLES = ROOT / "src/denhartog/elementary/make_tables.py"
+TABLES = ROOT / "src/elementary/make_tables.py"
 SYSTEM_EXP = [ROOT / "tests/digits/system_exp.cpp", "-Wl,--wrap=_ZN9denhartog10elementary3expEd"]
 OLDER = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-FMA,-AVX512F"}
 
@@ -43,7 +42,7 @@ class Programs:
     def __init__(self, folder):
         self.folder = folder
         self.made = 0
-        subprocess.run([sys.executable, TABLES, folder / "include/denhartog/elementary"], check=True)
+        subprocess.run([sys.executable, TABLES, folder / "include/elementary"], check=True)
 
     def make(self, compiler, options):
         self.made += 1

@@ -4,8 +4,8 @@
 #include <limits>
 #include <utility>
 
-#include "denhartog/elementary/elementary.hpp"
-#include "denhartog/elementary/kernels.hpp"
+#include "elementary/elementary.hpp"
+#include "elementary/kernels.hpp"
 
 namespace denhartog::elementary {
 
