@@ -156,6 +156,52 @@ TEST_CASE("a series of the exponential holds its sum and its derivatives", "[ref
     }
 }
 
+// A number, or a row of two, as a matrix of one column.
+BallMatrix column(const std::vector<Ball>& x) {
+    BallMatrix c(static_cast<slong>(x.size()), 1);
+    for (std::size_t k = 0; k < x.size(); ++k) c(static_cast<slong>(k)) = x[k];
+    return c;
+}
+
+TEST_CASE("where slopes are certain by more than half a solution is proved, and its box holds it", "[reference][proof]") {
+    const Bits some(100);
+    BallMatrix open(1, 1);
+    const auto solution = [&](double u, double step, double uncertain, double half_width) {
+        open(0, 0) = widened(Ball(0), Ball(uncertain));
+        return solution_from(column({Ball(u)}), column({Ball(step)}), open, column({widened(Ball(0), Ball(half_width))}));
+    };
+    const std::optional<BallMatrix> off = solution(0, 1, 0.375, 4);
+    REQUIRE(off);
+    for (const double slope : {0.625, 1.0, 1.375}) CHECK(((*off)(0) + Ball(1) / Ball(slope)).may_vanish());
+    CHECK((*off)(0).radius() < 1);
+    CHECK_FALSE(solution(0, 1, 0.75, 64));    // slopes from 1/4 on: the solution may be four steps away
+    CHECK_FALSE(solution(0, 1, 0.375, 1.75)); // twice the step is outside of the box of the slopes
+    CHECK_FALSE(solution(3, 1, 0.375, 4));
+    CHECK(solution(1, 1, 0.375, 4));
+}
+
+TEST_CASE("what one unknown leaves open of another counts in units of both", "[reference][proof]") {
+    BallMatrix open(2, 2);
+    open(0, 1) = widened(Ball(0), Ball(0.25));
+    const auto solution = [&](double half_width) {
+        return solution_from(column({Ball(0), Ball(0)}), column({Ball(0x1p-20), Ball(0)}), open,
+                             column({widened(Ball(0), Ball(1)), widened(Ball(0), Ball(half_width))}));
+    };
+    CHECK(solution(1));
+    CHECK_FALSE(solution(1024));
+}
+
+TEST_CASE("a motion in few bits holds that in many, its events and every state", "[reference][proof]") {
+    const TwoStops motion;
+    const ProvedOrbit fine = proved_near(in_bits(motion.scene), guess_for(motion.scene), 512), &coarse = motion.orbit;
+    for (slong k = 0; k < fine.at.u.rows(); ++k) {
+        CHECK((coarse.at.u(k) - fine.at.u(k)).may_vanish());
+        CHECK(coarse.at.u(k).radius() < 1e-30);
+    }
+    for (std::size_t i = 0; i < fine.Z.size(); ++i)
+        for (slong k = 0; k < fine.Z[i].rows(); ++k) CHECK((coarse.Z[i](k) - fine.Z[i](k)).may_vanish());
+}
+
 TEST_CASE("of a stable and an unstable map the right one is told", "[reference][proof]") {
     MapOfDeviations map{BallMatrix(2, 2), false};
     map.A(0, 0) = Ball(0.5);
