@@ -129,6 +129,23 @@ TEST_CASE("a largest value has all the bits of the moment", "[largest]") {
     }
 }
 
+TEST_CASE("where Newton's method stops short of a zero, its place is held all the same", "[largest]") {
+    const Bits enough(128);
+    const auto wavy = [](const Ball& t) { // its slope changes within far less than half of the bits
+        const Ball fast = t * Ball(0x1p80);
+        return ValueAndSlope{-t - sin(fast) * Ball(0x1p-81), -1 - cos(fast) / 2};
+    };
+    const auto flat = [](const Ball& t) {
+        const Ball eighth = t * t * t * t * t * t * t * t;
+        return ValueAndSlope{-t * eighth, -9 * eighth};
+    };
+    for (int n = 1; n <= 64; ++n) {
+        INFO("from " << n);
+        CHECK(place_of_zero(widened(Ball(n * 0x1p-66), Ball(0x1p-58)), wavy).may_vanish());
+        CHECK(place_of_zero(widened(Ball(n * 0x1p-64), Ball(0x1p-57)), flat).may_vanish());
+    }
+}
+
 TEST_CASE("of many maxima within a tenth the highest is found", "[largest]") {
     const Bits enough(128);
     const LargestInBalls found = largest_of([](const Series& t) { return 2 - (t - 1) * (t - 1) / 4 + sin(400 * t) / 1000; });
