@@ -164,8 +164,9 @@ struct ProvedOrbit {
 
 /// @brief Proves that the equations have one solution near a guess.
 ///
-/// Newton's method brings u near, with steps made shorter until they bring it nearer; `solution_from` is the proof. A product over many phases widens balls, so that J takes as many bits as it needs.
-/// Fewer bits are certain than it computes with, as a leap may widen a ball by exp(longest_leap).
+/// Newton's method brings u near, with steps made shorter until they bring it nearer; `solution_from` is the proof.
+/// A product over many phases widens balls, so that J takes as many bits as it needs. Fewer bits are certain than it computes
+/// with, as a leap may widen a ball by exp(longest_leap).
 /// @throws Disproved, Unproved
 [[nodiscard]] ProvedOrbit proved_near(const std::function<SceneInBalls()>& scene, const OrbitGuess& guess, slong bits);
 
