@@ -1,6 +1,9 @@
 // The largest value of a function, proved; and twins that say too little of their function, which the same tests notice.
 #include "denhartog/search/largest.hpp"
 
+#include <array>
+#include <random>
+
 #include "denhartog/reference/maximum.hpp"
 #include "tests/catch.hpp"
 #include "tests/reference/proofs.hpp"
@@ -107,6 +110,15 @@ TEST_CASE("a wrong trend is noticed: the largest value is missed", "[largest]") 
     CHECK(missed == 4); // of one it is right
 }
 
+TEST_CASE("of a value that is not certain only the lower end is reached", "[largest]") {
+    for (const KnownMaximum& known : known_maxima()) {
+        INFO(known.name);
+        SearchedFunction<Ball> wide = searched(known.of);
+        wide.value = [right = wide.value](const Ball& t) { return widened(right(t) + Ball(0.125), Ball(0.125)); };
+        CHECK(stretches(wide).lower <= static_cast<double>(known.value()) + 1e-15);
+    }
+}
+
 TEST_CASE("a search whose looks are spent says that it is not settled", "[largest]") {
     const SearchedFunction<Ball> f = searched([](const Series& t) { return sin(3 * t); });
     CHECK_FALSE(stretches(f, 4).settled);
@@ -146,6 +158,17 @@ TEST_CASE("where Newton's method stops short of a zero, its place is held all th
     }
 }
 
+TEST_CASE("where it is not certain on which side of an instant of the search a function is largest, both are held", "[largest]") {
+    const Bits enough(128);
+    for (const int eighths : {1, 2, 4}) {
+        const Ball place = widened(Ball(eighths * 3.141592653589793 / 8), Ball(0x1p-42));
+        const LargestInBalls found = largest_of([&](const Series& t) { return cos(t - Series(place)); });
+        CHECK(arb_contains(found.instant.a, place.a) != 0);
+        CHECK(found.instant.radius() < 1e-6);
+        CHECK(apart(found.value, Ball(1)) == 0);
+    }
+}
+
 TEST_CASE("of many maxima within a tenth the highest is found", "[largest]") {
     const Bits enough(128);
     const LargestInBalls found = largest_of([](const Series& t) { return 2 - (t - 1) * (t - 1) / 4 + sin(400 * t) / 1000; });
@@ -172,6 +195,67 @@ TEST_CASE("where several instants may be the largest, the ball holds them all", 
     CHECK(apart(flat.value, Ball(1)) == 0);
     CHECK(apart(flat.instant, Ball(1)) == 0);
     CHECK(flat.value.radius() < 1e-25);
+}
+
+TEST_CASE("of functions that differ in their slopes where they are equal the largest value of each is held", "[largest]") {
+    const Bits enough(128);
+    const double most = 0x1p-20; // 8 + s (t - 1) - (t - 1)^2 is 8 + s^2 / 4 at 1 + s / 2
+    const auto f = [&](const Ball& t) {
+        const Series d = Series::time(t) - Series(Ball(1));
+        return 8 + Series(widened(Ball(0), Ball(most))) * d - d * d;
+    };
+    const LargestBothWays largest = largest_size_of(f);
+    REQUIRE(largest.up);
+    const LargestInBalls quotient = largest_over_sine([&](const Ball& t) { return f(t) * sin(Series::time(t)); });
+    for (const LargestInBalls& each : {*largest.up, quotient}) {
+        CHECK(arb_contains(each.value.a, Ball::within(8, 8 + most * most / 4).a) != 0);
+        CHECK(arb_contains(each.instant.a, Ball::within(1 - most / 2, 1 + most / 2).a) != 0);
+        CHECK(each.value.radius() < 1e-8);
+    }
+}
+
+TEST_CASE("of maxima that are not told apart the value holds the larger, whichever is found first", "[largest]") {
+    const Bits enough(128);
+    const Ball small = widened(Ball(0), Ball(0x1p-40));
+    const auto of = [&](const Ball& from) { // 1 at an end, where it is `from`, and up to 1 + 2^-40 pi at the other
+        return largest_of([&](const Series& t) { return 8 + cos(2 * t) + Series(small) * (t - Series(from)); }).value;
+    };
+    for (const Ball& from : {Ball(0), pi<Ball>()}) CHECK(arb_contains(of(from).a, (9 + Ball(0x1p-40) * Ball(3)).a) != 0);
+}
+
+TEST_CASE("largest values of seeded sums of waves are those that samples show, by themselves and over the sine", "[largest]") {
+    const Bits enough(96);
+    std::mt19937_64 random(7);
+    const auto draw = [&](double a, double b) { return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53; };
+    for (int n = 0; n < 30; ++n) {
+        std::array<std::array<double, 3>, 3> waves{};
+        for (auto& wave : waves) wave = {draw(-1, 1), draw(0.5, 12), draw(0, 6.28)};
+        const FunctionOfTime f = [&](const Ball& t) {
+            Series sum(0);
+            for (const auto& [a, w, p] : waves) sum = sum + Series(Ball(a)) * cos(Ball(w) * Series::time(t) + Series(Ball(p)));
+            return sum;
+        };
+        double highest = -10, lowest = 10;
+        for (int i = 0; i <= 2000; ++i) {
+            double sum = 0;
+            for (const auto& [a, w, p] : waves) sum += a * std::cos(w * 3.14159265358979 * i / 2000 + p);
+            highest = std::max(highest, sum);
+            lowest = std::min(lowest, sum);
+        }
+        const auto shown = [](const LargestInBalls& found, double sampled) {
+            return found.value.high() >= sampled - 1e-12 && found.value.low() <= sampled + 1e-3 && found.value.radius() < 1e-20;
+        };
+        const FunctionOfTime over = [&](const Ball& t) { return f(t) * sin(Series::time(t)); };
+        const FunctionOfTime Z = [&](const Ball& t) { // n'' + n with slope and curvature
+            const Series x = over(t), first = x.derivative(), second = first.derivative();
+            return second + x;
+        };
+        const LargestBothWays both = largest_size_of(f);
+        INFO("sum of waves " << n);
+        CHECK((highest > -lowest ? both.up && shown(*both.up, highest) : both.down && shown(*both.down, -lowest)));
+        CHECK(shown(largest_over_sine(over), highest));
+        CHECK(shown(largest_over_sine(over, Z), highest));
+    }
 }
 
 TEST_CASE("of the largest value and that of the negative only what may be the larger is given", "[largest]") {

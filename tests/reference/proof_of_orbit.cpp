@@ -1,5 +1,6 @@
 /// @file
 /// @brief Every demand of friction on a motion is checked: a motion that breaks one of them is refused.
+#include <algorithm>
 #include <string>
 
 #include "denhartog/reference/orbit_proof.hpp"
@@ -58,11 +59,13 @@ TEST_CASE("a contact that slides against its direction is refused", "[reference]
 }
 
 TEST_CASE("a contact that friction cannot hold is refused", "[reference][proof]") {
-    TwoStops motion;
-    motion.orbit.s.holds = motion.orbit.s.holds * Ball(0.9375);
-    bool certain = false;
-    CHECK(refusal(motion.orbit, motion.phases, &certain) == "it slips earlier");
-    CHECK(certain);
+    for (const double part : {0.9375, 1 - 0x1p-40}) {
+        TwoStops motion;
+        motion.orbit.s.holds = motion.orbit.s.holds * Ball(part);
+        bool certain = false;
+        CHECK(refusal(motion.orbit, motion.phases, &certain) == "it slips earlier");
+        CHECK(certain);
+    }
 }
 
 TEST_CASE("a contact that has to slip to the other side is refused", "[reference][proof]") {
@@ -200,6 +203,41 @@ TEST_CASE("a motion in few bits holds that in many, its events and every state",
     }
     for (std::size_t i = 0; i < fine.Z.size(); ++i)
         for (slong k = 0; k < fine.Z[i].rows(); ++k) CHECK((coarse.Z[i](k) - fine.Z[i](k)).may_vanish());
+    const Bits enough(512);
+    const PeakInBalls few = peak_of_mass(coarse, motion.phases, 0), many = peak_of_mass(fine, in_stretches(fine, 64), 0);
+    CHECK((few.size - many.size).may_vanish());
+    CHECK((few.phase.value() - many.phase.value()).may_vanish());
+    const auto with_speed = [&](const Ball& more) { // of that mass at the events
+        ProvedOrbit orbit = fine;
+        for (BallMatrix& Z : orbit.Z) Z(orbit.s.N) += more;
+        return peak_of_mass(orbit, in_stretches(orbit, 64), 0);
+    };
+    const PeakInBalls all = with_speed(widened(Ball(0), Ball(0x1p-30)));
+    for (const double more : {-0x1p-30, 0.0, 0x1p-30}) {
+        const PeakInBalls one = with_speed(Ball(more));
+        CHECK((all.size - one.size).may_vanish());
+        CHECK((all.phase.value() - one.phase.value()).may_vanish());
+    }
+    CHECK(all.phase.value().radius() < 1e-3);
+}
+
+TEST_CASE("of displacements that are not told apart the larger one is held, and one that may be nothing has any phase",
+          "[reference][proof]") {
+    TwoStops motion;
+    ProvedOrbit& orbit = motion.orbit;
+    std::ranges::fill(orbit.at.directions, 1);
+    const auto place_at = [&](std::size_t i, const Ball& x) { orbit.Z[i](1) = x; };
+    for (std::size_t i = 0; i < orbit.Z.size(); ++i) place_at(i, Ball(0.5));
+    REQUIRE(orbit.at.m() >= 2);
+    for (const std::size_t first : {0, 1}) {
+        place_at(first, widened(Ball(2), Ball(0.25)));
+        place_at(1 - first, widened(Ball(-2.125), Ball(0.25)));
+        const PeakInBalls peak = peak_of_contact(orbit);
+        CHECK(arb_contains(peak.size.a, Ball::within(2, 2.375).a) != 0);
+        CHECK(peak.size.low() > 1.7);
+    }
+    place_at(0, Ball::within(-3, 3));
+    CHECK(peak_of_contact(orbit).phase.value().radius() > 3);
 }
 
 TEST_CASE("of a stable and an unstable map the right one is told", "[reference][proof]") {
