@@ -156,6 +156,16 @@ TEST_CASE("a search works on what is above the error of its samples and no furth
     CHECK(best.places[0].to - best.places[0].from <= 3.0 / 4); // one of the first intervals: noise hides all within it
 }
 
+TEST_CASE("the bound of a largest value covers samples that are all too low", "[maximum]") {
+    const double noise = 1e-9;
+    const Curve<double> curve =
+        smooth<double>([](double t) { return std::cos(t - 1) - 1e-9; }, [](double t) { return -std::sin(t - 1); },
+                       [](double t) { return -std::cos(t - 1); }, 1);
+    const Maximum<double> best = global_maximum(curve, 0.0, 3.0, noise);
+    CHECK(best.upper >= 1 - 1e-15);
+    CHECK(best.upper <= 1 + 2 * noise);
+}
+
 TEST_CASE("a stretch that may be as high as the highest is looked into 256 times at most", "[maximum][effort]") {
     // Flat, its slope of a sign that no search foresees: no interval holds a larger value, and none becomes monotone.
     long samples = 0;
