@@ -223,6 +223,33 @@ TEST_CASE("of maxima that are not told apart the value holds the larger, whichev
     for (const Ball& from : {Ball(0), pi<Ball>()}) CHECK(arb_contains(of(from).a, (9 + Ball(0x1p-40) * Ball(3)).a) != 0);
 }
 
+TEST_CASE("over a stretch a function holds itself at every instant, by its terms and by what drives it", "[largest]") {
+    const Bits enough(96);
+    const FunctionOfTime n = [](const Ball& t) { return exp(2 * Series::time(t)); };
+    const FunctionOfTime wide = [&](const Ball& t) { // its terms over a stretch say nothing
+        Series x = n(t);
+        if (t.radius() > 1e-9)
+            for (Ball& c : x.c) c = widened(c, Ball(1000));
+        return x;
+    };
+    const FunctionOfTime Z = [&](const Ball& t) { return 5 * n(t); };
+    for (const double h : {0x1p-9, 0x1p-5, 0x1p-2}) {
+        const Ball X = widened(Ball(1), Ball(h));
+        const Series by_terms = over_stretch(n, X);
+        Series by_drive = over_stretch(wide, X);
+        const Ball drive = narrowed_by_drive(by_drive, wide, Z, X);
+        for (int k = -8; k <= 8; ++k) {
+            const Series at = n(Ball(1 + h * k / 8));
+            INFO("half width " << h << ", " << k << " eighths");
+            for (const int order : {0, 1, 2}) CHECK(arb_contains(by_terms.c[order].a, at.c[order].a) != 0);
+            for (const int order : {0, 1}) CHECK(arb_contains(by_drive.c[order].a, at.c[order].a) != 0);
+            CHECK(arb_contains(drive.a, (5 * at.c[0]).a) != 0);
+        }
+        CHECK(by_terms.c[0].radius() < 4 * h * n(Ball(1)).c[0].high());
+        CHECK(by_drive.c[0].radius() < 4 * h * n(Ball(1)).c[0].high());
+    }
+}
+
 TEST_CASE("largest values of seeded sums of waves are those that samples show, by themselves and over the sine", "[largest]") {
     const Bits enough(96);
     std::mt19937_64 random(7);
