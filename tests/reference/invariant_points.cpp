@@ -192,6 +192,9 @@ TEST_CASE("a search finds every zero of a function once, and says where it has n
         CHECK(found.single[n].from < static_cast<double>(n + 1));
         CHECK(found.single[n].to > static_cast<double>(n + 1));
     }
+    const ZerosOnStretches in_the_middle = zeros_of(f, 0.5, 1.5);
+    CHECK(in_the_middle.single.size() == 1);
+    CHECK(in_the_middle.undecided.empty());
     const ZerosOnStretches at_end = zeros_of(f, 1, 2.5); // a zero at the end of the interval
     CHECK(at_end.single.size() == 1);
     REQUIRE(at_end.undecided.size() == 1);
@@ -200,6 +203,11 @@ TEST_CASE("a search finds every zero of a function once, and says where it has n
     FunctionWithZeros given_up = f;
     given_up.look = [](double, double) { return ZerosInStretch::hidden; };
     CHECK(zeros_of(given_up, 0.5, 8.5).undecided.size() == 1);
+    given_up.look = [](double a, double b) { return b - a < 0.3 ? ZerosInStretch::hidden : ZerosInStretch::unknown; };
+    const ZerosOnStretches whole = zeros_of(given_up, 0.5, 8.5);
+    REQUIRE(whole.undecided.size() == 1);
+    CHECK(whole.undecided[0].from == 0.5);
+    CHECK(whole.undecided[0].to == 8.5);
     FunctionWithZeros wrong = f; // a function that excludes zeros too soon
     wrong.look = [look = f.look](double a, double b) { return b - a < 0.4 ? ZerosInStretch::none : look(a, b); };
     CHECK(zeros_of(wrong, 0.5, 8.5).single.size() < 8);

@@ -1,5 +1,6 @@
 /// @file
 /// @brief Every demand of friction on a motion is checked: a motion that breaks one of them is refused.
+#include <algorithm>
 #include <string>
 
 #include "denhartog/reference/orbit_proof.hpp"
@@ -58,11 +59,13 @@ TEST_CASE("a contact that slides against its direction is refused", "[reference]
 }
 
 TEST_CASE("a contact that friction cannot hold is refused", "[reference][proof]") {
-    TwoStops motion;
-    motion.orbit.s.holds = motion.orbit.s.holds * Ball(0.9375);
-    bool certain = false;
-    CHECK(refusal(motion.orbit, motion.phases, &certain) == "it slips earlier");
-    CHECK(certain);
+    for (const double part : {0.9375, 1 - 0x1p-40}) {
+        TwoStops motion;
+        motion.orbit.s.holds = motion.orbit.s.holds * Ball(part);
+        bool certain = false;
+        CHECK(refusal(motion.orbit, motion.phases, &certain) == "it slips earlier");
+        CHECK(certain);
+    }
 }
 
 TEST_CASE("a contact that has to slip to the other side is refused", "[reference][proof]") {
@@ -154,6 +157,89 @@ TEST_CASE("a series of the exponential holds its sum and its derivatives", "[ref
         CHECK((derivative(c, 1, Ball(theta)) + Ball(5) * sin(angle)).may_vanish());
         CHECK((derivative(c, 2, Ball(theta)) + Ball(25) * cos(angle)).may_vanish());
     }
+}
+
+// A number, or a row of two, as a matrix of one column.
+BallMatrix column(const std::vector<Ball>& x) {
+    BallMatrix c(static_cast<slong>(x.size()), 1);
+    for (std::size_t k = 0; k < x.size(); ++k) c(static_cast<slong>(k)) = x[k];
+    return c;
+}
+
+TEST_CASE("where slopes are certain by more than half a solution is proved, and its box holds it", "[reference][proof]") {
+    const Bits some(100);
+    BallMatrix open(1, 1);
+    const auto solution = [&](double u, double step, double uncertain, double half_width) {
+        open(0, 0) = widened(Ball(0), Ball(uncertain));
+        return solution_from(column({Ball(u)}), column({Ball(step)}), open, column({widened(Ball(0), Ball(half_width))}));
+    };
+    const std::optional<BallMatrix> off = solution(0, 1, 0.375, 4);
+    REQUIRE(off);
+    for (const double slope : {0.625, 1.0, 1.375}) CHECK(((*off)(0) + Ball(1) / Ball(slope)).may_vanish());
+    CHECK((*off)(0).radius() < 1);
+    CHECK_FALSE(solution(0, 1, 0.75, 64));    // slopes from 1/4 on: the solution may be four steps away
+    CHECK_FALSE(solution(0, 1, 0.375, 1.75)); // twice the step is outside of the box of the slopes
+    CHECK_FALSE(solution(3, 1, 0.375, 4));
+    CHECK(solution(1, 1, 0.375, 4));
+}
+
+TEST_CASE("what one unknown leaves open of another counts in units of both", "[reference][proof]") {
+    BallMatrix open(2, 2);
+    open(0, 1) = widened(Ball(0), Ball(0.25));
+    const auto solution = [&](double half_width) {
+        return solution_from(column({Ball(0), Ball(0)}), column({Ball(0x1p-20), Ball(0)}), open,
+                             column({widened(Ball(0), Ball(1)), widened(Ball(0), Ball(half_width))}));
+    };
+    CHECK(solution(1));
+    CHECK_FALSE(solution(1024));
+}
+
+TEST_CASE("a motion in few bits holds that in many, its events and every state", "[reference][proof]") {
+    const TwoStops motion;
+    const ProvedOrbit fine = proved_near(in_bits(motion.scene), guess_for(motion.scene), 512), &coarse = motion.orbit;
+    for (slong k = 0; k < fine.at.u.rows(); ++k) {
+        CHECK((coarse.at.u(k) - fine.at.u(k)).may_vanish());
+        CHECK(coarse.at.u(k).radius() < 1e-30);
+    }
+    for (std::size_t i = 0; i < fine.Z.size(); ++i)
+        for (slong k = 0; k < fine.Z[i].rows(); ++k) CHECK((coarse.Z[i](k) - fine.Z[i](k)).may_vanish());
+    const Bits enough(512);
+    const PeakInBalls few = peak_of_mass(coarse, motion.phases, 0), many = peak_of_mass(fine, in_stretches(fine, 64), 0);
+    CHECK((few.size - many.size).may_vanish());
+    CHECK((few.phase.value() - many.phase.value()).may_vanish());
+    const auto with_speed = [&](const Ball& more) { // of that mass at the events
+        ProvedOrbit orbit = fine;
+        for (BallMatrix& Z : orbit.Z) Z(orbit.s.N) += more;
+        return peak_of_mass(orbit, in_stretches(orbit, 64), 0);
+    };
+    for (const double most : {0x1p-30, 0x1p-60}) {
+        const PeakInBalls all = with_speed(widened(Ball(0), Ball(most)));
+        for (const double more : {-most, 0.0, most}) {
+            const PeakInBalls one = with_speed(Ball(more));
+            CHECK((all.size - one.size).may_vanish());
+            CHECK((all.phase.value() - one.phase.value()).may_vanish());
+        }
+        CHECK(all.phase.value().radius() < 0x1p20 * most);
+    }
+}
+
+TEST_CASE("of displacements that are not told apart the larger one is held, and one that may be nothing has any phase",
+          "[reference][proof]") {
+    TwoStops motion;
+    ProvedOrbit& orbit = motion.orbit;
+    std::ranges::fill(orbit.at.directions, 1);
+    const auto place_at = [&](std::size_t i, const Ball& x) { orbit.Z[i](1) = x; };
+    for (std::size_t i = 0; i < orbit.Z.size(); ++i) place_at(i, Ball(0.5));
+    REQUIRE(orbit.at.m() >= 2);
+    for (const std::size_t first : {0, 1}) {
+        place_at(first, widened(Ball(2), Ball(0.25)));
+        place_at(1 - first, widened(Ball(-2.125), Ball(0.25)));
+        const PeakInBalls peak = peak_of_contact(orbit);
+        CHECK(arb_contains(peak.size.a, Ball::within(2, 2.375).a) != 0);
+        CHECK(peak.size.low() > 1.7);
+    }
+    place_at(0, Ball::within(-3, 3));
+    CHECK(peak_of_contact(orbit).phase.value().radius() > 3);
 }
 
 TEST_CASE("of a stable and an unstable map the right one is told", "[reference][proof]") {

@@ -2,6 +2,7 @@
 /// @brief The numbers of a point in balls, for all that the library tells of it.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "denhartog/answer/reference_point.hpp"
@@ -21,7 +22,7 @@ struct Truth {
 
     /// @param source  the scene, with r and beta
     explicit Truth(const SceneSource& source)
-        : point(point_in_balls(source, true)), modes(reference::modes_in_balls(point.scene)),
+        : point(point_of(source)), modes(reference::modes_in_balls(point.scene)),
           slides(beta() < point.boundary->exact) {
         if (modes.zeta.empty()) modes.zeta = ratios_of_matrix();
         if (!slides) return;
@@ -49,6 +50,15 @@ struct Truth {
     }
 
 private:
+    // A demand that turns next to the start of the half-period is found by a search with twice the bits: the driver gives them
+    // where the first do not settle it.
+    [[nodiscard]] static PointInBalls point_of(const SceneSource& source) {
+        const slong before = std::exchange(reference::bits_of_search, 128);
+        PointInBalls point = point_in_balls(source, true);
+        reference::bits_of_search = before;
+        return point;
+    }
+
     // (18): 2 zeta omega = phi^T C phi, with phi = r psi and omega = r / R.
     [[nodiscard]] std::vector<Ball> ratios_of_matrix() const {
         std::vector<Ball> zeta;

@@ -1,5 +1,6 @@
 #include "denhartog/sliding/boundary.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "denhartog/formulas/boundary.hpp"
@@ -309,6 +310,24 @@ TEST_CASE("next to a resonance without damping the largest demand is not lost in
     const Real50 largest = boundary(sums_of(wide), Real50(1)).S_exact;
     CHECK(largest > (1 + 2e-4) * sliding_demand(sums_of(wide), Real50(0)));
     CHECK(abs(Real50(largest - found.x)) <= found.e);
+}
+
+TEST_CASE("a demand that turns next to its start is largest there, and one that rounding hides at the start", "[eq:57]") {
+    const std::vector<double> none{0, 0, 0};
+    for (const Scene<double>& scene :
+         {chain({1, 2.2372964191745242}, {1, 2.3772894933895841}, {0, 0}, 1, 1, 1, 0.50382351684994353),  // tau = 0.0035
+          chain({1, 2.205416712777112}, {1, 2.4116562963193604}, {0, 0}, 1, 1, 1, 0.50738028582494965),   // tau = 0.0034
+          chain({1, 0.59136708639244551}, {1, 1.0120802713573855}, {0, 0}, 2, 1, 1, 0.73484381335256266), // tau = 0.0032
+          chain({1, 0.543815680794136, 0.83530533756936487}, {1, 1.885695847766184, 0.47500823407857501}, none, 3, 1, 1,
+                0.50734580465336165)}) { // tau = 0
+        const ModeSums<double> s = sums_of(scene);
+        const double found = sliding_demand(s, instant_of_largest_demand(s));
+        double sampled = sliding_demand(s, 0.0);
+        for (int n = 1; n <= 20'000; ++n) sampled = std::max(sampled, sliding_demand(s, n * 0x1p-21));
+        for (int n = 1; n < 200; ++n) sampled = std::max(sampled, sliding_demand(s, n * 0x1p-6));
+        INFO(at(scene) << ": " << hexadecimal(found) << ", sampled " << hexadecimal(sampled));
+        CHECK(sampled <= found * (1 + 1e-12));
+    }
 }
 
 TEST_CASE("the ratio of static to kinetic friction is checked", "[domain]") {

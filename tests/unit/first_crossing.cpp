@@ -114,6 +114,52 @@ TEST_CASE("a tangency within rounding is reported as one, at its place", "[unit]
     CHECK(std::abs(zero->t - pi<double>()) <= 1e-7); // the square root of rounding
 }
 
+TEST_CASE("a step is taken only where no function with its bounds reaches zero, and falls only where none rises",
+          "[unit][exact-solver][events]") {
+    std::mt19937_64 random(5);
+    const auto draw = [&](double a, double b) { return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53; };
+    int positive = 0, falling = 0, too_soon = 0;
+    for (int n = 0; n < 6000; ++n) {
+        const int order = n % 3;
+        const bool by_tangent = order < 2 && n % 2 == 0;
+        const double h = by_tangent ? draw(0.1, 1) * tangent_up_to : draw(0.1, 2), grows = n % 5 < 2 ? 1 / h : 0;
+        const double f1 = order == 2 ? 0 : draw(-2, 2), f2 = draw(-4, 4), f3 = draw(-12, 12);
+        Jet<double> jet{{order > 0 ? 0 : draw(0, 2) * (by_tangent ? h : 1), f1, f2, f3}, 0, 0, 0};
+        (by_tangent ? jet.bound : jet.second) = std::numeric_limits<double>::infinity();
+        // the worst that a bound allows at t, and of the slope
+        const auto most = [&] { return by_tangent ? jet.second + jet.growth * h : jet.bound + jet.growth * h; };
+        const auto lowest = [&](double t) {
+            return jet.f[0] + f1 * t + (by_tangent ? -most() * t * t / 2 : t * t * (f2 / 2 + f3 * t / 6 - most() * t * t / 24));
+        };
+        const auto steepest = [&](double t) {
+            return f1 + (by_tangent ? most() * t : t * (f2 + f3 * t / 2 + most() * t * t / 6));
+        };
+        bool is_positive = false, is_falling = false;
+        for (double bound = by_tangent ? 1e5 : 1e4; bound > 1e-3; bound *= 0.95) {
+            (by_tangent ? jet.second : jet.bound) = bound;
+            jet.growth = bound * grows;
+            const bool stays = !is_positive && stays_positive(jet, order, h), goes_down = !is_falling && falls(jet, h);
+            is_positive = is_positive || stays;
+            is_falling = is_falling || goes_down;
+            for (double t = h / 64; t <= h; t += h / 64) too_soon += (stays && lowest(t) <= 0) + (goes_down && steepest(t) >= 0);
+        }
+        positive += is_positive;
+        falling += is_falling;
+    }
+    CHECK(too_soon == 0);
+    CHECK(positive > 1500);
+    CHECK(falling > 1000);
+}
+
+TEST_CASE("a zero where a step ends is a crossing", "[unit][exact-solver][events]") {
+    auto line = [](const double& t) { return Jet<double>{{1 - t, -1, 0, 0}, 0, 0, 0}; };
+    double step = 1;
+    const auto zero = first_crossing(line, 0.0, 2.0, 0, step, Effort{});
+    REQUIRE(zero);
+    CHECK(zero->t == 1);
+    CHECK_FALSE(zero->touches);
+}
+
 TEST_CASE("no crossing of a seeded sum of waves is missed that 100 000 instants show", "[unit][exact-solver][events]") {
     std::mt19937_64 random(3);
     const auto draw = [&](double a, double b) { return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53; };

@@ -1,5 +1,6 @@
 #include "denhartog/search/largest_in_double.hpp"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
@@ -18,6 +19,17 @@ namespace {
 template <class T>
 Curve<T> smooth(std::function<T(const T&)> f, std::function<T(const T&)> w, std::function<T(const T&)> z, T rate) {
     return {[=](const T& tau) { return Sample<T>{f(tau), w(tau), z(tau)}; }, [=](const T&, const T&) { return rate; }};
+}
+
+/// cos t + a exp(-((t - c) / b)^2) with c off every dyadic grid; the peak is 1/4000 of [0, 3] wide.
+Curve<double> cosine_with_peak(double c) {
+    const double a = 0.5, b = 1e-3;
+    const auto bump = [=](double t) { return a * std::exp(-(t - c) / b * ((t - c) / b)); };
+    const auto x = [=](double t) { return (t - c) / b; };
+    return smooth<double>([=](double t) { return std::cos(t) + bump(t); },
+                          [=](double t) { return -std::sin(t) - 2 * x(t) / b * bump(t); },
+                          [=](double t) { return -std::cos(t) + (4 * x(t) * x(t) - 2) / (b * b) * bump(t); },
+                          1 + 4 * a / (b * b * b));
 }
 
 } // namespace
@@ -45,13 +57,9 @@ TEST_CASE("a maximum at an end of the interval is found", "[maximum]") {
 }
 
 TEST_CASE("a peak that is narrow between samples does not hide", "[maximum]") {
-    // cos t + a exp(-((t - c) / b)^2) with c off every dyadic grid; the peak is 1/4000 of the interval wide.
-    const double a = 0.5, b = 1e-3, c = 2.0 / 3;
-    const auto bump = [=](double t) { return a * std::exp(-(t - c) / b * ((t - c) / b)); };
-    const auto x = [=](double t) { return (t - c) / b; };
-    const Curve<double> curve = smooth<double>(
-        [=](double t) { return std::cos(t) + bump(t); }, [=](double t) { return -std::sin(t) - 2 * x(t) / b * bump(t); },
-        [=](double t) { return -std::cos(t) + (4 * x(t) * x(t) - 2) / (b * b) * bump(t); }, 1 + 4 * a / (b * b * b));
+    const double c = 2.0 / 3;
+    const Curve<double> curve = cosine_with_peak(c);
+    const auto bump = [=](double t) { return 0.5 * std::exp(-1e6 * (t - c) * (t - c)); };
     double sampled = 0, instant = 0;
     for (int n = -20000; n <= 20000; ++n) {
         const double t = c + n * 1e-7;
@@ -148,6 +156,16 @@ TEST_CASE("a search works on what is above the error of its samples and no furth
     CHECK(best.places[0].to - best.places[0].from <= 3.0 / 4); // one of the first intervals: noise hides all within it
 }
 
+TEST_CASE("the bound of a largest value covers samples that are all too low", "[maximum]") {
+    const double noise = 1e-9;
+    const Curve<double> curve =
+        smooth<double>([](double t) { return std::cos(t - 1) - 1e-9; }, [](double t) { return -std::sin(t - 1); },
+                       [](double t) { return -std::cos(t - 1); }, 1);
+    const Maximum<double> best = global_maximum(curve, 0.0, 3.0, noise);
+    CHECK(best.upper >= 1 - 1e-15);
+    CHECK(best.upper <= 1 + 2 * noise);
+}
+
 TEST_CASE("a stretch that may be as high as the highest is looked into 256 times at most", "[maximum][effort]") {
     // Flat, its slope of a sign that no search foresees: no interval holds a larger value, and none becomes monotone.
     long samples = 0;
@@ -204,6 +222,20 @@ TEST_CASE("a search whose effort is spent says what is certain until then", "[ma
     from_outside.cancelled = &cancelled;
     CHECK_FALSE(global_maximum(curve, 0.001, 1.0, 0.0, &from_outside).settled);
     CHECK(from_outside.spent <= 40);
+}
+
+TEST_CASE("where the effort is spent, bound and places hold a peak that no sample showed", "[maximum][effort]") {
+    const double c = 2.0 / 3;
+    const Curve<double> curve = cosine_with_peak(c);
+    for (const long most : {9, 10, 12, 16, 20}) {
+        Effort effort{most};
+        const Maximum<double> best = global_maximum(curve, 0.0, 3.0, 0.0, &effort);
+        INFO(effort.spent << " samples, " << best.value << " to " << best.upper << " in " << best.places.size() << " places");
+        CHECK_FALSE(best.settled);
+        CHECK(best.value == 1);
+        CHECK(best.upper >= std::cos(c) + 0.5);
+        CHECK(std::ranges::any_of(best.places, [c](const Place<double>& p) { return p.from <= c && c <= p.to && p.upper >= 1; }));
+    }
 }
 
 TEST_CASE("values that are known to be exceeded are passed over", "[maximum][effort]") {

@@ -55,22 +55,6 @@ Ball stretch(double from, double to) {
     return from < end ? either(Ball(from), pi<Ball>()) : pi<Ball>();
 }
 
-// A function over a stretch, from its middle: the terms of low order there, and that of order 3 over the whole stretch. Next to a
-// resonance a function is a small difference of large terms, and its range by terms is wide.
-Series over_stretch(const FunctionOfTime& f, const Ball& X) {
-    const Series wide = f(X);
-    const Ball m = middle(X), d = X - m;
-    if (d.is_zero()) return wide;
-    const Series thin = f(m);
-    Series r = wide;
-    const Ball value = thin.c[0] + d * (thin.c[1] + d * (thin.c[2] + d * wide.c[3])),
-               slope = thin.c[1] + d * (2 * thin.c[2] + 3 * d * wide.c[3]), curvature = thin.c[2] + 3 * d * wide.c[3];
-    r.c[0] = both_hold(wide.c[0], value);
-    r.c[1] = both_hold(wide.c[1], slope);
-    r.c[2] = both_hold(wide.c[2], curvature);
-    return r;
-}
-
 // What a search sees of a function. It is in doubles, and the function may be beyond their range: it searches the function over
 // its size.
 struct SeenBySearch {
@@ -157,6 +141,29 @@ LargestInBalls refined_of(const FunctionOfTime& f, const LargestOnStretches& fou
 
 } // namespace
 
+Series over_stretch(const FunctionOfTime& f, const Ball& X) {
+    const Series wide = f(X);
+    const Ball m = middle(X), d = X - m;
+    if (d.is_zero()) return wide;
+    const Series thin = f(m);
+    Series r = wide;
+    const Ball value = thin.c[0] + d * (thin.c[1] + d * (thin.c[2] + d * wide.c[3])),
+               slope = thin.c[1] + d * (2 * thin.c[2] + 3 * d * wide.c[3]), curvature = thin.c[2] + 3 * d * wide.c[3];
+    r.c[0] = both_hold(wide.c[0], value);
+    r.c[1] = both_hold(wide.c[1], slope);
+    r.c[2] = both_hold(wide.c[2], curvature);
+    return r;
+}
+
+Ball narrowed_by_drive(Series& n, const FunctionOfTime& n_of, const FunctionOfTime& Z_of, const Ball& X) {
+    const Ball m = middle(X), d = X - m, s = sin(d), half = sin(d / 2);
+    const Series Z_m = Z_of(m), Z_X = Z_of(X), n_m = n_of(m);
+    const Ball Z = both_hold(Z_X.c[0], Z_m.c[0] + d * (Z_m.c[1] + d * Z_X.c[2]));
+    n.c[0] = both_hold(n.c[0], n_m.c[0] * cos(d) + n_m.c[1] * s + Z * (2 * half * half));
+    n.c[1] = both_hold(n.c[1], n_m.c[1] * cos(d) - n_m.c[0] * s + Z * s);
+    return Z;
+}
+
 Ball place_of_zero(const Ball& stretch, const RateInTime& f) {
     Ball at = stretch;
     for (int attempt = 0; attempt < 2; ++attempt) {
@@ -210,21 +217,12 @@ LargestInBalls largest_over_sine(const FunctionOfTime& numerator, const Function
     };
     const FunctionOfTime n_of = scaled(numerator), Z_of = scaled(Z_in_time);
     const auto W = [&](const Ball& t) { return W_of(n_of(t), t); };
-    // From the middle of a stretch n goes on as a sine and a cosine do, and is driven by Z. Gives Z.
-    const auto driven = [&](Series& n, const Ball& X) {
-        const Ball m = middle(X), d = X - m, s = sin(d), half = sin(d / 2);
-        const Series Z_m = Z_of(m), Z_X = Z_of(X), n_m = n_of(m);
-        const Ball Z = both_hold(Z_X.c[0], Z_m.c[0] + d * (Z_m.c[1] + d * Z_X.c[2]));
-        n.c[0] = both_hold(n.c[0], n_m.c[0] * cos(d) + n_m.c[1] * s + Z * (2 * half * half));
-        n.c[1] = both_hold(n.c[1], n_m.c[1] * cos(d) - n_m.c[0] * s + Z * s);
-        return Z;
-    };
     SearchedFunction<Ball> searched;
     searched.value = [&](const Ball& t) { return value_at(n_of, t); };
     searched.stretch = [&](double a, double b) {
         const Ball t = stretch(a, b);
         Series n = over_stretch(n_of, t);
-        const Ball Z = Z_in_time ? driven(n, t) : n.rate(2) + n.rate(0);
+        const Ball Z = Z_in_time ? narrowed_by_drive(n, n_of, Z_of, t) : n.rate(2) + n.rate(0);
         const TrendOnStretch trend = trend_by(Z, a, b, [&](double t) { return at_end(t) ? Ball(0) : W(Ball(t)); });
         return SeenOverStretch<Ball>{quotient(n, t, at_end(a) || at_end(b)), trend};
     };

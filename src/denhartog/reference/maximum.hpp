@@ -31,6 +31,14 @@ struct LargestInBalls {
 /// @brief A function by its series about an instant or over a stretch.
 using FunctionOfTime = std::function<Series(const Ball& tau)>;
 
+/// @brief A function over a stretch, from its middle: the terms of low order there, and that of order 3 over the whole stretch.
+/// Next to a resonance a function is a small difference of large terms, and its range by terms is wide.
+[[nodiscard]] Series over_stretch(const FunctionOfTime& f, const Ball& X);
+
+/// @brief Z = n'' + n over a stretch; and n with its rate there made narrower: from the middle n goes on as a sine and a cosine
+/// do, and is driven by Z.
+[[nodiscard]] Ball narrowed_by_drive(Series& n, const FunctionOfTime& n_of, const FunctionOfTime& Z_of, const Ball& X);
+
 /// @brief The largest value of a function and the largest of its negative.
 struct LargestBothWays {
     std::optional<LargestInBalls> up{};   ///< the largest value; none where it is certainly not the largest in size

@@ -154,13 +154,19 @@ struct ProvedOrbit {
     Linearised along{};          ///< what the phases make of deviations, in few bits, over a larger box
 };
 
-/// @brief Proves that the equations have one solution near a guess.
+/// @brief Where from u the one solution of F = 0 next to it is; none where that is not proved.
 ///
 /// With an approximate inverse \f$ \mathbf Y \f$ of the derivative J, Krawczyk's operator of a box U about u,
 /// \f[ \mathbf u - \mathbf Y\mathbf F(\mathbf u) + (\mathbf 1 - \mathbf Y\mathbf J(U))(U - \mathbf u) \f]
-/// holds every solution in U; if it is inside of U there is exactly one. Newton's method brings u near, with steps made shorter
-/// until they bring it nearer. A product over many phases widens balls, so that J takes as many bits as it needs.
-/// Fewer bits are certain than it computes with, as a leap may widen a ball by exp(longest_leap).
+/// holds every solution in U; if it is inside of U there is exactly one. `step` is Y F(u), `open` is 1 - Y J over `box`.
+[[nodiscard]] std::optional<BallMatrix> solution_from(const BallMatrix& u, const BallMatrix& step, const BallMatrix& open,
+                                                      const BallMatrix& box);
+
+/// @brief Proves that the equations have one solution near a guess.
+///
+/// Newton's method brings u near, with steps made shorter until they bring it nearer; `solution_from` is the proof.
+/// A product over many phases widens balls, so that J takes as many bits as it needs. Fewer bits are certain than it computes
+/// with, as a leap may widen a ball by exp(longest_leap).
 /// @throws Disproved, Unproved
 [[nodiscard]] ProvedOrbit proved_near(const std::function<SceneInBalls()>& scene, const OrbitGuess& guess, slong bits);
 

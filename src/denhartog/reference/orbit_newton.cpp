@@ -62,7 +62,7 @@ public:
             for (slong k = 0; k < o_.u.rows(); ++k)
                 away = std::max(away, std::abs(static_cast<double>(o_.u(k) - about(k))) / scale_[static_cast<std::size_t>(k)]);
             if (away > box_ / 2) continue;
-            if (std::optional<ProvedOrbit> orbit = krawczyk(about)) return std::move(*orbit);
+            if (std::optional<ProvedOrbit> orbit = krawczyk()) return std::move(*orbit);
             throw Unproved("the slopes are too uncertain for a proof");
         }
         throw Unproved("Newton's method does not come near a motion");
@@ -75,7 +75,8 @@ private:
         OrbitUnknowns box = o_;
         for (slong k = 0; k < box.u.rows(); ++k) box.u(k) = widened(box.u(k), Ball(box_ * scale_[static_cast<std::size_t>(k)]));
         along_ = linearised(s_, box);
-        Y_ = BallMatrix(box.u.rows(), box.u.rows());
+        box_of_slopes_ = std::move(box.u);
+        Y_ = BallMatrix(o_.u.rows(), o_.u.rows());
         if (arb_mat_approx_inv(Y_.a, along_.J.a, bits_) == 0) throw Unproved("the slopes are singular");
         Y_ = middle(Y_);
     }
@@ -147,38 +148,18 @@ private:
         }
     }
 
-    std::optional<ProvedOrbit> krawczyk(const BallMatrix& about) {
+    std::optional<ProvedOrbit> krawczyk() {
         OrbitResidual here = residual_at(s_, o_, along_);
         const BallMatrix step = Y_ * here.F;
-        const slong count = step.rows();
-        // Everything in units of the scales: sizes of the step, and row sums of 1 - Y J.
         const auto left_open = [&] {
             const Bits few(bits_);
-            return unit_matrix(count) - Y_ * along_.J;
+            return unit_matrix(step.rows()) - Y_ * along_.J;
         };
-        const BallMatrix open = left_open();
-        Ball moves(0), keeps(0);
-        for (slong k = 0; k < count; ++k) {
-            const Ball unit(scale_[static_cast<std::size_t>(k)]);
-            moves = larger(moves, abs(step(k)) / unit);
-            Ball sum(0);
-            for (slong c = 0; c < count; ++c) sum += abs(open(k, c)) * Ball(scale_[static_cast<std::size_t>(c)]) / unit;
-            keeps = larger(keeps, sum);
-        }
-        if (!(keeps < Ball(0.5))) return std::nullopt;
-        // with keeps < 1/2 the image of this box is inside of it
-        const Ball radius = upper_bound_of(larger(moves * Ball(2), power_of_two(-(ball_bits + 8))));
-        for (slong k = 0; k < count; ++k) { // the box has to be within that of the slopes
-            const Ball apart = abs(o_.u(k) - about(k)) / Ball(scale_[static_cast<std::size_t>(k)]) + radius;
-            if (!(apart < Ball(box_))) return std::nullopt;
-        }
+        const std::optional<BallMatrix> off = solution_from(o_.u, step, left_open(), box_of_slopes_);
+        if (!off) return std::nullopt;
         ProvedOrbit orbit{s_, o_, {}, along_};
-        BallMatrix off(count, 1); // of the solution from u
-        for (slong k = 0; k < count; ++k) {
-            off(k) = widened(-step(k), upper_bound_of(keeps * radius * Ball(scale_[static_cast<std::size_t>(k)])));
-            orbit.at.u(k) = o_.u(k) + off(k);
-        }
-        for (std::size_t i = 0; i < here.Z.size(); ++i) orbit.Z.push_back(here.Z[i] + along_.D[i] * off);
+        orbit.at.u = o_.u + *off;
+        for (std::size_t i = 0; i < here.Z.size(); ++i) orbit.Z.push_back(here.Z[i] + along_.D[i] * *off);
         return orbit;
     }
 
@@ -188,11 +169,33 @@ private:
     std::vector<double> scale_;
     double box_; // half the width of the box that the slopes are of, in units of the scales
     Linearised along_{};
+    BallMatrix box_of_slopes_{};
     BallMatrix Y_{};
     double stalled_ = -1; // bits, where rounding may have stopped it
 };
 
 } // namespace
+
+std::optional<BallMatrix> solution_from(const BallMatrix& u, const BallMatrix& step, const BallMatrix& open,
+                                        const BallMatrix& box) {
+    const slong count = u.rows();
+    // In units of the widths of the box: how far the step leads, row sums of 1 - Y J, and how far u is from the middle.
+    Ball moves(0), keeps(0), apart(0);
+    for (slong k = 0; k < count; ++k) {
+        const Ball unit = radius_of(box(k));
+        Ball sum(0);
+        for (slong c = 0; c < count; ++c) sum += abs(open(k, c)) * radius_of(box(c)) / unit;
+        moves = larger(moves, abs(step(k)) / unit);
+        keeps = larger(keeps, sum);
+        apart = larger(apart, abs(u(k) - middle(box(k))) / unit);
+    }
+    // with keeps < 1/2 the image of this box is inside of it
+    const Ball radius = upper_bound_of(larger(moves * Ball(2), power_of_two(-(ball_bits + 8))));
+    if (!(keeps < Ball(0.5)) || !(apart + radius < Ball(1))) return std::nullopt;
+    BallMatrix off(count, 1);
+    for (slong k = 0; k < count; ++k) off(k) = widened(-step(k), upper_bound_of(keeps * radius * radius_of(box(k))));
+    return off;
+}
 
 ProvedOrbit proved_near(const std::function<SceneInBalls()>& scene, const OrbitGuess& guess, slong bits) {
     const auto phases = static_cast<slong>(guess.events.size());

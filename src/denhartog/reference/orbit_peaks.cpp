@@ -93,7 +93,6 @@ private:
             curves_.emplace_back();
             for (slong n = 0; n < phases_[i].count(); ++n) {
                 const CurveInBalls& c = curves_[i].emplace_back(phases_[i].curve(n, row_));
-                best_ = std::max(best_, abs(derivative(c, 0, Ball(0))).low());
                 open.push_back({i, static_cast<std::size_t>(n), 0, 1, abs(derivative(c, 0, Ball::within(0, 1))).high()});
             }
         }

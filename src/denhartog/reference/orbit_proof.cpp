@@ -49,7 +49,7 @@ void require_positive(const CurveInBalls& c, const EndsOfCurve& ends, const char
         const int order = a == 0 ? ends.order : 0;
         if (!(ends.vanishes && b == 1)) {
             if (over(c, order, a, b) > Ball(0)) return ZerosInStretch::none;
-        } else if (order == 0 && over(c, 1, a, b) < Ball(0)) {
+        } else if (over(c, 1, a, b) < Ball(0)) {
             return ZerosInStretch::none;
         }
         if (derivative(c, 0, Ball(a + (b - a) / 2)) < Ball(0)) throw Disproved(what);
