@@ -57,6 +57,7 @@ Number paper_limit(const Scene<double>& scene, ModalBasis<Number> basis, const B
     const Matrix<double> D = basis.D.unaryExpr([](const Number& entry) { return entry.x; });
     if (largest_coupling(D) > hardly_coupled) return coupled.paper;
     basis.D.resize(0, 0);
+    basis.couples = false;
     const ModeSums<Number> sums = mode_sums(basis, contact_row(scene.system), load_row(scene.system), as_input(*scene.r));
     const Boundary<Number> b = boundary_with(sums, as_input(scene.mu), SearchedSums(sums).demands());
     return std::abs(b.exact.x - coupled.exact.x) <= hardly_changed * coupled.exact.x ? b.paper : coupled.paper;
