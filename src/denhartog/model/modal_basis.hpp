@@ -20,11 +20,11 @@ struct ModalBasis {
     std::vector<T> r_n; ///< natural frequency ratios omega_i sqrt(m_1 / k_1), ascending, N values
     Matrix<T> phi; ///< mode shapes, mass by mode, phi^T M phi = 1, N x N; `further_rows` of the system behind them
     std::vector<T> zeta;         ///< modal damping ratios, N values; of a damping matrix those that its diagonal has
-    Matrix<T> D{};               ///< phi^T C phi where a damping matrix counts and N > 1, N x N; else empty
+    Matrix<T> D{};               ///< phi^T C phi where a damping matrix counts, N x N; else empty
     T distance_from_classical{}; ///< of a damping matrix, as `set_modal_damping` measures it; 0 without one
     bool couples{}; ///< whether D couples two modes by more than rounding tells: they then have no functions of their own
 
-    /// @brief Whether a damping matrix counts: the modes then are not taken to move by themselves, whether it couples them or not.
+    /// @brief Whether a damping matrix counts: the modes then are not taken to move by themselves, whatever it does to them.
     [[nodiscard]] bool coupled() const { return D.size() > 0; }
 };
 

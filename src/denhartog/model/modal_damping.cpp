@@ -114,12 +114,12 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
     const T tolerance = rounding_of_modes<T>(N);
     basis.distance_from_classical = N > 1 ? distance_from_commuting(divide_out(L, K), divide_out(L, C)) : T(0);
     const bool commutes = basis.distance_from_classical <= tolerance,
-               neglects = N == 1 || (neglected > 0 && basis.distance_from_classical <= T(neglected));
-    if (commutes || neglects) turn_coinciding_modes(C, tolerance, basis.r_n, basis.phi);
+               modal = N == 1 || C.isZero(0) || (neglected > 0 && basis.distance_from_classical <= T(neglected));
+    if (commutes || modal) turn_coinciding_modes(C, tolerance, basis.r_n, basis.phi);
     fix_signs(basis.phi); // D goes with them
     const Matrix<T> D = in_coordinates(basis.phi, C);
     const T size = D.cwiseAbs().maxCoeff();
-    if (!neglects) {
+    if (!modal) {
         basis.D = (D + D.transpose()) / T(2);
         basis.couples = !commutes || couples_a_pair(D, rounding_between_modes(C, D, {basis.r_n, basis.phi}, errors));
     }
