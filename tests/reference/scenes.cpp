@@ -208,7 +208,7 @@ const std::vector<SurveyedScene>& denhartog::tests::surveyed_scenes() {
                 if (value.is_string() && value != json.value("comment", "") && value != json.value("base_motion", ""))
                     of_doubles = false;
             const SceneSource source = scene_source(SceneText{line});
-            const bool couples = json.contains("damping_matrix") && modal_basis(scene_in<Real100>(line).system).coupled();
+            const bool couples = json.contains("damping_matrix") && modal_basis(scene_in<Real100>(line).system).couples;
             read.push_back({line, json, source, couples, of_doubles});
         }
         return read;

@@ -105,6 +105,8 @@ void set_damping(const SceneInBalls& s, const ModesInBalls& m, ModalBasis<Bounde
             if (i == k) basis.zeta.push_back(in_double(D(i, i) * m.R[static_cast<std::size_t>(i)] / 2));
         }
     if (s.N() > 1) basis.D = in_double(D);
+    for (Eigen::Index i = 0; i < basis.D.rows(); ++i)
+        for (Eigen::Index k = 0; k < i; ++k) basis.couples = basis.couples || basis.D(i, k).least() > 0;
 }
 
 ModalBasis<Bounded<double>> basis_of(const SceneInBalls& s, const ModesInBalls& m, const System<double>& system) {

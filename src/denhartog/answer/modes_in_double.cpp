@@ -14,30 +14,8 @@
 namespace denhartog {
 namespace {
 
-// Decides whether the damping matrix, if that counts, couples the modes.
-ModalBasis<Bounded<double>> with_damping(const System<double>& system, ModalBasis<Bounded<double>> basis) {
-    if (certainly_couples(basis))
-        check_passive(system.damping_matrix);
-    else
-        leave_out_coupling(basis);
-    return basis;
-}
-
 std::shared_ptr<const ContactSystem> rounded_system(const SceneSource& source, const std::string& because) {
     return std::make_shared<const ContactSystem>(moving_by_reference(source, because));
-}
-
-// The modes with the damping matrix as it is.
-ModalBasis<double> modes_as_given(const SceneSource& source) {
-    try {
-        System<double> system = source->in_double().system;
-        system.damping_tolerance = 0;
-        return modal_basis(system);
-    } catch (const PrecisionError&) {
-        ModalBasis<Bounded<double>> basis = modes_by_reference(with_damping_tolerance(source, 0), true);
-        if (!certainly_couples(basis)) leave_out_coupling(basis);
-        return values_of(basis);
-    }
 }
 
 // A mode shape has its digits beside its largest entry.
@@ -73,26 +51,11 @@ bool is_for_reference(const SceneSource& source, double error) {
 
 } // namespace
 
-bool certainly_couples(const ModalBasis<Bounded<double>>& basis) {
-    for (Eigen::Index i = 0; i < basis.D.rows(); ++i)
-        for (Eigen::Index k = 0; k < i; ++k)
-            if (std::abs(basis.D(i, k).x) > basis.D(i, k).e) return true;
-    return false;
-}
-
-void leave_out_coupling(ModalBasis<Bounded<double>>& basis) {
-    basis.left_out = basis.D.unaryExpr([](const Bounded<double>& entry) { return Bounded<double>(entry.most()); });
-    basis.left_out.diagonal().setZero();
-    basis.D.resize(0, 0);
-}
-
 ModesInDouble modes_in_double(const SceneSource& source) {
     try {
         return {modes_with_errors(source->in_double().system)};
     } catch (const PrecisionError& e) {
-        return {std::make_shared<const ModalBasis<Bounded<double>>>(
-                    with_damping(source->in_double().system, modes_by_reference(source, true))),
-                e.what()};
+        return {std::make_shared<const ModalBasis<Bounded<double>>>(modes_by_reference(source, true)), e.what()};
     }
 }
 
@@ -108,7 +71,7 @@ std::shared_ptr<const ContactSystem> moving_in_double(const SceneSource& source,
 ContactSystem moving_by_reference(const SceneSource& source, const std::string& because) {
     const System<double>& system = source->in_double().system;
     const SystemByReference found = system_by_reference(source);
-    ContactSystem moving = contact_system(system, with_damping(system, found.basis), &found.held);
+    ContactSystem moving = contact_system(system, found.basis, &found.held);
     moving.rounded_because = because;
     return moving;
 }
@@ -116,8 +79,11 @@ ContactSystem moving_by_reference(const SceneSource& source, const std::string& 
 std::optional<CoupledDamping> coupled_damping(const SceneSource& source) {
     const System<double>& system = source->in_double().system;
     if (system.damping_matrix.size() == 0) return std::nullopt;
-    ModalBasis<double> basis = modes_as_given(source);
-    if (!basis.coupled()) return std::nullopt;
+    const SceneSource as_given = with_damping_tolerance(source, 0);
+    std::shared_ptr<const ModalBasis<Bounded<double>>> modes = modes_in_double(as_given).basis;
+    if (!modes->couples) modes = certain_modes(as_given, modes);
+    if (!modes->couples) return std::nullopt;
+    ModalBasis<double> basis = values_of(*modes);
     return CoupledDamping{basis.distance_from_classical > system.damping_tolerance, basis.distance_from_classical,
                           largest_coupling(basis.D), std::move(basis.zeta)};
 }
@@ -126,9 +92,7 @@ std::shared_ptr<const ModalBasis<Bounded<double>>>
 certain_modes(const SceneSource& source, const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis) {
     if (!is_for_reference(source, relative_error(*basis))) return basis;
     try {
-        auto modes = std::make_shared<ModalBasis<Bounded<double>>>(modes_by_reference(source, false));
-        if (!basis->coupled() && modes->coupled()) leave_out_coupling(*modes); // rounding of the damping matrix couples them
-        return modes;
+        return std::make_shared<const ModalBasis<Bounded<double>>>(modes_by_reference(source, false));
     } catch (const PrecisionError&) {
         return basis;
     }

@@ -20,13 +20,6 @@ struct ModesInDouble {
     std::string rounded_because{};                            ///< why double has none, where the reference found it; else empty
 };
 
-/// @brief Whether a damping matrix, given as `D` of the modes, certainly couples two of them.
-[[nodiscard]] bool certainly_couples(const ModalBasis<Bounded<double>>& basis);
-
-/// @brief Takes modes that a damping matrix does not couple, or hardly, to move by themselves. Their `D` is taken from them, and
-/// they get bounds of what is left out.
-void leave_out_coupling(ModalBasis<Bounded<double>>& basis);
-
 /// @brief Finds the modes of a system.
 [[nodiscard]] ModesInDouble modes_in_double(const SceneSource& source);
 
@@ -44,8 +37,8 @@ struct CoupledDamping {
     std::vector<double> damping_ratios; ///< those nearest to the matrix, mode by mode
 };
 
-/// @brief Whether the damping matrix of a scene couples the modes, and how much. Double tells; the reference where it fails. None
-/// where damping was given by ratios, or by a matrix that does not couple the modes. @eq{18}
+/// @brief Whether the damping matrix of a scene couples the modes, and how much: double tells, or else the reference. None where
+/// damping was given by ratios, or by a matrix that does not couple the modes by more than the bounds of its entries. @eq{18}
 [[nodiscard]] std::optional<CoupledDamping> coupled_damping(const SceneSource& source);
 
 /// @brief The modal basis to `digits_by_default` digits, in double if that has them, else by the reference.

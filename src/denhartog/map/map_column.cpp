@@ -236,7 +236,7 @@ private:
 } // namespace
 
 bool answers_together(const MapSystem& map) {
-    return map.system().basis.certainly_uncoupled() && map.masses.size() == 1 && map.masses.front() == map.system().contact &&
+    return !map.system().basis.coupled() && map.masses.size() == 1 && map.masses.front() == map.system().contact &&
            (map.mu == 1 || map.start == MapStart::sliding);
 }
 

@@ -78,6 +78,7 @@ ModalBasis<T> modal_basis(const System<T>& s) {
     const std::size_t N = number_of_masses(s);
     const std::vector<T> gamma = lumped_masses(s);
     const bool lumped = !gamma.empty() && !s.stiffness_ratios.empty();
+    if (N > 1 && s.damping_matrix.size() > 0) check_passive(s.damping_matrix);
     ModalBasis<T> basis;
     if (N == 1) {
         const T m = gamma[0];

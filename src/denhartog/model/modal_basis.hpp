@@ -19,15 +19,13 @@ template <class T>
 struct ModalBasis {
     std::vector<T> r_n; ///< natural frequency ratios omega_i sqrt(m_1 / k_1), ascending, N values
     Matrix<T> phi; ///< mode shapes, mass by mode, phi^T M phi = 1, N x N; `further_rows` of the system behind them
-    std::vector<T> zeta;         ///< modal damping ratios, N values; where damping couples the modes those that its diagonal has
-    Matrix<T> D{};               ///< phi^T C phi where damping couples the modes, N x N; else empty
+    std::vector<T> zeta;         ///< modal damping ratios, N values; of a damping matrix those that its diagonal has
+    Matrix<T> D{};               ///< phi^T C phi where a damping matrix counts, N x N; else empty
     T distance_from_classical{}; ///< of a damping matrix, as `set_modal_damping` measures it; 0 without one
-    Matrix<T> left_out{};        ///< bounds of the entries of phi^T C phi between modes that rounding explains, N x N; else empty
+    bool couples{}; ///< whether D couples two modes by more than rounding tells: they then have no functions of their own
 
-    /// @brief Whether damping couples the modes: K M^-1 C differs from C M^-1 K.
+    /// @brief Whether a damping matrix counts: the modes then are not taken to move by themselves, whatever it does to them.
     [[nodiscard]] bool coupled() const { return D.size() > 0; }
-    /// @brief Whether each mode is certain to move by itself; false also where rounding may hide that they are coupled.
-    [[nodiscard]] bool certainly_uncoupled() const { return !coupled() && left_out.size() == 0; }
 };
 
 /// @brief Whether the damping matrix that was given is the one that counts, and not the damping ratios nearest to it. It is not
@@ -53,8 +51,7 @@ template <class T>
 /// itself, however stiff its springs. Other systems are solved through a symmetric matrix: errors of the squared frequencies are
 /// about N eps of the highest one, or, in double, of each one where the masses are very different, see `graded_modes`.
 /// InputError where `check` throws, or C feeds energy into the motion. PrecisionError where the iteration does not converge, the
-/// lowest natural frequency is too low beside the highest, a mode is beyond the range of the number type, or two natural
-/// frequencies are too near to tell whether C couples their modes.
+/// lowest natural frequency is too low beside the highest, or a mode is beyond the range of the number type.
 /// @eq{14,15}
 template <class T>
 [[nodiscard]] ModalBasis<T> modal_basis(const System<T>& s);

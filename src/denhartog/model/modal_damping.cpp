@@ -110,33 +110,24 @@ template <class T>
 void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& C, double neglected, FrequencyErrors errors,
                        ModalBasis<T>& basis) {
     using std::abs;
-    using std::sqrt;
     const std::size_t N = basis.r_n.size();
     const T tolerance = rounding_of_modes<T>(N);
     basis.distance_from_classical = N > 1 ? distance_from_commuting(divide_out(L, K), divide_out(L, C)) : T(0);
-    const bool commutes = basis.distance_from_classical <= tolerance, neglects = basis.distance_from_classical <= T(neglected);
-    if (N > 1 && (commutes || neglects)) turn_coinciding_modes(C, tolerance, basis.r_n, basis.phi);
+    const bool commutes = basis.distance_from_classical <= tolerance,
+               modal = N == 1 || C.isZero(0) || (neglected > 0 && basis.distance_from_classical <= T(neglected));
+    if (commutes || modal) turn_coinciding_modes(C, tolerance, basis.r_n, basis.phi);
     fix_signs(basis.phi); // D goes with them
     const Matrix<T> D = in_coordinates(basis.phi, C);
     const T size = D.cwiseAbs().maxCoeff();
-    const Matrix<T> rounding = commutes ? rounding_between_modes(C, D, {basis.r_n, basis.phi}, errors) : Matrix<T>();
-    const bool couples = !commutes || couples_a_pair(D, rounding);
-    for (std::size_t i = 0; i < N; ++i)
-        for (std::size_t k = 0; k < i && !couples; ++k)
-            if (abs(D(i, k)) > sqrt(std::numeric_limits<T>::epsilon()) * size)
-                throw PrecisionError(
-                    "damping_matrix: natural frequencies " + std::to_string(k + 1) + " and " + std::to_string(i + 1) +
-                    " are too near to each other to tell whether it couples their modes; more digits are needed");
-    if (couples) check_passive(C);
-    if (couples && !neglects) basis.D = (D + D.transpose()) / T(2);
-    if (!couples && N > 1) {
-        basis.left_out = rounding + D.cwiseAbs();
-        basis.left_out.diagonal().setZero();
+    if (!modal) {
+        basis.D = (D + D.transpose()) / T(2);
+        basis.couples = !commutes || couples_a_pair(D, rounding_between_modes(C, D, {basis.r_n, basis.phi}, errors));
     }
     basis.zeta.assign(N, T(0));
     for (std::size_t i = 0; i < N; ++i) {
-        const bool nothing = abs(D(i, i)) <= tolerance * size;
-        basis.zeta[i] = nothing && D(i, i) < 0 ? T(0) : T(D(i, i) / (2 * basis.r_n[i]));
+        const auto n = static_cast<Eigen::Index>(i);
+        const bool nothing = abs(D(n, n)) <= tolerance * size;
+        basis.zeta[i] = nothing && D(n, n) < 0 ? T(0) : T(D(n, n) / (2 * basis.r_n[i]));
         check_ratio(basis.zeta[i], i, C, basis);
     }
 }

@@ -17,20 +17,17 @@ enum class FrequencyErrors {
     of_highest, ///< squares good to units in the last place of the highest one
 };
 
-/// @brief Modal damping ratios from the damping matrix, \f$ 2\zeta_i r_{n,i} = \phi_i^T C \phi_i \f$.
+/// @brief Modal damping ratios from the damping matrix, \f$ 2\zeta_i r_{n,i} = \phi_i^T C \phi_i \f$, and the matrix itself in
+/// the coordinates of the modes.
 ///
-/// There are such ratios where \f$ K M^{-1} C = C M^{-1} K \f$. With A and B the stiffness and damping matrices that have the
-/// square root of M divided out on both sides the condition is A B = B A. The distance from it is measured as
-/// \f$ \|AB - BA\|_F / (\|A\|_F \|B\|_F) \f$ (0 to sqrt 2) and must not exceed 8 N eps of the number type: what rounding
-/// explains. In a higher precision matrices therefore have to meet the condition to more digits; decimal fractions are then given
-/// as text. Where natural frequencies coincide the mode shapes are turned to those that diagonalise C as well. Where C breaks the
-/// condition by more, and by more than what is to be neglected, it couples the modes, and the ratios are those of its diagonal.
-/// So it does where it couples two soft modes of which the distance, beside a stiff mode with much damping, has no trace. L is
-/// the factor of M = L L^T in units of m_1; K is in units of k_1, C in units of sqrt(k_1 m_1). Up to the distance `neglected` C
-/// counts as uncoupled all the same. The basis, of natural frequency ratios and mode shapes, gets the damping ratios and, where
-/// they are coupled, D; where rounding explains what couples them, it gets a bound of that. InputError where C feeds energy into
-/// a motion, or gives a ratio beyond its range; PrecisionError where two natural frequencies are too near to tell whether C
-/// couples their modes.
+/// The modes move by themselves where \f$ K M^{-1} C = C M^{-1} K \f$. With A and B the stiffness and damping matrices that have
+/// the square root of M divided out on both sides the condition is A B = B A, and the distance from it is
+/// \f$ \|AB - BA\|_F / (\|A\|_F \|B\|_F) \f$, 0 to sqrt 2. Of one mode, of a matrix of zeros, and up to the distance `neglected`,
+/// if that is not 0, the ratios count alone. Else the matrix counts, whether it couples the modes or not; that is told too. The
+/// distance does not tell it alone: beside a stiff mode with much damping two soft ones leave no trace in it. Where natural
+/// frequencies coincide the mode shapes are turned to those that diagonalise C as well, if the ratios count or rounding explains
+/// the distance. L is the factor of M = L L^T in units of m_1; K is in units of k_1, C in units of sqrt(k_1 m_1). InputError
+/// where C feeds energy into a motion, or gives a ratio beyond its range.
 /// @eq{18}
 template <class T>
 void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& C, double neglected, FrequencyErrors errors,

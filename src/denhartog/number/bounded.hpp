@@ -162,12 +162,6 @@ template <class T>
     return {value.x, bound >= 0 ? bound : std::numeric_limits<T>::infinity()};
 }
 
-/// @brief Zero with something neglected in it: of numbers with bounds a zero with that bound.
-template <class T>
-[[nodiscard]] T zero_within(const typename ValueOf<T>::type& neglected) {
-    return with_neglected(T(0), T(neglected));
-}
-
 /// @brief A number of the input, one unit in the last place uncertain, as a decimal fraction or a quotient is.
 template <class T>
 [[nodiscard]] Bounded<T> as_input(const T& x) {

@@ -205,9 +205,7 @@ template <class T, class Demand>
 T sum_of_demands(const ModeSums<T>& s, const Demand& demand) {
     boost::container::small_vector<T, 8> demands;
     for (std::size_t i = 0; i < s.R.size(); ++i) demands.push_back(demand(i));
-    const auto left_out = left_out_of(s, s.contact); // a velocity that is zero at both ends, over the sine
-    return paper::sum_over_contact(mode_shapes_at(s, s.contact), std::span<const T>(demands.data(), demands.size()),
-                                   zero_within<T>(2 * (left_out.x + left_out.x_prime + left_out.x_double_prime)));
+    return paper::sum_over_contact(mode_shapes_at(s, s.contact), std::span<const T>(demands.data(), demands.size()));
 }
 
 } // namespace

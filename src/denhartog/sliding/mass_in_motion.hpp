@@ -50,16 +50,14 @@ struct FrictionShare {
     T cosine;                                            ///< of the instant
     T sine;                                              ///< of the instant
     std::vector<evaluation::FrictionMotion<T>> of_modes; ///< N; none where damping couples the modes
-    evaluation::FrictionMotion<T> of_mass;               ///< then that of the mass, else zero within what is left out
+    evaluation::FrictionMotion<T> of_mass;               ///< then that of the mass, else zero
 };
 
 /// @brief Friction's share, at an instant in [0, pi], of the motion of a mass that is no mode's: all of it where damping couples
-/// the modes, else zero within what is left out.
+/// the modes, else none.
 template <class T>
 [[nodiscard]] evaluation::FrictionMotion<T> share_of_no_mode(const ModeSums<T>& s, std::size_t k, const T& tau) {
-    if (s.coupled) return s.coupled->motion(k, tau);
-    const auto left_out = left_out_of(s, Mass{k});
-    return {zero_within<T>(left_out.x), zero_within<T>(left_out.x_prime), zero_within<T>(left_out.x_double_prime)};
+    return s.coupled ? s.coupled->motion(k, tau) : evaluation::FrictionMotion<T>{T(0), T(0), T(0)};
 }
 
 /// @brief Friction's share of the motion of a mass at an instant in [0, pi].

@@ -53,7 +53,7 @@ Value size_of_jerk(const ModeSums<T>& s, const MassInMotion<T>& mass, std::size_
                    const FrictionShare<T>& share) {
     constexpr double slack = 1 + 1.0 / 1024; // more than the roundings here
     const std::vector<evaluation::FrictionMotion<T>>& y = share.of_modes;
-    Value sum = left_out_of(s, Mass{k}).x_triple_prime;
+    Value sum(0);
     if (s.coupled)
         sum = ValueOf<T>::most(T(
             s.coupled->largest_derivative(k, 3, s.coupled->at(ValueOf<T>::of(in_half_period(step < 0 ? T(tau + step) : tau))))));

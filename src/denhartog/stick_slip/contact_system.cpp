@@ -20,7 +20,7 @@ void add_left_out_of_stuck_modes(ContactSystem& c) {
 // What rounding makes of the damping of modes that are known to more digits: of each entry.
 Matrix<double> rounding_of_damping(const ModalBasis<double>& basis) {
     const auto N = static_cast<Eigen::Index>(basis.r_n.size());
-    Matrix<double> D = basis.left_out.size() > 0 ? basis.left_out : Matrix<double>(Matrix<double>::Zero(N, N));
+    Matrix<double> D = Matrix<double>::Zero(N, N);
     for (Eigen::Index i = 0; i < N; ++i) {
         const auto n = static_cast<std::size_t>(i);
         D(i, i) += 4 * unit_of<double>() * basis.zeta[n] * basis.r_n[n];
@@ -33,8 +33,7 @@ Matrix<double> rounding_of_damping(const ModalBasis<double>& basis) {
 Matrix<double> error_of_damping(const System<double>& s, const ModalBasis<double>& basis) {
     if (s.damping_matrix.size() == 0) return {};
     const Matrix<double> sizes = basis.phi.cwiseAbs(), of_C = s.damping_matrix.cwiseAbs();
-    const Matrix<double> error = in_coordinates(sizes, of_C) * ((static_cast<int>(sizes.cols()) + 2) * unit_of<double>());
-    return basis.left_out.size() > 0 ? Matrix<double>(error + basis.left_out) : error;
+    return in_coordinates(sizes, of_C) * ((static_cast<int>(sizes.cols()) + 2) * unit_of<double>());
 }
 
 } // namespace

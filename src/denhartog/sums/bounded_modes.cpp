@@ -97,7 +97,8 @@ ModalBasis<Bounded<double>> bounded(const System<double>& system, const ModalBas
         bounded.zeta.push_back({basis.zeta[i], of_zeta});
     }
     bounded.D = basis.D.unaryExpr([](const double& entry) { return Bounded<double>(entry); });
-    bounded.left_out = basis.left_out.unaryExpr([](const double& entry) { return Bounded<double>(entry); });
+    bounded.distance_from_classical = Bounded<double>(basis.distance_from_classical);
+    bounded.couples = basis.couples;
     return bounded;
 }
 
@@ -142,7 +143,7 @@ ModeSums<double> values_of(const ModeSums<Bounded<double>>& s) {
 ModalBasis<double> values_of(const ModalBasis<Bounded<double>>& basis) {
     const auto value = [](const Bounded<double>& a) { return a.x; };
     return {values(basis.r_n),        basis.phi.unaryExpr(value),      values(basis.zeta),
-            basis.D.unaryExpr(value), basis.distance_from_classical.x, basis.left_out.unaryExpr(value)};
+            basis.D.unaryExpr(value), basis.distance_from_classical.x, basis.couples};
 }
 
 evaluation::ModeFunctions<Bounded<double>> bounded_mode_functions(const Bounded<double>& R_i, const Bounded<double>& zeta_i) {

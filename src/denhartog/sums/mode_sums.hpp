@@ -20,17 +20,6 @@ namespace denhartog {
 template <class T>
 class CoupledFriction;
 
-/// @brief Bounds of what a coupling of modes that rounding may hide makes of the motion of a mass.
-template <class T>
-struct LeftOut {
-    T V{};              ///< of (33)
-    T Y{};              ///< of (33) with the load on the contact
-    T x{};              ///< of friction's share of the displacement at any instant, per unit of friction ratio
-    T x_prime{};        ///< of its derivatives
-    T x_double_prime{}; ///< of its derivatives
-    T x_triple_prime{}; ///< of its derivatives
-};
-
 /// @brief Modes and sums over modes at one frequency ratio.
 ///
 /// Where damping couples the modes there are none: their lists are empty, and friction's share of the motion is in `coupled`.
@@ -53,7 +42,6 @@ struct ModeSums {
     T H_j;                     ///< Eq. (64)
     T sum_of_squares;          ///< sum of psi_ji^2, Eq. (65); 1 / (gamma_j r^2) where the mass matrix is diagonal
     std::shared_ptr<const CoupledFriction<typename ValueOf<T>::type>> coupled{}; ///< where damping couples the modes; else null
-    std::vector<LeftOut<typename ValueOf<T>::type>> left_out{}; ///< of each row of psi, where rounding may hide a coupling
 };
 
 /// @brief \f$ |c_i| \f$ of a mode with \f$ \zeta_i < 1 \f$, whose brace in (40) is \f$ 1 - \mathrm{Re}\{c_ie^{\rho_i\tau}\} \f$.
@@ -64,16 +52,10 @@ template <class T>
     return modulus(Complex<T>{cosine, sine});
 }
 
-/// @brief Bounds of what may be left out of the motion of a mass; zero where nothing is.
-template <class T>
-[[nodiscard]] LeftOut<typename ValueOf<T>::type> left_out_of(const ModeSums<T>& s, Mass k) {
-    return s.left_out.empty() ? LeftOut<typename ValueOf<T>::type>{} : s.left_out[k.index];
-}
-
 /// @brief Checks that each mode moves by itself; InputError where damping couples the modes.
 template <class T>
 void check_uncoupled(const ModalBasis<T>& basis) {
-    if (basis.coupled())
+    if (basis.couples)
         throw InputError("damping_matrix", "must not couple the modes: (23), (28), (29) are those of a mode that moves by itself",
                          "K M^-1 C is not C M^-1 K");
 }
