@@ -46,14 +46,14 @@ System<double> two_masses() { return chain_of({1, 1}, {1, 1}, {0.02, 0.01}, 2, 1
 
 // Where two motions differ most: displacements beside the amplitude of the mass, velocities beside the fastest.
 double apart(const SampledSolution& a, const SampledSolution& b, const Solution& of) {
-    double most = a.states.size() == b.states.size() ? 0 : 1;
+    double most = a.tau.size() == b.tau.size() ? 0 : 1;
     for (std::size_t k = 0; k < of.masses.size() && most == 0; ++k) {
         const double size = of.masses[k].amplitude.value;
         double fastest = size;
-        for (const State& state : a.states) fastest = std::max(fastest, std::abs(state.x_prime[k]));
-        for (std::size_t n = 0; n < a.states.size(); ++n) {
-            const double x = std::abs(a.states[n].x[k] - b.states[n].x[k]),
-                         v = std::abs(a.states[n].x_prime[k] - b.states[n].x_prime[k]);
+        for (const State& state : a.states()) fastest = std::max(fastest, std::abs(state.x_prime[k]));
+        for (std::size_t n = 0; n < a.tau.size(); ++n) {
+            const double x = std::abs(a.at(n).x[k] - b.at(n).x[k]),
+                         v = std::abs(a.at(n).x_prime[k] - b.at(n).x_prime[k]);
             most = std::max({most, x == 0 ? 0 : x / size, v == 0 ? 0 : v / fastest});
         }
     }
@@ -64,17 +64,17 @@ double apart(const SampledSolution& a, const SampledSolution& b, const Solution&
 SampledSolution checked_samples(const SceneSource& source, const Solution& s) {
     REQUIRE(s.method.proved);
     SampledSolution motion = sampled_solution(source, s, instants);
-    REQUIRE(motion.states.size() == instants);
+    REQUIRE(motion.tau.size() == instants);
     for (std::size_t k = 0; k < s.masses.size(); ++k) {
         INFO("mass " << k + 1);
         const Certified& amplitude = s.masses[k].amplitude;
         double largest = 0;
-        for (const State& state : motion.states) largest = std::max(largest, std::abs(state.x[k]));
+        for (const State& state : motion.states()) largest = std::max(largest, std::abs(state.x[k]));
         CHECK(largest <= amplitude.value + amplitude.error);
         CHECK(largest >= amplitude.value * (1 - 1e-3));
         if (!s.start) continue;
-        CHECK(std::abs(motion.states[0].x[k] - s.start->x[k].value) <= 2 * s.start->x[k].error);
-        CHECK(std::abs(motion.states[0].x_prime[k] - s.start->x_prime[k].value) <= 2 * s.start->x_prime[k].error);
+        CHECK(std::abs(motion.at(0).x[k] - s.start->x[k].value) <= 2 * s.start->x[k].error);
+        CHECK(std::abs(motion.at(0).x_prime[k] - s.start->x_prime[k].value) <= 2 * s.start->x_prime[k].error);
     }
     return motion;
 }
@@ -91,7 +91,7 @@ void check_against_double(const Scene<double>& scene, Regime regime, int periods
     if (!symmetric) return;
     for (std::size_t n = 0; n < instants; ++n) // (25)
         for (std::size_t k = 0; k < proved.masses.size(); ++k)
-            REQUIRE(std::abs(motion.states[n].x[k] + motion.states[(n + instants / 2) % instants].x[k]) <=
+            REQUIRE(std::abs(motion.at(n).x[k] + motion.at((n + instants / 2) % instants).x[k]) <=
                     1e-14 * proved.masses[k].amplitude.value + 1e-300);
 }
 
@@ -181,8 +181,8 @@ TEST_CASE("the C interface hands out the samples of a proved motion, of a contac
         CHECK(dh_solution_motion(solution, instants, x.size(), x.data(), v.data()) == DH_OK);
         for (std::size_t n = 0; n < instants; ++n)
             for (std::size_t k = 0; k < 3; ++k) {
-                CHECK(x[3 * n + k] == expected.states[n].x[k]);
-                CHECK(v[3 * n + k] == expected.states[n].x_prime[k]);
+                CHECK(x[3 * n + k] == expected.at(n).x[k]);
+                CHECK(v[3 * n + k] == expected.at(n).x_prime[k]);
             }
         dh_solution_destroy(solution);
     }
@@ -205,7 +205,7 @@ TEST_CASE("the program prints the samples of a proved motion", "[reference][samp
         CHECK(lines[0] == "tau,x_1,x_2,v_1,v_2");
         for (std::size_t n = 0; n < 64; ++n) {
             const std::vector<double> row = numbers_of(lines[n + 1]);
-            const State& state = expected.states[n];
+            const State& state = expected.at(n);
             CHECK(row == std::vector<double>{expected.tau[n], state.x[0], state.x[1], state.x_prime[0], state.x_prime[1]});
         }
         CHECK(nlohmann::json::parse(run_program("solve --proved --json", scene).output)["method"]["proved"] == true);

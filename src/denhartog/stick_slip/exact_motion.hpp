@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "denhartog/evaluation/even_samples.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/stuck_configuration.hpp"
 #include "denhartog/number/bounded.hpp"
@@ -117,6 +118,11 @@ public:
 
     /// @brief The state at an instant within a phase of the last motion.
     [[nodiscard]] State state_at(std::size_t phase, double tau);
+
+    /// @brief The same at evenly spaced instants: displacements, then velocities, of all masses at each. No mass loses more than
+    /// `most_lost` to rounding beside what `state_at` does, which answers where a recurrence would, and where damping couples.
+    void sample(std::size_t phase, const evaluation::EvenInstants& at, const std::vector<double>& most_lost, double* x,
+                double* x_prime);
 
     /// @brief How a phase of the last motion ends.
     [[nodiscard]] EndOfPhase end_of(std::size_t phase);
