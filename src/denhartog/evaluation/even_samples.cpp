@@ -34,11 +34,12 @@ std::size_t steps_of_run(std::size_t count) {
 
 double largest_size(const FreeCoordinate& c, double time) {
     const double s = std::abs(c.s_0), R_s_prime = c.R * std::abs(c.s_prime), rest = std::abs(c.rest), x = time / c.R;
-    return std::min(rest + 2 * (std::abs(c.s_0 - c.rest) + R_s_prime), (s + R_s_prime + rest * x) * (1 + x));
+    const double energy = modulus(Complex<double>{c.s_0 - c.rest, R_s_prime}), root_of_2 = 1.41422; // and more
+    return std::min(2 * rest + root_of_2 * energy, (s + R_s_prime + rest * x) * (1 + x));
 }
 
 std::vector<ErrorOfSamples> loss_of_samples(const LinearSum& m, const EvenInstants& at) {
-    constexpr double a_step = 10, a_start = 16, eps = std::numeric_limits<double>::epsilon();
+    constexpr double a_step = 7.1 /* the root of two times 5 */, a_start = 16, eps = std::numeric_limits<double>::epsilon();
     const std::size_t n = m.coordinates.size();
     const double steps = static_cast<double>(steps_of_run(at.count));
     const double T = std::abs(m.start) + std::abs(at.first) + static_cast<double>(at.count) * at.step;
@@ -60,8 +61,9 @@ std::vector<ErrorOfSamples> loss_of_samples(const LinearSum& m, const EvenInstan
     return all;
 }
 
-void even_samples(const LinearSum& m, const EvenInstants& at, double* x, double* x_prime) {
+void even_samples(const LinearSum& m, const EvenInstants& at, const RowsOfSamples& to) {
     const std::size_t n = m.coordinates.size(), N = m.A.size(), length = steps_of_run(at.count);
+    const auto row_on = [&](std::size_t row) { return row < to.rows ? row : row - to.rows; };
     const SineCosine<double> turn = sine_cosine(at.step);
     std::vector<CarriedState> steps;
     for (const FreeCoordinate& c : m.coordinates) steps.push_back(carried(c, at.step));
@@ -90,8 +92,13 @@ void even_samples(const LinearSum& m, const EvenInstants& at, double* x, double*
                     sum_prime += m.shapes[k * n + i] * s_prime[i];
                 }
                 for (std::size_t lane = 0; lane < used; ++lane) {
-                    x[(from + lane * length + step) * N + k] = sum[lane];
-                    x_prime[(from + lane * length + step) * N + k] = sum_prime[lane];
+                    const std::size_t row = row_on(to.first + from + lane * length + step);
+                    to.x[row * N + k] = to.sign * sum[lane];
+                    to.x_prime[row * N + k] = to.sign * sum_prime[lane];
+                    if (to.opposite == 0) continue;
+                    const std::size_t other = row_on(row + to.opposite);
+                    to.x[other * N + k] = -to.sign * sum[lane];
+                    to.x_prime[other * N + k] = -to.sign * sum_prime[lane];
                 }
             }
             for (std::size_t i = 0; i <= n; ++i) {

@@ -57,19 +57,15 @@ evaluation::LinearSum motion_of_masses(const ModeSums<Number>& s, std::size_t N,
 // The period as the half-period from the first instant after a maximum of x_j, and the same mirrored.
 SampledSolution over_period(const evaluation::LinearSum& motion, const evaluation::EvenInstants& half, std::size_t before,
                             std::size_t samples) {
-    const std::size_t N = motion.A.size(), other = half.count * N;
-    const bool mirrored = samples == 2 * half.count;
-    std::vector<double> x(samples * N), x_prime(samples * N); // from the maximum on
-    evaluation::even_samples(motion, half, x.data(), x_prime.data());
-    if (!mirrored) {
-        const double first = half.first + half.step * static_cast<double>(half.count) - pi<double>();
-        evaluation::even_samples(motion, {first, half.step, samples - half.count}, x.data() + other, x_prime.data() + other);
-    }
-    SampledSolution s(samples, 1, N);
-    for (const auto& [from, to] : {std::pair(&x, &s.x), std::pair(&x_prime, &s.x_prime)}) {
-        for (std::size_t n = other; n < from->size(); ++n) (*from)[n] = -(*from)[mirrored ? n - other : n];
-        std::rotate_copy(from->begin(), from->end() - static_cast<std::ptrdiff_t>(before % samples * N), from->end(), to->begin());
-    }
+    SampledSolution s(samples, 1, motion.A.size());
+    const bool even = samples == 2 * half.count;
+    evaluation::RowsOfSamples to{s.x.data(), s.x_prime.data(), samples, before % samples, 1, even ? half.count : 0};
+    evaluation::even_samples(motion, half, to);
+    if (even) return s;
+    to.first = (before + half.count) % samples;
+    to.sign = -1;
+    const double first = half.first + half.step * static_cast<double>(half.count) - pi<double>();
+    evaluation::even_samples(motion, {first, half.step, samples - half.count}, to);
     return s;
 }
 

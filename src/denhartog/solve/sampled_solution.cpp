@@ -92,8 +92,8 @@ void sample_stuck_masses(const std::vector<SolvedMass>& masses, SampledSolution&
         motion.B.push_back(amplitude * elementary::sin(phase));
     }
     const std::size_t samples = all.tau.size();
-    evaluation::even_samples(motion, {0, 2 * pi<double>() / static_cast<double>(samples), samples}, all.x.data(),
-                             all.x_prime.data());
+    evaluation::even_samples(motion, {0, 2 * pi<double>() / static_cast<double>(samples), samples},
+                             {all.x.data(), all.x_prime.data(), samples, 0, 1, 0});
 }
 
 // Whether a phase is certain enough for the samples that were taken with it.

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "denhartog/evaluation/even_samples.hpp"
 #include "denhartog/search/zeros.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/stick_slip/linear_motion.hpp"

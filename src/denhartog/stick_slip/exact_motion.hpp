@@ -10,7 +10,6 @@
 #include <memory>
 #include <vector>
 
-#include "denhartog/evaluation/even_samples.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/stuck_configuration.hpp"
 #include "denhartog/number/bounded.hpp"
@@ -19,6 +18,10 @@
 #include "denhartog/stick_slip/motion_record.hpp"
 
 namespace denhartog {
+
+namespace evaluation {
+struct EvenInstants;
+}
 
 /// @brief How a phase ends.
 struct Event {
