@@ -41,7 +41,7 @@ double largest_size(const FreeCoordinate& c, double time) {
 std::vector<ErrorOfSamples> loss_of_samples(const LinearSum& m, const EvenInstants& at) {
     constexpr double a_step = 7.1 /* the root of two times 5 */, a_start = 16, eps = std::numeric_limits<double>::epsilon();
     const std::size_t n = m.coordinates.size();
-    const double steps = static_cast<double>(steps_of_run(at.count));
+    const double steps = static_cast<double>(std::min(most_steps, at.count / lanes + 1)); // at most
     const double T = std::abs(m.start) + std::abs(at.first) + static_cast<double>(at.count) * at.step;
     const auto loss = [&](double R) {
         return eps * (a_step * steps * (1 + at.step / R) + a_start * (1 + T / R) + static_cast<double>(n));
@@ -61,9 +61,8 @@ std::vector<ErrorOfSamples> loss_of_samples(const LinearSum& m, const EvenInstan
     return all;
 }
 
-void even_samples(const LinearSum& m, const EvenInstants& at, const RowsOfSamples& to) {
+void even_samples(const LinearSum& m, const EvenInstants& at, double* x, double* x_prime) {
     const std::size_t n = m.coordinates.size(), N = m.A.size(), length = steps_of_run(at.count);
-    const auto row_on = [&](std::size_t row) { return row < to.rows ? row : row - to.rows; };
     const SineCosine<double> turn = sine_cosine(at.step);
     std::vector<CarriedState> steps;
     for (const FreeCoordinate& c : m.coordinates) steps.push_back(carried(c, at.step));
@@ -92,13 +91,8 @@ void even_samples(const LinearSum& m, const EvenInstants& at, const RowsOfSample
                     sum_prime += m.shapes[k * n + i] * s_prime[i];
                 }
                 for (std::size_t lane = 0; lane < used; ++lane) {
-                    const std::size_t row = row_on(to.first + from + lane * length + step);
-                    to.x[row * N + k] = to.sign * sum[lane];
-                    to.x_prime[row * N + k] = to.sign * sum_prime[lane];
-                    if (to.opposite == 0) continue;
-                    const std::size_t other = row_on(row + to.opposite);
-                    to.x[other * N + k] = -to.sign * sum[lane];
-                    to.x_prime[other * N + k] = -to.sign * sum_prime[lane];
+                    x[(from + lane * length + step) * N + k] = sum[lane];
+                    x_prime[(from + lane * length + step) * N + k] = sum_prime[lane];
                 }
             }
             for (std::size_t i = 0; i <= n; ++i) {
@@ -109,23 +103,6 @@ void even_samples(const LinearSum& m, const EvenInstants& at, const RowsOfSample
             }
         }
     }
-}
-
-std::vector<double> instants_of_period(double period, std::size_t count) {
-    std::vector<double> tau(count);
-    for (int n = 0, all = static_cast<int>(count); n < all; ++n) tau[static_cast<std::size_t>(n)] = period * n / all;
-    return tau;
-}
-
-std::vector<double> largest_sizes(const std::vector<double>& x, std::size_t N) {
-    const std::size_t side_by_side = lanes * N;
-    std::vector<double> largest(side_by_side);
-    for (std::size_t from = 0; from < x.size(); from += side_by_side)
-        for (std::size_t n = 0, end = std::min(side_by_side, x.size() - from); n < end; ++n)
-            largest[n] = std::max(largest[n], std::abs(x[from + n]));
-    for (std::size_t n = N; n < side_by_side; ++n) largest[n % N] = std::max(largest[n % N], largest[n]);
-    largest.resize(N);
-    return largest;
 }
 
 } // namespace denhartog::evaluation

@@ -1,13 +1,13 @@
 /// @file
 /// @brief A linear motion at evenly spaced instants: a recurrence over arrays, and what it loses.
 ///
-/// A coordinate s that moves freely about its rest goes on by the same step whatever its state: with the free motions (A.8), (A.9)
-/// over the step h
+/// A coordinate s that moves freely about its rest goes on by the same step whatever its state: with the free motions (A.8),
+/// (A.9) over the step h
 /// \f[ s(\tau+h) = d\,s + Rq\,s' + (1-d)\,\mathrm{rest}, \qquad s'(\tau+h) = d'\,s + Rq'\,s' - d'\,\mathrm{rest}. \f]
 /// Every 64 steps at most it starts anew, from the same formula over the whole time from its start. In \f$ (s, Rs') \f$ no step
 /// moves two states apart, so that what each step is off by adds up: in both numbers at most 5 eps (1 + h/R) of
-/// \f$ |s| + R|s'| + |\mathrm{rest}| \f$, 4 for the entries and 1 for the sum. What the rounding of time and a new start make takes
-/// 16 eps (1 + T/R) of it by the time T.
+/// \f$ |s| + R|s'| + |\mathrm{rest}| \f$, 4 for the entries and 1 for the sum. The rounding of time and a new start take 16 eps
+/// (1 + T/R) of it by the time T.
 #pragma once
 
 #include <cstddef>
@@ -43,16 +43,6 @@ struct EvenInstants {
     std::size_t count; ///< how many
 };
 
-/// @brief Where samples go: rows of a ring, one for each instant, with all masses in a row.
-struct RowsOfSamples {
-    double* x;            ///< displacements
-    double* x_prime;      ///< velocities
-    std::size_t rows;     ///< of the whole ring
-    std::size_t first;    ///< the row of the first instant
-    double sign;          ///< what samples are multiplied by, 1 or -1
-    std::size_t opposite; ///< how many rows on the opposite motion goes too; 0 for nowhere
-};
-
 /// @brief Bounds of errors of a displacement and of its velocity.
 struct ErrorOfSamples {
     double x;       ///< of the displacement
@@ -66,13 +56,7 @@ struct ErrorOfSamples {
 /// @brief What the samples of each mass lose to rounding, given the numbers of the motion.
 [[nodiscard]] std::vector<ErrorOfSamples> loss_of_samples(const LinearSum& motion, const EvenInstants& instants);
 
-/// @brief Displacements and velocities at the instants, none before the start.
-void even_samples(const LinearSum& motion, const EvenInstants& instants, const RowsOfSamples& to);
-
-/// @brief Instants from 0 on that divide a period evenly.
-[[nodiscard]] std::vector<double> instants_of_period(double period, std::size_t count);
-
-/// @brief The largest size of each of `N` numbers that follow each other in turn.
-[[nodiscard]] std::vector<double> largest_sizes(const std::vector<double>& x, std::size_t N);
+/// @brief Displacements and velocities at the instants, none before the start: all masses at the first, then at the next.
+void even_samples(const LinearSum& motion, const EvenInstants& instants, double* x, double* x_prime);
 
 } // namespace denhartog::evaluation

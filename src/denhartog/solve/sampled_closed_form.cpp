@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/evaluation/even_samples.hpp"
@@ -54,18 +55,25 @@ evaluation::LinearSum motion_of_masses(const ModeSums<Number>& s, std::size_t N,
     return motion;
 }
 
-// The period as the half-period from the first instant after a maximum of x_j, and the same mirrored.
-SampledSolution over_period(const evaluation::LinearSum& motion, const evaluation::EvenInstants& half, std::size_t before,
-                            std::size_t samples) {
-    SampledSolution s(samples, 1, motion.A.size());
-    const bool even = samples == 2 * half.count;
-    evaluation::RowsOfSamples to{s.x.data(), s.x_prime.data(), samples, before % samples, 1, even ? half.count : 0};
-    evaluation::even_samples(motion, half, to);
-    if (even) return s;
-    to.first = (before + half.count) % samples;
-    to.sign = -1;
-    const double first = half.first + half.step * static_cast<double>(half.count) - pi<double>();
-    evaluation::even_samples(motion, {first, half.step, samples - half.count}, to);
+// The period from half-period to half-period of x_j, each of which mirrors that before; so does half of the instants the other.
+SampledSolution over_period(evaluation::LinearSum motion, double phi_j, std::size_t samples) {
+    const std::size_t N = motion.A.size(), all = samples % 2 == 0 ? samples / 2 : samples;
+    const double step = 2 * pi<double>() / static_cast<double>(samples);
+    SampledSolution s(samples, 1, N);
+    const auto mirror = [&] {
+        for (std::vector<double>* numbers : {&motion.A, &motion.B, &motion.shapes})
+            for (double& each : *numbers) each = -each;
+    };
+    if (phi_j > 0) mirror();
+    double turn = phi_j > 0 ? phi_j - pi<double>() : phi_j; // the last of x_j until tau = 0
+    for (std::size_t from = 0; from < all; turn += pi<double>(), mirror()) {
+        const double first = step * static_cast<double>(from) - turn, left = std::ceil((pi<double>() - first) / step);
+        const std::size_t count = std::min(all - from, static_cast<std::size_t>(std::max(0.0, left)));
+        if (count > 0) evaluation::even_samples(motion, {first, step, count}, &s.x[from * N], &s.x_prime[from * N]);
+        from += count;
+    }
+    for (std::vector<double>* numbers : {&s.x, &s.x_prime})
+        for (std::size_t n = all * N; n < numbers->size(); ++n) (*numbers)[n] = -(*numbers)[n - all * N];
     return s;
 }
 
@@ -85,19 +93,15 @@ std::optional<SampledClosedForm> in_double(const Scene<double>& scene, double ph
     }
     const SteadyState<Number> state = steady_state_without_maxima(sums, beta);
     q.X_j = state.X_j;
-    const double turn = 2 * pi<double>(), step = turn / static_cast<double>(samples);
-    const double maximum = phi_j < 0 ? phi_j + turn : phi_j, before = std::ceil(maximum / step);
-    const double first = std::max(0.0, before * step - maximum), in_half = std::ceil((pi<double>() - first) / step);
-    const evaluation::EvenInstants half{first, step,
-                                        samples % 2 == 0 ? samples / 2 : static_cast<std::size_t>(std::max(0.0, in_half))};
     std::vector<ErrorOfSamples> errors;
-    const evaluation::LinearSum motion = motion_of_masses(sums, number_of_masses(scene.system), beta, errors);
-    const std::vector<ErrorOfSamples> lost = evaluation::loss_of_samples(motion, {first, step, half.count + 1});
+    evaluation::LinearSum motion = motion_of_masses(sums, number_of_masses(scene.system), beta, errors);
+    const std::vector<ErrorOfSamples> lost =
+        evaluation::loss_of_samples(motion, {0, 2 * pi<double>() / static_cast<double>(samples), samples / 2 + 1});
     for (std::size_t k = 0; k < errors.size(); ++k) {
         const double most = tolerance * state.masses[k].amplitude_monoharmonic.x;
         if (!(errors[k].x + lost[k].x <= most && errors[k].x_prime + lost[k].x_prime <= most)) return std::nullopt;
     }
-    all.motion = over_period(motion, half, static_cast<std::size_t>(before), samples);
+    all.motion = over_period(std::move(motion), phi_j, samples);
     return all;
 }
 

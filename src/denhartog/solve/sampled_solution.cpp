@@ -24,8 +24,8 @@ std::size_t stops_in(const std::vector<Phase>& phases) {
     return stops > 1 && rests(phases.front()) && rests(phases.back()) ? stops - 1 : stops;
 }
 
-// The motion of an answer over its period, in double. False where it does not come back to its start, by `error_of_samples` of what
-// each mass does, or has other stops than the answer: where double does not have the digits.
+// The motion of an answer over its period, in double. False where it does not come back to its start, by `error_of_samples` of
+// what each mass does, or has other stops than the answer: where double does not have the digits.
 bool is_along_orbit(ExactSolver& solver, const State& start, const Solution& solution, SampledSolution& all) {
     const double period = 2 * pi<double>() * solution.periods;
     const ExactMotion& motion = solver.run(start, 0.0, period);
@@ -35,21 +35,21 @@ bool is_along_orbit(ExactSolver& solver, const State& start, const Solution& sol
     std::vector<double> most_lost;
     for (const SolvedMass& mass : solution.masses) most_lost.push_back(most_lost_to_rounding * mass.amplitude.value);
     for (std::size_t phase = 0, n = 0; phase < motion.phases.size(); ++phase) {
-        const auto after = phase + 1 < motion.phases.size() ? std::ranges::upper_bound(all.tau, motion.phases[phase].end) : all.tau.end();
+        const bool last = phase + 1 == motion.phases.size();
+        const auto after = last ? all.tau.end() : std::ranges::upper_bound(all.tau, motion.phases[phase].end);
         const std::size_t first = std::exchange(n, static_cast<std::size_t>(after - all.tau.begin()));
         if (n > first)
             solver.sample(phase, {all.tau[first], period / static_cast<double>(samples), n - first}, most_lost, &all.x[first * N],
                           &all.x_prime[first * N]);
     }
-    const std::vector<double> speed = evaluation::largest_sizes(all.x_prime, N);
     for (std::size_t k = 0; k < N; ++k) {
         const Certified& amplitude = solution.masses[k].amplitude;
-        const auto returns = [&](double to, double from, double size) {
-            return std::abs(to - from) <= amplitude.error + error_of_samples * size;
+        double size = amplitude.value; // of the velocity
+        for (std::size_t n = k; n < all.x_prime.size(); n += N) size = std::max(size, std::abs(all.x_prime[n]));
+        const auto returns = [&](double to, double from, double of) {
+            return std::abs(to - from) <= amplitude.error + error_of_samples * of;
         };
-        if (!returns(end.x[k], start.x[k], amplitude.value) ||
-            !returns(end.x_prime[k], start.x_prime[k], std::max(speed[k], amplitude.value)))
-            return false;
+        if (!returns(end.x[k], start.x[k], amplitude.value) || !returns(end.x_prime[k], start.x_prime[k], size)) return false;
     }
     return true;
 }
@@ -93,15 +93,17 @@ void sample_stuck_masses(const std::vector<SolvedMass>& masses, SampledSolution&
     }
     const std::size_t samples = all.tau.size();
     evaluation::even_samples(motion, {0, 2 * pi<double>() / static_cast<double>(samples), samples},
-                             {all.x.data(), all.x_prime.data(), samples, 0, 1, 0});
+                             all.x.data(), all.x_prime.data());
 }
 
 // Whether a phase is certain enough for the samples that were taken with it.
-bool is_certain_enough(const Certified& phase, const Solution& solution, const std::vector<double>& speed) {
-    const auto is_certain = [&](const SolvedMass& mass, double of_mass) {
-        return phase.error * of_mass <= mass.amplitude.error + error_of_samples * mass.amplitude.value;
-    };
-    return std::ranges::equal(solution.masses, speed, is_certain);
+bool is_certain_enough(const Certified& phase, const Solution& solution, const std::vector<double>& x_prime) {
+    for (std::size_t k = 0, N = solution.masses.size(); k < N; ++k) {
+        const double allowed = solution.masses[k].amplitude.error + error_of_samples * solution.masses[k].amplitude.value;
+        for (std::size_t n = k; n < x_prime.size(); n += N)
+            if (phase.error * std::abs(x_prime[n]) > allowed) return false;
+    }
+    return true;
 }
 
 // By the closed form with the phase of the answer, or by the reference where a mass moves too fast for the digits of that phase.
@@ -114,14 +116,17 @@ void sample_sliding(const SceneSource& source, const Solution& solution, Sampled
     if (!sampled.found.numbers.X_j)
         throw PrecisionError("beta = " + number_to_text(*source->in_double().beta) +
                              " equals beta_lim to the digits of the answer, so that its motion is not known");
-    if (!is_certain_enough(*phase, solution, evaluation::largest_sizes(sampled.motion.x_prime, solution.masses.size()))) return sample_by_reference(source, solution, all);
+    if (!is_certain_enough(*phase, solution, sampled.motion.x_prime)) return sample_by_reference(source, solution, all);
     all = std::move(sampled.motion);
 }
 
 } // namespace
 
 SampledSolution::SampledSolution(std::size_t samples, int periods, std::size_t N)
-    : tau(evaluation::instants_of_period(2 * pi<double>() * periods, samples)), x(samples * N), x_prime(samples * N) {}
+    : tau(samples), x(samples * N), x_prime(samples * N) {
+    const double period = 2 * pi<double>() * periods;
+    for (std::size_t n = 0; n < samples; ++n) tau[n] = period * static_cast<double>(n) / static_cast<double>(samples);
+}
 
 SampledSolution::SampledSolution(std::vector<double> instants, const std::vector<State>& states) : tau(std::move(instants)) {
     for (const State& state : states) {

@@ -205,9 +205,8 @@ void ExactSolver::sample(std::size_t phase, const evaluation::EvenInstants& at, 
         work.stand_at(phase);
         const evaluation::LinearSum motion = work.motion_of_masses(p.direction, p.start);
         const std::vector<evaluation::ErrorOfSamples> lost = evaluation::loss_of_samples(motion, at);
-        const auto is_little = [](const evaluation::ErrorOfSamples& of, double most) { return of.x <= most && of.x_prime <= most; };
-        if (std::ranges::equal(lost, most_lost, is_little))
-            return evaluation::even_samples(motion, at, {x, x_prime, at.count, 0, 1, 0});
+        const auto little = [](const evaluation::ErrorOfSamples& of, double most) { return of.x <= most && of.x_prime <= most; };
+        if (std::ranges::equal(lost, most_lost, little)) return evaluation::even_samples(motion, at, x, x_prime);
     }
     for (std::size_t n = 0; n < at.count; ++n) {
         const State state = state_at(phase, at.first + at.step * static_cast<double>(n));

@@ -27,10 +27,11 @@ std::string sampled(const SceneText& part, const MotionOptions& options) {
     const Scene<double>& scene = source->in_double();
     (void)frequency_ratio_of(scene);
     (void)friction_ratio_of(scene);
-    check_samples("samples", static_cast<std::size_t>(options.samples), number_of_masses(scene.system));
+    const auto samples = static_cast<std::size_t>(options.samples);
+    check_samples("samples", samples, number_of_masses(scene.system));
     const std::optional<MotionUnits> units = motion_units(scene, options.units);
-    const auto [motion, found] = off_poles(
-        [&] { return sampled_closed_form(source, 0, static_cast<std::size_t>(options.samples), options.digits_of_motion, false); });
+    const auto [motion, found] =
+        off_poles([&] { return sampled_closed_form(source, 0, samples, options.digits_of_motion, false); });
     if (!found.numbers.X_j)
         throw InputError(
             "beta",
