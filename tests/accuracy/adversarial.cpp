@@ -181,7 +181,7 @@ TEST_CASE("samples beyond an amplitude, without a mirror image, not finite, or o
         "contact": 2, "load": 1, "r": 0.5, "beta": 0.4})");
     const Solution s = solve(at);
     REQUIRE(s.symmetric);
-    const std::vector<State> states = motion(at, 16).states;
+    const std::vector<State> states = motion(at, 16).states();
     CHECK(faults_of_samples(s, states).empty());
     const auto is_found = [&](const std::string& fault, const auto& change) {
         std::vector<State> changed = states;

@@ -144,7 +144,7 @@ TEST_CASE("a contact between two masses and a load on several are the same from 
         check_close(amplitudes(system.get(), r, beta, 1), of_library);
         REQUIRE(dh_solution_motion(answered.get(), 4, 12, x.data(), nullptr) == DH_OK);
         const SampledSolution motion = sampled_solution(scene_source(scene), expected, 4);
-        for (std::size_t n = 0; n < 4; ++n) check_close({x[3 * n], x[3 * n + 1], x[3 * n + 2]}, motion.states[n].x, 1e-9);
+        for (std::size_t n = 0; n < 4; ++n) check_close({x[3 * n], x[3 * n + 1], x[3 * n + 2]}, motion.at(n).x, 1e-9);
     }
     for (std::size_t k = 1; k <= 3; ++k) {
         dh_sliding_mass mass{};
@@ -313,7 +313,7 @@ TEST_CASE("what the C interface solves is what the library solves, in every regi
         constexpr std::size_t samples = 16;
         std::vector<double> x(samples * N), v(samples * N), xs, vs;
         REQUIRE(dh_solution_motion(solution.get(), samples, samples * N, x.data(), v.data()) == DH_OK);
-        for (const State& state : sampled_solution(scene_source(scene), expected, samples).states) {
+        for (const State& state : sampled_solution(scene_source(scene), expected, samples).states()) {
             xs.insert(xs.end(), state.x.begin(), state.x.end());
             vs.insert(vs.end(), state.x_prime.begin(), state.x_prime.end());
         }

@@ -17,5 +17,5 @@ int main() {
     for (const denhartog::MapPoint& point : map.points) std::printf("%s ", name(point.regime).c_str());
 
     const denhartog::SampledSolution motion = denhartog::motion(scene, 200);
-    std::printf("\nx_2 at the maximum of the force: %.6f\n", motion.states.front().x[1]);
+    std::printf("\nx_2 at the maximum of the force: %.6f\n", motion.at(0).x[1]);
 }

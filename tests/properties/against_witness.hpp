@@ -124,7 +124,7 @@ inline int check_map_by_solve(Scene<double> scene, const std::vector<double>& r,
             for (std::size_t k = 0; k < N; ++k) {
                 CHECK(all.amplitudes[place * N + k] == Approx(s.masses[k].amplitude.value).epsilon(1e-6));
                 double largest = 0;
-                for (const State& state : sampled.states) largest = std::max(largest, std::abs(state.x[k]));
+                for (const State& state : sampled.states()) largest = std::max(largest, std::abs(state.x[k]));
                 CHECK(largest == Approx(s.masses[k].amplitude.value).epsilon(1e-4));
             }
         }

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <string>
 
+#include "denhartog/answer/reference.hpp"
 #include "denhartog/c/denhartog.h"
+#include "denhartog/evaluation/even_samples.hpp"
+#include "denhartog/evaluation/friction_motion.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/reference/orbit.hpp"
 #include "denhartog/reference/sliding.hpp"
@@ -13,6 +16,7 @@
 #include "orbit_cases.hpp"
 #include "proofs.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/split_mix.hpp"
 #include "tests/unit/program_runs.hpp"
 
 namespace denhartog::tests {
@@ -46,14 +50,14 @@ System<double> two_masses() { return chain_of({1, 1}, {1, 1}, {0.02, 0.01}, 2, 1
 
 // Where two motions differ most: displacements beside the amplitude of the mass, velocities beside the fastest.
 double apart(const SampledSolution& a, const SampledSolution& b, const Solution& of) {
-    double most = a.states.size() == b.states.size() ? 0 : 1;
+    double most = a.tau.size() == b.tau.size() ? 0 : 1;
     for (std::size_t k = 0; k < of.masses.size() && most == 0; ++k) {
         const double size = of.masses[k].amplitude.value;
         double fastest = size;
-        for (const State& state : a.states) fastest = std::max(fastest, std::abs(state.x_prime[k]));
-        for (std::size_t n = 0; n < a.states.size(); ++n) {
-            const double x = std::abs(a.states[n].x[k] - b.states[n].x[k]),
-                         v = std::abs(a.states[n].x_prime[k] - b.states[n].x_prime[k]);
+        for (const State& state : a.states()) fastest = std::max(fastest, std::abs(state.x_prime[k]));
+        for (std::size_t n = 0; n < a.tau.size(); ++n) {
+            const double x = std::abs(a.at(n).x[k] - b.at(n).x[k]),
+                         v = std::abs(a.at(n).x_prime[k] - b.at(n).x_prime[k]);
             most = std::max({most, x == 0 ? 0 : x / size, v == 0 ? 0 : v / fastest});
         }
     }
@@ -64,17 +68,17 @@ double apart(const SampledSolution& a, const SampledSolution& b, const Solution&
 SampledSolution checked_samples(const SceneSource& source, const Solution& s) {
     REQUIRE(s.method.proved);
     SampledSolution motion = sampled_solution(source, s, instants);
-    REQUIRE(motion.states.size() == instants);
+    REQUIRE(motion.tau.size() == instants);
     for (std::size_t k = 0; k < s.masses.size(); ++k) {
         INFO("mass " << k + 1);
         const Certified& amplitude = s.masses[k].amplitude;
         double largest = 0;
-        for (const State& state : motion.states) largest = std::max(largest, std::abs(state.x[k]));
+        for (const State& state : motion.states()) largest = std::max(largest, std::abs(state.x[k]));
         CHECK(largest <= amplitude.value + amplitude.error);
         CHECK(largest >= amplitude.value * (1 - 1e-3));
         if (!s.start) continue;
-        CHECK(std::abs(motion.states[0].x[k] - s.start->x[k].value) <= 2 * s.start->x[k].error);
-        CHECK(std::abs(motion.states[0].x_prime[k] - s.start->x_prime[k].value) <= 2 * s.start->x_prime[k].error);
+        CHECK(std::abs(motion.at(0).x[k] - s.start->x[k].value) <= 2 * s.start->x[k].error);
+        CHECK(std::abs(motion.at(0).x_prime[k] - s.start->x_prime[k].value) <= 2 * s.start->x_prime[k].error);
     }
     return motion;
 }
@@ -91,7 +95,7 @@ void check_against_double(const Scene<double>& scene, Regime regime, int periods
     if (!symmetric) return;
     for (std::size_t n = 0; n < instants; ++n) // (25)
         for (std::size_t k = 0; k < proved.masses.size(); ++k)
-            REQUIRE(std::abs(motion.states[n].x[k] + motion.states[(n + instants / 2) % instants].x[k]) <=
+            REQUIRE(std::abs(motion.at(n).x[k] + motion.at((n + instants / 2) % instants).x[k]) <=
                     1e-14 * proved.masses[k].amplitude.value + 1e-300);
 }
 
@@ -181,8 +185,8 @@ TEST_CASE("the C interface hands out the samples of a proved motion, of a contac
         CHECK(dh_solution_motion(solution, instants, x.size(), x.data(), v.data()) == DH_OK);
         for (std::size_t n = 0; n < instants; ++n)
             for (std::size_t k = 0; k < 3; ++k) {
-                CHECK(x[3 * n + k] == expected.states[n].x[k]);
-                CHECK(v[3 * n + k] == expected.states[n].x_prime[k]);
+                CHECK(x[3 * n + k] == expected.at(n).x[k]);
+                CHECK(v[3 * n + k] == expected.at(n).x_prime[k]);
             }
         dh_solution_destroy(solution);
     }
@@ -199,18 +203,106 @@ TEST_CASE("the program prints the samples of a proved motion", "[reference][samp
         const Run run = run_program("solve --samples 64 --proved", scene);
         CHECK(run.status == 0);
         CHECK(run.error.empty());
-        CHECK(run_program("solve --samples 64 --proved --json", scene).output == run.output); // a table in either case
         const std::vector<std::string> lines = lines_of(run.output);
         REQUIRE(lines.size() == 65);
         CHECK(lines[0] == "tau,x_1,x_2,v_1,v_2");
         for (std::size_t n = 0; n < 64; ++n) {
             const std::vector<double> row = numbers_of(lines[n + 1]);
-            const State& state = expected.states[n];
+            const State& state = expected.at(n);
             CHECK(row == std::vector<double>{expected.tau[n], state.x[0], state.x[1], state.x_prime[0], state.x_prime[1]});
         }
         CHECK(nlohmann::json::parse(run_program("solve --proved --json", scene).output)["method"]["proved"] == true);
     }
     CHECK(run_program("solve --samples 4 --proved --ask phase", chain + "8}").status == 2);
+}
+
+// A seeded system of 1 to 5 masses: damped, with a mode beyond critical damping, without damping, or rubbing between two masses.
+System<double> seeded_system(SplitMix64& random, int scene) {
+    const int N = 1 + scene % 5, kind = scene % 4;
+    std::vector<double> gamma{1}, kappa{1}, zeta;
+    for (int k = 1; k < N; ++k) {
+        gamma.push_back(random.over_octaves(-1, 0));
+        kappa.push_back(random.over_octaves(-1, 1));
+    }
+    for (int k = 0; k < N; ++k) zeta.push_back(kind == 0 ? 0 : random.over_octaves(-7, -4));
+    if (kind == 1) zeta.back() = random.over_octaves(0, 1);
+    const int contact = random.integer(1, N), load = random.integer(1, N);
+    System<double> s = chain_of(gamma, kappa, zeta, static_cast<std::size_t>(contact), static_cast<std::size_t>(load));
+    if (kind == 3 && N > 1) s.contact_with = Mass{static_cast<std::size_t>(contact % N)};
+    return s;
+}
+
+TEST_CASE("samples of a recurrence are those of the reference", "[reference][samples][eq:41]") {
+    SplitMix64 random(607);
+    int slides = 0, stops = 0;
+    for (int scene = 0; scene < 60; ++scene) {
+        Scene<double> at = at_point(seeded_system(random, scene), random.over_octaves(-2, 0), 0);
+        INFO("scene " << scene << " at r = " << *at.r);
+        const double limit = solve(scene_source(at), {Asked::regime, {}}).limits->exact.value;
+        at.beta = limit * (scene % 3 == 0 && scene % 4 != 0 ? 1.25 : 0.5);
+        at.mu = scene % 2 == 0 ? 1 : 1.25;
+        const SceneSource source = scene_source(at);
+        const Solution s = solve(source, {});
+        if (s.rest_interval || s.method.precision != "double") continue;
+        ++(s.start ? stops : slides);
+        const long steps = precision_steps();
+        const SampledSolution fast = sampled_solution(source, s, 90 + static_cast<std::size_t>(scene % 2));
+        CHECK(precision_steps() == steps);
+        const auto guesses = [&] { return guesses_at(PreparedSystem{source}, source); };
+        CHECK(apart(fast, {fast.tau, samples_by_reference(source, s, fast.tau, 1e-9, guesses)}, s) < (s.start ? 1e-8 : 1e-10));
+    }
+    CHECK(slides >= 40);
+    CHECK(stops >= 10);
+}
+
+TEST_CASE("no sample of a recurrence is off by more than its bound, and some are by a tenth of it", "[samples][accuracy]") {
+    using Wide = long double;
+    using namespace evaluation;
+    SplitMix64 random(21);
+    double most = 0;
+    for (int scene = 0; scene < 600; ++scene) {
+        const double zeta = scene % 3 == 0 ? 0 : scene % 3 == 1 ? random.over_octaves(-8, -1) : random.over_octaves(0, 2);
+        const double R = random.over_octaves(-4, 4), rest = random.over_octaves(-3, 1), s_0 = random.over_octaves(-3, 1);
+        const double s_prime = random.over_octaves(-3, 1) / R;
+        const EvenInstants at{0.5, random.integer(1, 64) * 0x1p-12, 512}; // runs of 64 steps
+        const LinearSum motion{0.25, {{R, zeta, w_if_oscillating(zeta), rest, s_0, s_prime}}, {1}, {0}, {0}, {0}, {0}};
+        std::vector<double> x(at.count), v(at.count);
+        even_samples(motion, at, x.data(), v.data());
+        const ErrorOfSamples bound = loss_of_samples(motion, at).at(0);
+        for (std::size_t n = 0; n < at.count; ++n) {
+            const Wide t = 0.25 + at.step * static_cast<double>(n), w = w_if_oscillating<Wide>(zeta);
+            const FreeMotion<Wide> free = free_motion<Wide>(t, R, zeta, w);
+            const Wide exact = rest * one_minus_d<Wide>(t / R, zeta, w, free.q) + s_0 * free.d + s_prime * (R * free.q);
+            const Wide exact_prime = (s_0 - Wide(rest)) * free.d_prime + s_prime * (R * free.q_prime);
+            const Wide of_x = std::abs(exact - x[n]) / bound.x, of_v = std::abs(exact_prime - v[n]) / bound.x_prime;
+            most = std::max({most, static_cast<double>(of_x), static_cast<double>(of_v)});
+        }
+    }
+    CHECK(most <= 1);
+    CHECK(most > 0.1);
+}
+
+TEST_CASE("where a recurrence would lose too much its instants are taken one by one", "[samples]") {
+    const Scene<double> scene = at_point(two_masses(), 0.3125, 0.25);
+    FollowedMotion followed(scene);
+    const ExactMotion& motion = followed.solver.run(followed.orbit.start, 0, 2 * pi<double>());
+    std::vector<double> x(8), v(8), x_fast(8), v_fast(8);
+    for (std::size_t n = 0; n < motion.phases.size(); ++n) {
+        const Phase& phase = motion.phases[n];
+        const evaluation::EvenInstants at{phase.start, (phase.end - phase.start) / 4, 4};
+        followed.solver.sample(n, at, {0, 0}, x.data(), v.data());
+        followed.solver.sample(n, at, {1e-12, 1e-12}, x_fast.data(), v_fast.data());
+        for (std::size_t m = 0; m < 4; ++m) {
+            const State state = followed.solver.state_at(n, at.first + at.step * static_cast<double>(m));
+            for (std::size_t k = 0; k < 2; ++k) {
+                CHECK(x[2 * m + k] == state.x[k]);
+                CHECK(v[2 * m + k] == state.x_prime[k]);
+                CHECK(std::abs(x_fast[2 * m + k] - state.x[k]) < 1e-12);
+                CHECK(std::abs(v_fast[2 * m + k] - state.x_prime[k]) < 1e-12);
+            }
+        }
+    }
+    CHECK(x != x_fast);
 }
 
 } // namespace

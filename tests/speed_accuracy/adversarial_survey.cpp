@@ -49,7 +49,7 @@ void need_finite(const std::vector<double>& numbers, const char* what, Faults& f
 Faults faults_of_motion(const Scene<double>& scene) {
     const SceneSource source = scene_source(scene);
     const Solution solution = solve(source, {});
-    return faults_of_samples(solution, sampled_solution(source, solution, 16).states);
+    return faults_of_samples(solution, sampled_solution(source, solution, 16).states());
 }
 
 Faults faults_of_map(const Scene<double>& scene) {

@@ -110,6 +110,19 @@ Amplitudes by_solve(const Curve& curve, Asked asked) {
     return all;
 }
 
+/// The largest of 1000 samples of the motion.
+Amplitudes by_samples(const Curve& curve) {
+    Amplitudes all;
+    for (const double r : curve.r) {
+        const SampledSolution sampled = motion(scene_at(curve, r), 1000);
+        const std::size_t N = number_of_masses(curve.system);
+        all.emplace_back(N);
+        for (std::size_t n = 0; n < sampled.x.size(); ++n)
+            all.back()[n % N] = std::max(all.back()[n % N], std::abs(sampled.x[n]));
+    }
+    return all;
+}
+
 Amplitudes by_map(const Curve& curve) {
     MapRequest request;
     request.r = curve.r;
@@ -182,11 +195,14 @@ Table usual_questions_speed(int repeats) {
                 {},
                 "Processor time, medians of " + std::to_string(repeats) +
                     " runs; digits of the amplitudes of all masses, against the proved ones. `solve` includes the "
-                    "eigenproblem, its error bounds and its reasons in words; the map one eigenproblem for all points."};
+                    "eigenproblem, its error bounds and its reasons in words; the map one eigenproblem for all points. The digits of "
+                    "samples are those of the largest."};
     for (const Curve& curve : {sdof_point(), sdof_sliding(), two_masses_curve(), five_masses_point()}) {
         const Amplitudes exact = reference(curve);
         compare(
             curve, "solve, motion", [&] { return by_solve(curve, Asked::motion); }, repeats, exact, table);
+        compare(
+            curve, "motion, 1000 samples", [&] { return by_samples(curve); }, repeats, exact, table);
         compare(
             curve, "solve, amplitudes", [&] { return by_solve(curve, Asked::amplitude); }, repeats, exact, table);
         compare(

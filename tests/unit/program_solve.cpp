@@ -105,6 +105,10 @@ TEST_CASE("the motion that is sampled has the amplitudes and stops that are answ
     }
     CHECK(run_program("solve --samples 10 --ask phase", two_masses("0.5", "0.5")).status == 2);
     CHECK(run_program("solve --samples -1", two_masses("0.5", "0.5")).status == 2);
+    const Run with_json = run_program("solve --samples 10 --json", two_masses("0.5", "0.5"));
+    CHECK(with_json.status == 2);
+    CHECK(with_json.output.empty());
+    CHECK(with_json.error.find("samples must not be given with --json") != std::string::npos);
 }
 
 TEST_CASE("all motions stand in the answer with the start that leads to each", "[program][solve]") {

@@ -351,7 +351,7 @@ TEST_CASE("boundary curves have the digits of the boundary where double loses th
     REQUIRE(solved.between);
     const std::vector<double> tau{-solved.between->phase->value};
     const Quantities<Bounded<double>> q = quantities(scene_source(scene), tau, 15, PointNumbers::motion).numbers;
-    const State first = sampled_solution(scene_source(scene), solved, 1).states.front();
+    const State first = sampled_solution(scene_source(scene), solved, 1).at(0);
     for (std::size_t k = 0; k < 4; ++k) CHECK(first.x[k] == Approx(q.x[k].x).epsilon(1e-6));
 }
 

@@ -445,8 +445,8 @@ TEST_CASE("samples of a motion that double does not repeat do not leave its ampl
             const Certified& amplitude = s.masses[k].amplitude;
             const double allowed = amplitude.error + 1e-6 * amplitude.value;
             INFO("mass " << k + 1 << " at instant " << n);
-            REQUIRE(std::abs(motion.states[n].x[k]) <= amplitude.value + allowed);
-            REQUIRE(std::abs(motion.states[n].x[k] + motion.states[(n + 32) % 64].x[k]) <= allowed);
+            REQUIRE(std::abs(motion.at(n).x[k]) <= amplitude.value + allowed);
+            REQUIRE(std::abs(motion.at(n).x[k] + motion.at((n + 32) % 64).x[k]) <= allowed);
         }
 }
 
@@ -659,11 +659,11 @@ TEST_CASE("a phase of the contact that is not certain enough for samples is foun
     Certified& phase = *vague.masses[2].phase;
     phase = {phase.value + 0.9e-5, 1e-5, {}};
     const SampledSolution others = sampled_solution(scene_source(scene), vague, 16);
-    for (std::size_t n = 0; n < samples.states.size(); ++n)
-        for (std::size_t k = 0; k < 3; ++k) CHECK(std::abs(samples.states[n].x[k] - others.states[n].x[k]) < 1e-9);
+    for (std::size_t n = 0; n < samples.tau.size(); ++n)
+        for (std::size_t k = 0; k < 3; ++k) CHECK(std::abs(samples.at(n).x[k] - others.at(n).x[k]) < 1e-9);
     phase = {phase.value, 1e-7, {}}; // such a bound would do, so that the phase is taken as it is
     const SampledSolution moved = sampled_solution(scene_source(scene), vague, 16);
-    CHECK(std::abs(samples.states[4].x[2] - moved.states[4].x[2]) > 1e-7);
+    CHECK(std::abs(samples.at(4).x[2] - moved.at(4).x[2]) > 1e-7);
 }
 
 TEST_CASE("permanent sticking by (88) and the interval of rest are numbers or are not given", "[solve][eq:88]") {

@@ -44,7 +44,7 @@ std::vector<double> of_sums(const ProtocolQuestion& q) {
 // Displacements of the mass asked about, or of the contact, at the instants of the question.
 std::vector<double> samples_of(const ProtocolQuestion& q, const Scene<double>& scene, const Solution& solution) {
     std::vector<double> x;
-    for (const State& state : sampled_solution(scene_source(scene), solution, static_cast<std::size_t>(q.samples)).states) {
+    for (const State& state : sampled_solution(scene_source(scene), solution, static_cast<std::size_t>(q.samples)).states()) {
         const auto of = [&](int mass) { return state.x[static_cast<std::size_t>(mass - 1)]; };
         x.push_back(q.mass == 0 ? of(q.contact) - of(q.contact_with) : of(q.mass));
     }

@@ -89,8 +89,8 @@ Numbers motion_under_force(const AtPoint& a) {
     const double error = error_of_samples * m.amplitude.value + error_of_displacements(m);
     if (a.part == ValueOrError::error) return Numbers(a.samples, bounded(0, error));
     Numbers x;
-    for (const State& state : sampled_solution(source, solution, a.samples).states)
-        x.push_back(bounded(state.x[a.k.index], error));
+    const SampledSolution motion = sampled_solution(source, solution, a.samples);
+    for (size_t n = a.k.index; n < motion.x.size(); n += a.N) x.push_back(bounded(motion.x[n], error));
     return x;
 }
 

@@ -144,14 +144,10 @@ int dh_solution_motion(const dh_solution* solution, size_t samples, size_t count
         need_length(samples, most_samples_of(N), "samples");
         need_count(count, samples * N);
         const SampledSolution motion = sampled_solution(solution->source, solution->solution, samples);
-        for (const State& state : motion.states) {
-            need_finite(state.x);
-            need_finite(state.x_prime);
-        }
-        for (std::size_t n = 0; n < samples; ++n) {
-            std::ranges::copy(motion.states[n].x, x + n * N);
-            if (x_prime != nullptr) std::ranges::copy(motion.states[n].x_prime, x_prime + n * N);
-        }
+        need_finite(motion.x);
+        need_finite(motion.x_prime);
+        std::ranges::copy(motion.x, x);
+        if (x_prime != nullptr) std::ranges::copy(motion.x_prime, x_prime);
     });
 }
 

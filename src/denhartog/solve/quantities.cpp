@@ -10,7 +10,6 @@
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/quantities_of_sums.hpp"
-#include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {
 namespace {
@@ -80,19 +79,6 @@ std::size_t tell_zeros(Quantities<Bounded<double>>& q, double tolerance) {
     return zeros;
 }
 
-Quantities<Bounded<double>> quantities_in_double(const Scene<double>& scene, const ModalBasis<Bounded<double>>& basis,
-                                                 std::span<const double> tau) {
-    const ModeSums<Bounded<double>> sums = bounded_sums(scene.system, basis, as_input(*scene.r));
-    const double instant = instant_of_largest_demand(values_of(sums));
-    Quantities<Bounded<double>> q =
-        quantities_without_motion(sums, as_input(scene.mu), Bounded<double>(std::min(instant, pi<double>())));
-    if (!scene.beta) return q;
-    std::vector<Bounded<double>> instants;
-    for (const double each : tau) instants.push_back(as_input(each));
-    add_motion(q, sums, as_input(*scene.beta), instants);
-    return q;
-}
-
 // Takes a contact between two masses, which comes last, out of the lists over masses.
 void take_contact_between(const System<double>& s, Quantities<Bounded<double>>& q) {
     if (!s.contact_with) return;
@@ -127,7 +113,8 @@ QuantitiesAnswer quantities_at(const SceneSource& asked_source, std::shared_ptr<
     const auto settled_in_double = [&] {
         if (digits > most_digits_in_double) return false;
         try {
-            answer.numbers = quantities_in_double(scene, basis ? *basis : *modes_with_errors(scene.system), tau);
+            const auto modes = basis ? basis : modes_with_errors(scene.system);
+            answer.numbers = quantities_in_double(scene, bounded_sums(scene.system, *modes, as_input(*scene.r)), tau);
             const Largest largest = largest_bound(answer.numbers, asked);
             const Bounded<double>& limit = answer.numbers.beta_lim;
             // A boundary that is no number in double is open as well.

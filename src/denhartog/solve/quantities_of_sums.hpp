@@ -4,7 +4,7 @@
 
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/solve/quantities.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
+#include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {
 
@@ -37,6 +37,20 @@ void add_motion(Quantities<T>& q, const ModeSums<T>& s, const T& beta, const std
         q.x_prime.insert(q.x_prime.end(), at.x_prime.begin(), at.x_prime.end());
     }
     for (const MassResponse<T>& m : state.masses) q.x_size.push_back(m.amplitude_monoharmonic);
+}
+
+/// @brief All numbers of a point in double, of a contact between two masses too, which comes last.
+[[nodiscard]] inline Quantities<Bounded<double>> quantities_in_double(const Scene<double>& scene,
+                                                                      const ModeSums<Bounded<double>>& sums,
+                                                                      std::span<const double> tau) {
+    const double instant = instant_of_largest_demand(values_of(sums));
+    Quantities<Bounded<double>> q =
+        quantities_without_motion(sums, as_input(scene.mu), Bounded<double>(std::min(instant, pi<double>())));
+    if (!scene.beta) return q;
+    std::vector<Bounded<double>> instants;
+    for (const double each : tau) instants.push_back(as_input(each));
+    add_motion(q, sums, as_input(*scene.beta), instants);
+    return q;
 }
 
 } // namespace denhartog

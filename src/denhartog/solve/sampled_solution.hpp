@@ -15,8 +15,20 @@ constexpr double error_of_samples = 1e-6;
 
 /// @brief A motion at equally spaced instants.
 struct SampledSolution {
-    std::vector<double> tau;   ///< instants, from 0 at the maximum of the force to below the period of the motion
-    std::vector<State> states; ///< displacements and velocities of all masses at these instants
+    std::vector<double> tau;     ///< instants, from 0 at the maximum of the force to below the period of the motion
+    std::vector<double> x;       ///< displacements of all masses at the first instant, then at the next, in units of P / k_1
+    std::vector<double> x_prime; ///< velocities with respect to tau, in the same order
+
+    /// @brief No motion.
+    SampledSolution() = default;
+    /// @brief Masses at rest. @param samples number of instants @param periods of the force @param N number of masses
+    SampledSolution(std::size_t samples, int periods, std::size_t N);
+    /// @brief States at instants. @param instants the instants @param states the state at each
+    SampledSolution(std::vector<double> instants, const std::vector<State>& states);
+    /// @brief The state at an instant. @param n its place in `tau` @return displacements and velocities of all masses
+    [[nodiscard]] State at(std::size_t n) const;
+    /// @brief The states at all instants. @return one for each
+    [[nodiscard]] std::vector<State> states() const;
 };
 
 /// @brief Samples the motion of an answer over its period.

@@ -96,6 +96,30 @@ void ContactPhases::masses_of(int direction, int order, std::vector<double>& out
         for (std::size_t k = 0; k < N; ++k) out[k] += rest * system->stuck.carried[k];
 }
 
+evaluation::LinearSum ContactPhases::motion_of_masses(int direction, double tau) const {
+    const LinearMotion& motion = direction == 0 ? sticking : sliding;
+    const Matrix<double>& shapes = direction == 0 ? system->stuck.shapes : system->basis.phi;
+    const std::size_t n = motion.size();
+    const std::vector<double> none(N);
+    evaluation::LinearSum sum{tau, {}, std::vector<double>(N * n), none, none, none, none};
+    const auto [sin_0, cos_0] = sine_cosine(tau);
+    for (std::size_t i = 0; i < n; ++i) {
+        const double omega = motion.omega_0[i], zeta = motion.decay[i] / omega, at_rest = motion.G[i] / (omega * omega);
+        const Complex<double> X = motion.F[i] * evaluation::response_by_R_squared(motion.gap[i], motion.decay[i]);
+        const auto [s, s_prime] = evaluation::free_start({motion.q[0][i], motion.q[1][i]}, 0.0, X, cos_0, sin_0);
+        sum.coordinates.push_back({1 / omega, zeta, evaluation::w_if_oscillating(zeta), at_rest, s, s_prime});
+        for (std::size_t k = 0; k < N; ++k) {
+            const double shape = sum.shapes[k * n + i] = shapes(k, i);
+            sum.A[k] += shape * X.re;
+            sum.B[k] -= shape * X.im;
+            sum.harmonic[k] += std::abs(shape) * (std::abs(X.re) + std::abs(X.im));
+        }
+    }
+    if (direction == 0)
+        for (std::size_t k = 0; k < N; ++k) sum.constant[k] = rest * system->stuck.carried[k];
+    return sum;
+}
+
 Jet<double> ContactPhases::velocity(int direction, double t) {
     effort->spend(sliding.cost());
     sliding.differentiate_at(t);

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "denhartog/evaluation/even_samples.hpp"
 #include "denhartog/search/zeros.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/stick_slip/linear_motion.hpp"
@@ -50,6 +51,9 @@ struct ContactPhases {
 
     /// @brief Displacement, velocity or acceleration, by order 0 to 2, of every mass at the instant last evaluated.
     void masses_of(int direction, int order, std::vector<double>& out) const;
+
+    /// @brief The motion of the masses from the start of the phase, at tau, that was taken into coordinates last.
+    [[nodiscard]] evaluation::LinearSum motion_of_masses(int direction, double tau) const;
 
     /// @brief Velocity of the contact in the direction of the phase, at a time from its start.
     Jet<double> velocity(int direction, double t);

@@ -197,6 +197,24 @@ State ExactSolver::state_at(std::size_t phase, double tau) {
     return state;
 }
 
+void ExactSolver::sample(std::size_t phase, const evaluation::EvenInstants& at, const std::vector<double>& most_lost, double* x,
+                         double* x_prime) {
+    Work& work = *work_;
+    const Phase& p = work.motion.phases[phase];
+    if (!(p.direction == 0 ? work.sticking : work.sliding).coupled()) {
+        work.stand_at(phase);
+        const evaluation::LinearSum motion = work.motion_of_masses(p.direction, p.start);
+        const std::vector<evaluation::ErrorOfSamples> lost = evaluation::loss_of_samples(motion, at);
+        const auto little = [](const evaluation::ErrorOfSamples& of, double most) { return of.x <= most && of.x_prime <= most; };
+        if (std::ranges::equal(lost, most_lost, little)) return evaluation::even_samples(motion, at, x, x_prime);
+    }
+    for (std::size_t n = 0; n < at.count; ++n) {
+        const State state = state_at(phase, at.first + at.step * static_cast<double>(n));
+        x = std::ranges::copy(state.x, x).out;
+        x_prime = std::ranges::copy(state.x_prime, x_prime).out;
+    }
+}
+
 EndOfPhase ExactSolver::end_of(std::size_t phase) {
     Work& work = *work_;
     const Phase& p = work.motion.phases[phase];

@@ -19,6 +19,10 @@
 
 namespace denhartog {
 
+namespace evaluation {
+struct EvenInstants;
+}
+
 /// @brief How a phase ends.
 struct Event {
     double t;          ///< time from the start of the phase
@@ -117,6 +121,11 @@ public:
 
     /// @brief The state at an instant within a phase of the last motion.
     [[nodiscard]] State state_at(std::size_t phase, double tau);
+
+    /// @brief The same at evenly spaced instants: displacements, then velocities, of all masses at each. No mass loses more than
+    /// `most_lost` to rounding beside what `state_at` does, which answers where a recurrence would, and where damping couples.
+    void sample(std::size_t phase, const evaluation::EvenInstants& at, const std::vector<double>& most_lost, double* x,
+                double* x_prime);
 
     /// @brief How a phase of the last motion ends.
     [[nodiscard]] EndOfPhase end_of(std::size_t phase);

@@ -21,7 +21,7 @@ const double period = 2 * std::numbers::pi;
 Ran solved(const Scene<double>& scene, int digits) {
     const Solution s = solve(scene, {Asked::motion, digits});
     Ran ran{std::vector<std::vector<double>>(number_of_masses(scene.system)), std::vector<std::array<double, 2>>()};
-    for (const State& state : sampled_solution(scene_source(scene), s, pack_instants).states)
+    for (const State& state : sampled_solution(scene_source(scene), s, pack_instants).states())
         for (std::size_t k = 0; k < state.x.size(); ++k) ran.x[k].push_back(state.x[k]);
     for (const SolvedStop& stop : s.stops) ran.stops->push_back({stop.start.value, stop.end.value});
     if (s.regime.regime == Regime::permanent_sticking) ran.stops = {{{0, period}}};

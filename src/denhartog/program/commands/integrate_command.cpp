@@ -113,7 +113,9 @@ std::string integrated(const SceneText& part, const IntegrateOptions& options, E
         report(motion.reason + (part.alone ? "" : " (line " + std::to_string(part.line) + ")"));
     }
     if (settings.samples > 0)
-        return motion.status == IntegrationStatus::complete ? motion_csv({motion.sample_times, motion.samples}, {}) : "";
+        return motion.status == IntegrationStatus::complete
+                   ? motion_csv(SampledSolution(motion.sample_times, motion.samples), {})
+                   : "";
     const Json json = motion_json(motion, scene, options);
     return options.json ? json.dump() + "\n" : as_table(json);
 }

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <utility>
 
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/number_text.hpp"
@@ -11,7 +10,7 @@
 #include "denhartog/program/output/result_files.hpp"
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
-#include "denhartog/solve/quantities.hpp"
+#include "denhartog/solve/sampled_closed_form.hpp"
 
 namespace denhartog::program {
 namespace {
@@ -23,31 +22,16 @@ struct MotionOptions : SceneOptions {
     std::string units{in_ratios};
 };
 
-SampledSolution as_motion(std::vector<double> tau, const Quantities<Bounded<double>>& q) {
-    const std::size_t N = q.x_size.size();
-    SampledSolution motion{std::move(tau), {}};
-    for (std::size_t n = 0; n < motion.tau.size(); ++n) {
-        motion.states.emplace_back();
-        for (std::size_t k = 0; k < N; ++k) {
-            motion.states[n].x.push_back(q.x[n * N + k].x);
-            motion.states[n].x_prime.push_back(q.x_prime[n * N + k].x);
-        }
-    }
-    return motion;
-}
-
 std::string sampled(const SceneText& part, const MotionOptions& options) {
     const SceneSource source = source_of(part, options.damping);
     const Scene<double>& scene = source->in_double();
     (void)frequency_ratio_of(scene);
     (void)friction_ratio_of(scene);
-    check_samples("samples", static_cast<std::size_t>(options.samples), number_of_masses(scene.system));
+    const auto samples = static_cast<std::size_t>(options.samples);
+    check_samples("samples", samples, number_of_masses(scene.system));
     const std::optional<MotionUnits> units = motion_units(scene, options.units);
-    std::vector<double> tau;
-    for (long n = 0; n < options.samples; ++n)
-        tau.push_back(2 * pi<double>() * static_cast<double>(n) / static_cast<double>(options.samples));
-    const QuantitiesAnswer found =
-        off_poles([&] { return quantities(source, tau, options.digits_of_motion, PointNumbers::motion); });
+    const auto [motion, found] =
+        off_poles([&] { return sampled_closed_form(source, 0, samples, options.digits_of_motion, false); });
     if (!found.numbers.X_j)
         throw InputError(
             "beta",
@@ -55,7 +39,7 @@ std::string sampled(const SceneText& part, const MotionOptions& options) {
                 ", Eq. (69), for the motion to be known",
             number_to_text(*scene.beta), "/beta");
     if (found.method.proved) report("computed by the reference: " + found.method.why);
-    return motion_csv(as_motion(std::move(tau), found.numbers), units);
+    return motion_csv(motion, units);
 }
 
 void answer(const MotionOptions& options) {

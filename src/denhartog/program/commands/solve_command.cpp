@@ -45,6 +45,7 @@ std::string solved(const SceneText& part, const SolveOptions& options) {
         throw InputError("samples", "must be given with --ask motion only", options.ask);
     if (options.samples == 0 && options.units != in_ratios)
         throw InputError("units", "must be given with --samples only: an answer has both", options.units);
+    if (options.samples > 0 && options.json) throw InputError("samples", "must not be given with --json: samples are CSV", "");
     if (options.samples > 0 && options.mass) throw InputError("samples", "must be given without --mass", "");
     const SceneSource source = source_of(part, options.damping);
     const std::size_t N = number_of_masses(source->in_double().system);

@@ -160,14 +160,15 @@ std::string motion_csv(const SampledSolution& motion, const std::optional<Motion
         return "," + number_to_text(x == 0 ? 0.0 : x);
     };
     std::string csv = units ? "t" : "tau";
+    const std::size_t N = motion.x.size() / motion.tau.size();
     for (const char* letter : {"x", "v"})
-        for (std::size_t k = 1; k <= motion.states.front().x.size(); ++k)
+        for (std::size_t k = 1; k <= N; ++k)
             csv += std::string(",") + letter + "_" + std::to_string(k);
     csv += "\n";
     for (std::size_t n = 0; n < motion.tau.size(); ++n) {
         csv += number_to_text(time * motion.tau[n]);
-        for (const double x : motion.states[n].x) csv += cell(length * x);
-        for (const double v : motion.states[n].x_prime) csv += cell(velocity * v);
+        for (std::size_t k = 0; k < N; ++k) csv += cell(length * motion.x[n * N + k]);
+        for (std::size_t k = 0; k < N; ++k) csv += cell(velocity * motion.x_prime[n * N + k]);
         csv += "\n";
     }
     return csv;
