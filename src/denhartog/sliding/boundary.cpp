@@ -2,160 +2,18 @@
 
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
-#include <cmath>
 #include <utility>
 
-#include "denhartog/evaluation/batch_forms.hpp"
 #include "denhartog/evaluation/contact.hpp"
-#include "denhartog/evaluation/demand.hpp"
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/formulas/superposition.hpp"
-#include "denhartog/number/effort.hpp"
 #include "denhartog/scene/point_rules.hpp"
-#include "denhartog/search/largest_in_double.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
 #include "denhartog/sums/coupled_friction.hpp"
-#include "denhartog/sums/friction_motion.hpp"
 
 namespace denhartog {
 namespace {
-
-// How far the demand may rise between two samples above the larger of them.
-//
-// F sin solves y'' + y = Z, so that between two samples it exceeds the sine through them by at most z_bound (cos(tau - m) /
-// cos(h / 2) - 1); over the sine this is at most z_bound tan(h / 2) next to an end of the half-period. In place of the sines and
-// cosines stand the first terms of their series that bound them. The ends are at most 2 apart, and z_bound bounds |Z| between
-// them.
-template <class T>
-T rise_of_demand(const T& a, const T& b, const T& z_bound) {
-    const T half = (b - a) / 2, square = half * half;
-    if (!(a > 0) || !(b < pi<T>())) return z_bound * half / (1 - square / 2);
-    const T from_end = std::min(a, T(pi<T>() - b));
-    return z_bound * square / (2 - square) / (from_end * (1 - from_end * from_end / 6));
-}
-
-// The expression of (57) of one mode, with its limits.
-template <class T>
-T s_d(const ModeSums<T>& s, std::size_t i, const T& tau) {
-    return evaluation::s_d_integrand_of(tau, s.R[i], s.zeta[i], evaluation::DampingFunctions<T>{s.u[i], s.g[i]});
-}
-
-// Some modes, with their weights, as a function of tau to be maximised: F = N / sin, where N = sum weight R^2 (y' + u cos).
-//
-// W = N' sin - N cos has the sign of F', and W' = (N'' + N) sin. In Z = N'' + N the cosine drops out, and the equation of free
-// motion of y leaves Z = -sum weight (2 zeta R y'' + (1 - R^2) y') = sum weight R^2 (y''' + y'). With y' made of exp(rho tau) its
-// rate is at most sum weight |c| |rho^2 + 1|, where |rho^2 + 1| R^2 = |1 - R^2 + 2 i zeta R|: little next to resonance, where |c|
-// is large. Without oscillations it is at most sum weight |c| (1 / R^2 + 1).
-template <class T>
-struct Demand {
-    FrictionMotions<T>& y;           // of the modes from `first` on, as many as there are weights
-    std::size_t first;               // the first mode
-    const std::vector<T>& weights;   // their weights
-    const ModeSums<T>& s = y.sums(); // modes at a frequency ratio
-
-    // F, W, Z and the slope of W at an instant in [0, pi].
-    Sample<T> operator()(const T& tau) const {
-        const FrictionMotionsAt<T>& at = y.at(tau);
-        const std::pmr::vector<evaluation::FrictionMotion<T>>& now = at.y;
-        const T &C = at.cosine, &S = at.sine;
-        T N(0), N_prime(0), Z(0);
-        for (std::size_t n = 0; n < weights.size(); ++n) {
-            const T& R = s.R[first + n];
-            const T& u = s.u[first + n];
-            N += weights[n] * R * R * (now[n].prime + u * C);
-            N_prime += weights[n] * R * R * (now[n].double_prime - u * S);
-            Z -= weights[n] * (2 * s.zeta[first + n] * R * now[n].double_prime + (1 - R) * (1 + R) * now[n].prime);
-        }
-        if (tau > 0 && tau < pi<T>()) return {N / S, N_prime * S - N * C, Z, Z * S};
-        T limit(0);
-        for (std::size_t n = 0; n < weights.size(); ++n) limit += weights[n] * s_d(s, first + n, tau);
-        return {limit, T(0), Z};
-    }
-
-    // A bound of how fast Z changes from an instant on.
-    T rate(const T& a) const {
-        const FrictionMotionsAt<T>& now = y.at(a, true);
-        T bound(0);
-        for (std::size_t n = 0; n < weights.size(); ++n) {
-            const T &R = s.R[first + n], &zeta = s.zeta[first + n];
-            const T from_resonance = modulus(Complex<T>{(1 - R) / R * ((1 + R) / R), 2 * zeta / R});
-            bound += weights[n] * now.size[n] * (zeta < 1 ? from_resonance : T(1 / (R * R) + 1));
-        }
-        return bound;
-    }
-};
-
-// Where a demand is largest that rises at the start and turns next to it; zero where it does not. There W is the difference of two
-// numbers that all but agree, and its rounding hides where it is zero. As W' = Z sin, W is the integral of Z sin, and with Z
-// straight it is zero at -3 Z / (2 Z'). A secant of Z over that distance makes it more exact. Next to pi no demand is largest: by
-// (57) the limit there is below that at the start by twice (65).
-template <class T>
-T instant_next_to_start(const Curve<T>& curve) {
-    const T Z = curve.sample(T(0)).z;
-    T instant(0), next = 3 * Z / (2 * curve.rate(T(0), pi<T>())); // no zero is nearer
-    for (int n = 0; n < 4 && next > 0 && next < 1; ++n) {
-        instant = next;
-        next = 3 * Z * instant / (2 * (Z - curve.sample(instant).z));
-    }
-    return instant;
-}
-
-// Where a demand is largest. Next to the start the sampled quotient is of two small numbers, and its rounding can look like a
-// maximum or hide one: there the demand itself tells.
-template <class T, class Demanded>
-T instant_of_largest(Curve<T> curve, const Demanded& demanded) {
-    ++work_counted.demand_searches;
-    curve.rise = [](const T& a, const T& b, const T& z_bound) { return rise_of_demand(a, b, z_bound); };
-    T found = global_maximum(curve, T(0), pi<T>()).instant;
-    if (found < T(1) / 256) {
-        const T turned = instant_next_to_start(curve);
-        if (demanded(turned) > demanded(found)) found = turned;
-    }
-    return demanded(T(0)) >= demanded(found) ? T(0) : found;
-}
-
-template <class T>
-T instant_of_largest(FrictionMotions<T>& y, std::size_t first, const std::vector<T>& weights) {
-    const ModeSums<T>& s = y.sums();
-    const Demand<T> demand{y, first, weights};
-    Curve<T> curve;
-    curve.sample = [&](const T& tau) { return demand(tau); };
-    curve.rate = [&](const T& a, const T&) { return demand.rate(a); };
-    curve.cost = static_cast<long>(weights.size() + 2); // two for the search itself
-    return instant_of_largest(std::move(curve), [&](const T& tau) {
-        T sum(0);
-        for (std::size_t n = 0; n < weights.size(); ++n) sum += weights[n] * s_d(s, first + n, tau);
-        return sum;
-    });
-}
-
-template <class T>
-T instant_of_largest_where_coupled(const ModeSums<T>& s) {
-    const CoupledFriction<T>& friction = *s.coupled;
-    const std::size_t j = s.contact.index;
-    const T start = friction.derivative(j, 1, friction.at(T(0)));
-    Curve<T> curve;
-    curve.sample = [&](const T& tau) {
-        const CoupledState<T>& now = friction.at(tau);
-        const auto [S, C] = sine_cosine(tau);
-        const T first = friction.derivative(j, 1, now), second = friction.derivative(j, 2, now);
-        const T N = first - start * C, N_prime = second + start * S, Z = friction.derivative(j, 3, now) + first;
-        if (tau > 0 && tau < pi<T>()) return Sample<T>{N / S, N_prime * S - N * C, Z, Z * S};
-        return Sample<T>{coupled_demand(friction, s.contact, tau), T(0), Z};
-    };
-    curve.rate = [&](const T& a, const T&) { return friction.rate_of_demand(j, friction.at(a)); };
-    curve.cost = friction.cost();
-    curve.share = default_effort(friction.size()) / 4;
-    return instant_of_largest(std::move(curve), [&](const T& tau) { return coupled_demand(friction, s.contact, tau); });
-}
-
-// Whether (57) of a mode is certain to be largest for tau -> 0, by numbers in double and with a margin for their rounding.
-template <class T>
-bool mode_is_largest_at_start(const ModeSums<T>& s, std::size_t i) {
-    const auto narrow = [](const T& x) { return static_cast<double>(ValueOf<T>::of(x)); };
-    return evaluation::certainty_of_start(narrow(s.R[i]), narrow(s.zeta[i]), narrow(s.u[i]), narrow(s.g[i])) > 0;
-}
 
 // Zero in place of a number without a digit; of one with a bound, with what it may be.
 template <class T>
@@ -213,7 +71,7 @@ T sum_of_demands(const ModeSums<T>& s, const Demand& demand) {
 template <class T>
 T sliding_demand(const ModeSums<T>& s, const T& tau) {
     if (s.coupled) return coupled_demand(*s.coupled, s.contact, tau);
-    return sum_of_demands(s, [&](std::size_t i) { return s_d(s, i, tau); });
+    return sum_of_demands(s, [&](std::size_t i) { return s_d_of_mode(s, i, tau); });
 }
 
 template <class T>
@@ -225,7 +83,7 @@ Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, std
     Boundary<T> b{};
     b.S_exact = found_by_search(sliding_demand(s, instant));
     static_cast<RegimeBoundary<T>&>(b) = regime_boundary_at(s, mu, V_dj, larger(b.S_exact, held));
-    b.S_paper = s.coupled ? b.S_exact : sum_of_demands(s, [&](std::size_t i) { return found_by_search(s_d(s, i, instants[i])); });
+    b.S_paper = s.coupled ? b.S_exact : sum_of_demands(s, [&](std::size_t i) { return found_by_search(s_d_of_mode(s, i, instants[i])); });
     b.instant = instant;
     b.instants = std::move(instants);
     b.paper = paper::friction_ratio_limit(V_dj, s.U[j], larger(b.S_paper, held));
@@ -238,51 +96,11 @@ Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, std
 }
 
 template <class T>
-bool largest_at_start(const ModeSums<T>& s) {
-    if (s.coupled) return false;
-    for (std::size_t i = 0; i < s.R.size(); ++i)
-        if (!mode_is_largest_at_start(s, i)) return false;
-    return true;
-}
-
-template <class T>
-T instant_of_largest_demand(FrictionMotions<T>& y) {
-    const ModeSums<T>& s = y.sums();
-    if (s.coupled) return instant_of_largest_where_coupled(s);
-    if (largest_at_start(s)) return T(0);
-    std::vector<T> squares;
-    squares.reserve(s.R.size());
-    for (const T& psi_ji : mode_shapes_at(s, s.contact)) squares.push_back(psi_ji * psi_ji);
-    return instant_of_largest(y, 0, squares);
-}
-
-template <class T>
-T instant_of_largest_demand(const ModeSums<T>& s) {
-    FrictionMotions<T> y(s);
-    return instant_of_largest_demand(y);
-}
-
-template <class T>
 RegimeBoundary<Bounded<T>> regime_boundary(const ModeSums<Bounded<T>>& s, const Bounded<T>& mu) {
     check_static_friction(mu);
     const T instant = largest_at_start(s) ? T(0) : instant_of_largest_demand(values_of(s));
     const Bounded<T> S_exact = found_by_search(sliding_demand(s, Bounded<T>(instant)));
     return regime_boundary_at(s, mu, response_that_counts(s), larger(S_exact, static_demand(s, mu)));
-}
-
-template <class T>
-std::vector<T> instants_of_demands(FrictionMotions<T>& y) {
-    const ModeSums<T>& s = y.sums();
-    std::vector<T> instants;
-    instants.reserve(s.R.size() + 1);
-    instants.push_back(instant_of_largest_demand(y));
-    const auto of_mode = [&y](std::size_t i) {
-        FrictionMotions<T> alone(y, i);
-        return instant_of_largest(alone, i, std::vector<T>{T(1)});
-    };
-    for (std::size_t i = 0; i < s.R.size(); ++i)
-        instants.push_back(s.R.size() == 1 ? instants.front() : mode_is_largest_at_start(s, i) ? T(0) : of_mode(i));
-    return instants;
 }
 
 template <class T>
@@ -295,11 +113,7 @@ Boundary<T> boundary(const ModeSums<T>& s, const T& mu) {
 
 template double sliding_demand(const ModeSums<double>&, const double&);
 template Bounded<double> sliding_demand(const ModeSums<Bounded<double>>&, const Bounded<double>&);
-template double instant_of_largest_demand(const ModeSums<double>&);
-template bool largest_at_start(const ModeSums<double>&);
-template bool largest_at_start(const ModeSums<Bounded<double>>&);
 template RegimeBoundary<Bounded<double>> regime_boundary(const ModeSums<Bounded<double>>&, const Bounded<double>&);
-template std::vector<double> instants_of_demands(FrictionMotions<double>&);
 template Boundary<double> boundary_at(const ModeSums<double>&, const double&, const double&, std::vector<double>);
 template Boundary<Bounded<double>> boundary_at(const ModeSums<Bounded<double>>&, const Bounded<double>&, const Bounded<double>&,
                                                std::vector<Bounded<double>>);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "denhartog/evaluation/demand.hpp"
 #include "denhartog/number/bounded.hpp"
 #include "denhartog/number/work_counted.hpp"
 #include "denhartog/sliding/regime_at_point.hpp"
@@ -65,6 +66,12 @@ template <class T>
 /// of the sum, where 0 stands for the limit, and `instants` are those of each mode.
 template <class T>
 [[nodiscard]] Boundary<T> boundary_at(const ModeSums<T>& sums, const T& mu, const T& instant, std::vector<T> instants);
+
+/// @brief The expression of (57) of one mode at an instant, the limits at 0 and pi included. @eq{57,71}
+template <class T>
+[[nodiscard]] T s_d_of_mode(const ModeSums<T>& s, std::size_t i, const T& tau) {
+    return evaluation::s_d_integrand_of(tau, s.R[i], s.zeta[i], evaluation::DampingFunctions<T>{s.u[i], s.g[i]});
+}
 
 /// @brief Sum over the modes of (57)'s expression at an instant, the limits at 0 and pi included. @eq{56,57,71}
 template <class T>

@@ -3,6 +3,7 @@
 
 #include "denhartog/search/largest_in_double.cpp"
 #include "denhartog/sliding/boundary.cpp"
+#include "denhartog/sliding/largest_demand.cpp"
 #include "denhartog/sliding/instants_of_maxima.cpp"
 #include "denhartog/sliding/regime.cpp"
 #include "denhartog/sliding/steady_state.cpp"
