@@ -37,12 +37,10 @@ evaluation::LinearSum motion_of_masses(const ModeSums<Number>& s, std::size_t N,
     }
     for (std::size_t k = 0; k < N; ++k) {
         const MassInMotion<Number> mass(s, k, beta);
-        const LeftOut<double> left_out = left_out_of(s, Mass{k});
         motion.A.push_back(mass.h.A.x);
         motion.B.push_back(mass.h.B.x);
         motion.harmonic.push_back(std::abs(mass.h.A.x) + std::abs(mass.h.B.x));
-        ErrorOfSamples error{mass.h.A.e + mass.h.B.e + beta.most() * left_out.x,
-                             mass.h.A.e + mass.h.B.e + beta.most() * left_out.x_prime};
+        ErrorOfSamples error{mass.h.A.e + mass.h.B.e, mass.h.A.e + mass.h.B.e};
         for (std::size_t i = 0; i < n; ++i) {
             const Number weight = beta * mass.weights[i];
             const double size = evaluation::largest_size(motion.coordinates[i], pi<double>());
