@@ -30,7 +30,7 @@ StickSlipMotion motion_at(const Figure& figure, double zeta, double r, double be
     motion.stops = static_cast<int>(solution.stops.size()) / solution.periods;
     for (const SolvedStop& stop : solution.stops)
         motion.resting += (stop.end.value - stop.start.value) / (2 * pi<double>() * solution.periods);
-    for (const State& state : motion.exact.states)
+    for (const State& state : motion.exact.states())
         motion.largest_speed = std::max(motion.largest_speed, std::abs(state.x_prime.front()));
     PaperSettings settings;
     settings.samples = markers_per_period;

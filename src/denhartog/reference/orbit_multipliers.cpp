@@ -1,6 +1,5 @@
 #include "denhartog/reference/orbit_proof.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -9,30 +8,12 @@
 namespace denhartog::reference {
 namespace {
 
-// Eigenvalues and vectors as double has them; false where they are beyond its range.
-bool near_in_double(const BallMatrix& map, ComplexMatrix& values, ComplexMatrix& vectors) {
-    const slong n = map.rows();
-    Eigen::MatrixXd A(n, n);
-    for (slong i = 0; i < n; ++i)
-        for (slong k = 0; k < n; ++k) A(i, k) = static_cast<double>(map(i, k));
-    if (!A.allFinite()) return false;
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
-    if (solver.info() != Eigen::Success) return false;
-    const auto set = [](acb_t to, const std::complex<double>& x) { acb_set_d_d(to, x.real(), x.imag()); };
-    for (slong i = 0; i < n; ++i) {
-        set(values.all() + i, solver.eigenvalues()(i));
-        for (slong k = 0; k < n; ++k) set(acb_mat_entry(vectors.a, i, k), solver.eigenvectors()(i, k));
-    }
-    return true;
-}
-
 // Balls that hold the sizes of all eigenvalues, which Arb makes certain from approximate ones; false where they are not bounded.
-bool enclosed(const BallMatrix& map, bool in_double, std::vector<Ball>& sizes) {
-    const slong n = map.rows();
-    const ComplexMatrix A(map);
+bool enclosed(const ComplexMatrix& A, slong bits_of_guess, std::vector<Ball>& sizes) {
+    const slong n = acb_mat_nrows(A.a);
     ComplexMatrix near(1, n), vectors(n, n), found(1, n);
-    if (in_double && !near_in_double(map, near, vectors)) return false;
-    if (!in_double) acb_mat_approx_eig_qr(near.all(), nullptr, vectors.a, A.a, nullptr, 0, ball_bits);
+    if (acb_mat_approx_eig_qr(near.all(), nullptr, vectors.a, A.a, nullptr, 0, bits_of_guess) == 0 && bits_of_guess < ball_bits)
+        return false;
     acb_mat_eig_multiple(found.all(), A.a, near.all(), vectors.a, ball_bits);
     sizes.assign(static_cast<std::size_t>(n), Ball());
     for (slong i = 0; i < n; ++i) acb_abs(sizes[static_cast<std::size_t>(i)].a, found.all() + i, ball_bits);
@@ -57,10 +38,11 @@ std::vector<Ball> sizes_of_eigenvalues(const BallMatrix& map) {
     const slong n = map.rows();
     if (n == 1) return {abs(map(0, 0))};
     QuestionEffort::pay(cost_of_ball_products(30 * static_cast<double>(n * n * n)));
+    ComplexMatrix A(map);
     std::vector<Ball> sizes;
-    if (enclosed(map, true, sizes)) return sizes;
+    if (enclosed(A, 64, sizes)) return sizes;
     QuestionEffort::pay(cost_of_ball_products(200 * static_cast<double>(n * n * n)));
-    return enclosed(map, false, sizes) ? sizes : bounded_sizes(map);
+    return enclosed(A, ball_bits, sizes) ? sizes : bounded_sizes(map);
 }
 
 // The n-th largest is no less than the n-th largest lower end, and no more than the n-th largest upper end.
