@@ -30,8 +30,7 @@ StickSlipMotion motion_at(const Figure& figure, double zeta, double r, double be
     motion.stops = static_cast<int>(solution.stops.size()) / solution.periods;
     for (const SolvedStop& stop : solution.stops)
         motion.resting += (stop.end.value - stop.start.value) / (2 * pi<double>() * solution.periods);
-    for (const State& state : motion.exact.states())
-        motion.largest_speed = std::max(motion.largest_speed, std::abs(state.x_prime.front()));
+    for (const double speed : motion.exact.x_prime) motion.largest_speed = std::max(motion.largest_speed, std::abs(speed));
     PaperSettings settings;
     settings.samples = markers_per_period;
     motion.numerical = markers(figure, scene.system, 1, {{r, beta}}, settings).front().motion;
@@ -51,13 +50,13 @@ Record make(Figure& figure) {
         const std::string name = "zeta=" + text(m.zeta), comma = stops.empty() ? "" : ", ";
         Table line{name, {"tau over pi", "x", "x'"}, {}}, dots{"numerical " + name, {"tau over pi", "x", "x'"}, {}};
         for (std::size_t n = 0; n < m.exact.tau.size(); ++n)
-            line.rows.push_back({m.exact.tau[n] / pi<double>(), m.exact.states[n].x[0], m.exact.states[n].x_prime[0]});
+            line.rows.push_back({m.exact.tau[n] / pi<double>(), m.exact.x[n], m.exact.x_prime[n]});
         std::vector<std::pair<double, std::string>> off;
         const std::size_t step = m.exact.tau.size() / m.numerical.samples.size();
         for (std::size_t n = 0; n < m.numerical.samples.size(); ++n) {
             const double tau = m.numerical.sample_times[n] / pi<double>(), x = m.numerical.samples[n].x[0];
             dots.rows.push_back({tau, x, m.numerical.samples[n].x_prime[0]});
-            off.emplace_back((x - m.exact.states[n * step].x[0]) / m.amplitude, "tau = " + text(tau) + " pi");
+            off.emplace_back((x - m.exact.x[n * step]) / m.amplitude, "tau = " + text(tau) + " pi");
         }
         figure.add(line);
         figure.add(dots);

@@ -15,7 +15,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-SOURCES = [ROOT / "tests/elementary/functions.cpp",
+SOURCES = [ROOT / "tests/elementary/programs/functions.cpp",
            *(ROOT / f"src/{name}.cpp" for name in ("elementary/angle", "elementary/exponential", "denhartog/model/product_of_doubles"))]
 COMMON = ["-std=c++20", f"-I{ROOT / 'src'}", f"-I{ROOT}"]
 TABLES = ROOT / "src/elementary/make_tables.py"

@@ -1,6 +1,6 @@
 // Prints the nanoseconds of each elementary function beside those of the system's, the least of many runs: a call after another
 // that do not wait for each other, and calls each of which waits for the one before.
-// Usage: g++ -std=c++20 -O2 -fno-builtin -Isrc -Ibuild/verify/include -c tests/elementary/speed.cpp
+// Usage: g++ -std=c++20 -O2 -fno-builtin -Isrc -Ibuild/verify/include -c tests/elementary/programs/speed.cpp
 //        g++ -std=c++20 -O2 -ffp-contract=off -Isrc -Ibuild/verify/include speed.o src/elementary/*.cpp
 // The system's functions are to be called; ours are compiled as in the library.
 #include <algorithm>
