@@ -65,7 +65,7 @@ BoundaryInBalls boundary_in_balls(const SceneInBalls& s, const ResponsesInBalls&
     b.S = largest_demand(r, found);
     const Ball held = paper::static_friction_demand(r.H, s.mu, r.squares);
     b.exact = paper::friction_ratio_limit(r.V[j], r.U[j], larger(b.S, held));
-    // With one mode (56) is the maximum that was found.
+    // With one mode (56) is the maximum that was found; with a damping matrix see `paper_limit_of_modes`.
     const Ball S_paper = r.modes.R.size() > 1 ? sum_of_largest(r) : b.S;
     b.paper = paper::friction_ratio_limit(r.V[j], r.U[j], larger(S_paper, held));
     b.approximate = paper::friction_ratio_limit(r.V[j], r.U[j], held);
