@@ -34,11 +34,10 @@ public:
             if (held && least < 0) return false;
             const double residual = map_->norm(map_->difference());
             if (!(residual - residual == 0)) return false;
-            // A bound, and some way above what is seen. A lightly damped mode is off by many times what is left of the residual.
-            const double rounding = map_->rounding_in_energy().norm();
+            const double rounding = map_->rounding_in_energy().norm(); // a bound, and some way above what is seen
             const bool falls = !held && (least < 0 || residual < least * (1 - part / 8));
             if (falls) residual_ = residual;
-            if (!held && residual <= (falls ? rounding / 128 : 8 * rounding)) return true;
+            if (!held && residual <= (falls ? rounding / 8 : 8 * rounding)) return true;
             bad += !falls;
             if (bad > static_cast<int>(bad_steps)) return false;
             part = !falls ? part / 2 : prepare_step(z) ? 1 : 0;
