@@ -75,6 +75,7 @@ bool counts_as_modal(const ModesInBalls& m, const BallMatrix& D, double toleranc
 
 // (56) of the modes by themselves, where the coupling by a damping matrix makes no difference to (69) that anybody could measure.
 std::optional<Ball> paper_limit_of_modes(const SceneInBalls& s, const Ball& exact) {
+    std::optional<BoundaryInBalls> b;
     try {
         ModesInBalls m = modes_in_balls(s);
         const BallMatrix D = damping_of_modes(s, m);
@@ -82,11 +83,14 @@ std::optional<Ball> paper_limit_of_modes(const SceneInBalls& s, const Ball& exac
         const SceneInBalls apart = by_themselves(s, m, D);
         m.zeta = apart.zeta;
         if (!are_told_apart(m)) return std::nullopt;
-        const BoundaryInBalls b = boundary_in_balls(apart, responses_of_modes(apart, std::move(m)));
-        if (abs(b.exact - exact) <= Ball(hardly_changed) * exact) return b.paper;
+        b = boundary_in_balls(apart, responses_of_modes(apart, std::move(m)));
     } catch (const Unproved&) {
+        return std::nullopt;
     }
-    return std::nullopt;
+    const Ball change = abs(b->exact - exact), most = Ball(hardly_changed) * exact;
+    if (change > most) return std::nullopt;
+    if (!(change <= most)) throw Unproved("whether the coupling of modes counts in (56) takes more bits");
+    return b->paper;
 }
 
 } // namespace

@@ -35,9 +35,10 @@ public:
             const double residual = map_->norm(map_->difference());
             if (!(residual - residual == 0)) return false;
             const double rounding = map_->rounding_in_energy().norm(); // a bound, and some way above what is seen
+            const int above = map_->solver().system().basis.coupled() ? 128 : 8; // farther with a damping matrix
             const bool falls = !held && (least < 0 || residual < least * (1 - part / 8));
             if (falls) residual_ = residual;
-            if (!held && residual <= (falls ? rounding / 8 : 8 * rounding)) return true;
+            if (!held && residual <= (falls ? rounding / above : 8 * rounding)) return true;
             bad += !falls;
             if (bad > static_cast<int>(bad_steps)) return false;
             part = !falls ? part / 2 : prepare_step(z) ? 1 : 0;
