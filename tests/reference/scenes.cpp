@@ -46,17 +46,46 @@ void survey_mass(const std::string& kind, const SolvedMass& told, const SolvedMa
     survey_number("sliding: monoharmonic phase", a.phase_monoharmonic, b.phase_monoharmonic, survey, full_turns(1));
 }
 
+// How far a stop that was told is from one that was proved and a number of periods, in the period of the motion.
+double apart_in_time(const SolvedStop& told, const SolvedStop& proved, int later, int periods) {
+    const double turn = 2 * pi<double>();
+    return std::abs(std::remainder(told.start.value - proved.start.value - turn * later, turn * periods));
+}
+
+const SolvedStop& nearest_stop(const SolvedStop& told, const Solution& proved, int later) {
+    return *std::ranges::min_element(
+        proved.stops, {}, [&](const SolvedStop& stop) { return apart_in_time(told, stop, later, proved.periods); });
+}
+
+// A motion of several periods is the same motion whichever of them comes first.
+int periods_later(const Solution& told, const Solution& proved) {
+    const auto off = [&](int later) {
+        double most = 0;
+        for (const SolvedStop& stop : told.stops)
+            most = std::max(most, apart_in_time(stop, nearest_stop(stop, proved, later), later, proved.periods));
+        return most;
+    };
+    int best = 0;
+    for (int later = 1; later < told.periods; ++later)
+        if (off(later) < off(best)) best = later;
+    return best;
+}
+
 void survey_orbit(const Solution& told, const Solution& proved, SurveyOfBounds& survey) {
     survey.same("the number of stops", told.stops.size(), proved.stops.size());
     survey.same("the period", told.periods, proved.periods);
     survey.same("the mirror image", told.symmetric, proved.symmetric);
-    if (told.stops.size() == proved.stops.size())
-        for (std::size_t n = 0; n < told.stops.size(); ++n) {
-            survey_number("stop: start", told.stops[n].start, proved.stops[n].start, survey, full_turns(told.periods));
-            survey_number("stop: end", told.stops[n].end, proved.stops[n].end, survey, full_turns(told.periods));
-            survey_number("stop: x", told.stops[n].x, proved.stops[n].x, survey);
-        }
-    for (std::size_t k = 0; told.start && proved.start && k < told.start->x.size(); ++k) {
+    const int later = told.stops.size() == proved.stops.size() ? periods_later(told, proved) : 0;
+    const auto instant = [&](const std::string& kind, const Certified& of, const Certified& is) {
+        survey.take(kind, of.value, of.error, ball_of(is) + full_turns(later), full_turns(told.periods));
+    };
+    for (std::size_t n = 0; told.stops.size() == proved.stops.size() && n < told.stops.size(); ++n) {
+        const SolvedStop &a = told.stops[n], &b = nearest_stop(a, proved, later);
+        instant("stop: start", a.start, b.start);
+        instant("stop: end", a.end, b.end);
+        survey_number("stop: x", a.x, b.x, survey);
+    }
+    for (std::size_t k = 0; told.start && proved.start && later == 0 && k < told.start->x.size(); ++k) {
         survey_number("start: x", told.start->x[k], proved.start->x[k], survey);
         survey_number("start: x'", told.start->x_prime[k], proved.start->x_prime[k], survey);
     }
