@@ -83,7 +83,9 @@ Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, std
     Boundary<T> b{};
     b.S_exact = found_by_search(sliding_demand(s, instant));
     static_cast<RegimeBoundary<T>&>(b) = regime_boundary_at(s, mu, V_dj, larger(b.S_exact, held));
-    b.S_paper = s.coupled ? b.S_exact : sum_of_demands(s, [&](std::size_t i) { return found_by_search(s_d_of_mode(s, i, instants[i])); });
+    b.S_paper =
+        s.coupled ? b.S_exact
+                  : sum_of_demands(s, [&](std::size_t i) { return found_by_search(s_d_of_mode(s, i, instants[i])); });
     b.instant = instant;
     b.instants = std::move(instants);
     b.paper = paper::friction_ratio_limit(V_dj, s.U[j], larger(b.S_paper, held));

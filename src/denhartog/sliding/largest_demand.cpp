@@ -1,3 +1,5 @@
+// Where in the half-period the sum over modes of (57)'s expression is largest, and where that of each mode is. The functions are
+// declared in boundary.hpp.
 #include <algorithm>
 #include <utility>
 
@@ -69,14 +71,14 @@ struct Demand {
     }
 };
 
-// Where a demand is largest that rises at the start and turns next to it; zero where it does not. There W is the difference of two
-// numbers that all but agree, and its rounding hides where it is zero. As W' = Z sin, W is the integral of Z sin, and with Z
-// straight it is zero at -3 Z / (2 Z'). A secant of Z over that distance makes it more exact. Next to pi no demand is largest: by
-// (57) the limit there is below that at the start by twice (65).
+// Where a demand is largest that rises at the start and turns next to it; zero where it does not. There W is the difference of
+// two nearly equal numbers, and its rounding hides where it is zero. As W' = Z sin, W is the integral of Z sin; if Z is linear in
+// tau, it is zero at -3 Z / (2 Z'). The slope Z' is that of a secant from the start to the instant found before. Next to pi no
+// demand is largest: by (57) the limit there is below that at the start by twice (65).
 template <class T>
 T instant_next_to_start(const Curve<T>& curve) {
     const T Z = curve.sample(T(0)).z;
-    T instant(0), next = 3 * Z / (2 * curve.rate(T(0), pi<T>())); // no zero is nearer
+    T instant(0), next = 3 * Z / (2 * curve.rate(T(0), pi<T>())); // the rate bounds |Z'|: no zero is nearer
     for (int n = 0; n < 4 && next > 0 && next < 1; ++n) {
         instant = next;
         next = 3 * Z * instant / (2 * (Z - curve.sample(instant).z));
@@ -90,12 +92,18 @@ template <class T, class Demanded>
 T instant_of_largest(Curve<T> curve, const Demanded& demanded) {
     ++work_counted.demand_searches;
     curve.rise = [](const T& a, const T& b, const T& z_bound) { return rise_of_demand(a, b, z_bound); };
-    T found = global_maximum(curve, T(0), pi<T>()).instant;
-    if (found < T(1) / 256) {
-        const T turned = instant_next_to_start(curve);
-        if (demanded(turned) > demanded(found)) found = turned;
-    }
-    return demanded(T(0)) >= demanded(found) ? T(0) : found;
+    T largest(0), demand = demanded(largest);
+    const auto look = [&](const T& instant) {
+        const T there = demanded(instant);
+        if (there > demand) {
+            largest = instant;
+            demand = there;
+        }
+    };
+    const T found = global_maximum(curve, T(0), pi<T>()).instant;
+    look(found);
+    if (found < T(1) / 256) look(instant_next_to_start(curve));
+    return largest;
 }
 
 template <class T>
