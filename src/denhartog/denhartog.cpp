@@ -5,7 +5,7 @@
 
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/solve/solve_by_reference.hpp"
+#include "denhartog/solve/decision.hpp"
 
 namespace denhartog {
 

@@ -9,7 +9,7 @@
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/denhartog.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/solve/solve_by_reference.hpp"
+#include "denhartog/solve/decision.hpp"
 #include "tests/catch.hpp"
 #include "tests/speed_accuracy/answer_numbers.hpp"
 

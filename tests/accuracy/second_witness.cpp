@@ -9,7 +9,7 @@
 
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/motion.hpp"
-#include "denhartog/solve/solve_by_reference.hpp"
+#include "denhartog/solve/decision.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

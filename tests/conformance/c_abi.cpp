@@ -12,7 +12,7 @@
 #include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/solve/solve_by_reference.hpp"
+#include "denhartog/solve/decision.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 

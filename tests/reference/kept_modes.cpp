@@ -6,7 +6,7 @@
 #include "denhartog/number/parallel.hpp"
 #include "denhartog/reference/modes.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/solve/solve_by_reference.hpp"
+#include "denhartog/solve/decision.hpp"
 #include "tests/catch.hpp"
 #include "tests/reference/proofs.hpp"
 

@@ -4,7 +4,7 @@
 #include "denhartog/reference/friction.hpp"
 #include "denhartog/reference/maximum.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/solve/solve_by_reference.hpp"
+#include "denhartog/solve/decision.hpp"
 #include "tests/catch.hpp"
 
 #include <atomic>

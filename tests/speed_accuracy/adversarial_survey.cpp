@@ -20,7 +20,7 @@
 #include "denhartog/number/effort.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/solve/solve_by_reference.hpp"
+#include "denhartog/solve/decision.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/sums/mode_sums.hpp"
 #include "tests/speed_accuracy/answer_numbers.hpp"

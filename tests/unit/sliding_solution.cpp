@@ -8,7 +8,7 @@
 #include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/solve/quantities.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/solve/solve_by_reference.hpp"
+#include "denhartog/solve/decision.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 

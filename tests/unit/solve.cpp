@@ -10,7 +10,7 @@
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
-#include "denhartog/solve/solve_by_reference.hpp"
+#include "denhartog/solve/decision.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 

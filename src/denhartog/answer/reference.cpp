@@ -19,6 +19,11 @@ namespace {
 
 using namespace reference;
 
+// A motion of the regime that is meant is proved not to exist.
+struct RegimeDisproved : PrecisionError {
+    using PrecisionError::PrecisionError;
+};
+
 // The regime of a friction ratio, as far as balls tell it.
 Regime regime_by(const Ball& beta, const Ball& exact, const std::optional<Ball>& sticking) {
     if (beta < exact) return Regime::continuous;
@@ -232,23 +237,28 @@ void attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, 
 
 bool has_reference() { return true; }
 
-Solution solution_by_reference(const SceneSource& source, const ReferenceQuestion& q,
-                               const std::function<std::vector<OrbitGuess>()>& made) {
+AnswerOrNone solution_by_reference(const SceneSource& source, const ReferenceQuestion& q,
+                                   const std::function<std::vector<OrbitGuess>()>& made) {
     const auto first = static_cast<slong>(std::max(128.0, bits_of_digit * q.digits + 64));
     const slong most = std::max<slong>(8192, 4 * first);
     OrbitGuesses guesses(made);
-    Solution s;
+    AnswerOrNone answer{Outcome::answered};
+    Solution& s = answer.solution;
     try {
         with_enough_bits(number_of_masses(source->in_double().system), first, most, [&](slong bits, bool last) {
             bool enough = false;
             attempt(source, q, bits, last, guesses, s, enough);
             return enough;
         });
+    } catch (const RegimeDisproved& e) {
+        answer = {Outcome::regime_disproved, {}, e.what()};
     } catch (const PrecisionError& e) {
-        if (q.met || s.regime.regime != Regime::stick_slip || s.regime.reason.empty()) throw;
-        throw MotionUnproved(std::string(e.what()) + ". This much is certain: " + s.regime.reason);
+        answer.refused = e.what();
+        const bool told = !q.met && s.regime.regime == Regime::stick_slip && !s.regime.reason.empty();
+        answer.outcome = told ? Outcome::motion_unproved : Outcome::not_certain;
+        if (told) answer.refused += ". This much is certain: " + s.regime.reason;
     }
-    return s;
+    return answer;
 }
 
 } // namespace denhartog

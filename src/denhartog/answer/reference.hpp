@@ -20,16 +20,6 @@ namespace denhartog {
 inline constexpr const char* built_without_reference =
     "this needs the reference, and the library was built without it (DENHARTOG_REFERENCE=OFF)";
 
-/// @brief The regime is proved, and the motion with stops is not.
-struct MotionUnproved : PrecisionError {
-    using PrecisionError::PrecisionError;
-};
-
-/// @brief A motion of the regime that is meant is proved not to exist.
-struct RegimeDisproved : PrecisionError {
-    using PrecisionError::PrecisionError;
-};
-
 /// @brief A question to the reference.
 struct ReferenceQuestion {
     Asked asked = Asked::motion;    ///< what is asked
@@ -43,11 +33,11 @@ struct ReferenceQuestion {
 /// @param source    the scene, with r; without beta the boundaries alone are computed
 /// @param question  the question
 /// @param guesses   motions with stops near the one that is meant, as double sees them, the likeliest first; called once at most
-/// @return          the answer; its numbers are proved
-/// @throws          PrecisionError where something cannot be proved, the budget of work is spent, or the library was built
-///                  without the reference; MotionUnproved, RegimeDisproved
-[[nodiscard]] Solution solution_by_reference(const SceneSource& source, const ReferenceQuestion& question,
-                                             const std::function<std::vector<OrbitGuess>()>& guesses);
+/// @return          the answer, whose numbers are proved; or none, where something cannot be proved, the budget of work is spent,
+///                  or the library was built without the reference
+/// @throws          InputError where the scene breaks a rule that double is too coarse to see broken
+[[nodiscard]] AnswerOrNone solution_by_reference(const SceneSource& source, const ReferenceQuestion& question,
+                                                 const std::function<std::vector<OrbitGuess>()>& guesses);
 
 /// @brief The motion of an answer at given instants, proved.
 /// @param source     the scene, with r and beta
@@ -57,7 +47,8 @@ struct ReferenceQuestion {
 ///                   velocity of the largest of its mass or of the amplitude, whichever is more
 /// @param guesses    motions with stops near that of the answer, as double sees them; called once at most
 /// @return           displacements and velocities of all masses
-/// @throws           PrecisionError as `solution_by_reference`, and where the motion that is proved is not that of the answer
+/// @throws           PrecisionError where something cannot be proved, as with `solution_by_reference`, and where the motion
+///                   that is proved is not that of the answer
 [[nodiscard]] std::vector<State> samples_by_reference(const SceneSource& source, const Solution& solution,
                                                       const std::vector<double>& tau, double tolerance,
                                                       const std::function<std::vector<OrbitGuess>()>& guesses);

@@ -1,6 +1,7 @@
 #include "denhartog/answer/solution.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "denhartog/number/errors.hpp"
 
@@ -22,6 +23,12 @@ void take_contact_between(const System<double>& system, Solution& s) {
         for (std::vector<Certified>* part : {&s.start->x, &s.start->x_prime}) part->pop_back();
     if (!s.only)
         for (OtherMotion& motion : s.motions) motion.masses.pop_back();
+}
+
+Solution required(AnswerOrNone answer) {
+    if (answer.outcome == Outcome::at_a_pole) throw DomainError(answer.refused);
+    if (!answer.is_answered()) throw PrecisionError(answer.refused);
+    return std::move(answer.solution);
 }
 
 const SolvedMass& mass_of(const Solution& s, Mass k) {

@@ -168,6 +168,29 @@ struct Solution {
     [[nodiscard]] const std::optional<Certified>& phase(Mass k) const;
 };
 
+/// @brief What came of a question.
+enum class Outcome : std::uint8_t {
+    answered,         ///< it has an answer
+    not_certain,      ///< numbers lack digits or the range of a double, the work allowed is spent, or no steady motion was found
+    at_a_pole,        ///< a mode without damping resonates
+    motion_unproved,  ///< the reference proves that the contact sticks and slips, and does not prove the motion
+    regime_disproved  ///< the reference proves that there is no motion of the regime that was meant
+};
+
+/// @brief The answer to a question, or why there is none.
+struct AnswerOrNone {
+    Outcome outcome = Outcome::not_certain; ///< what came of the question
+    Solution solution{};                    ///< the answer, if there is one
+    std::string refused{};                  ///< else the reason
+
+    /// @brief Whether there is an answer. @return true if so
+    [[nodiscard]] bool is_answered() const { return outcome == Outcome::answered; }
+};
+
+/// @brief The answer that a question must have. @param answer what came of the question @return the answer
+/// @throws DomainError at a pole; PrecisionError where there is no answer for another reason
+[[nodiscard]] Solution required(AnswerOrNone answer);
+
 /// @brief Takes what a contact between two masses does out of the lists over masses, where it comes last. For the library's own use.
 /// @param system  the system; nothing is done where the contact is with the wall
 /// @param s       the answer; it is changed in place

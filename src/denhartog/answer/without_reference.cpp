@@ -12,8 +12,9 @@ namespace {
 
 bool has_reference() { return false; }
 
-Solution solution_by_reference(const SceneSource&, const ReferenceQuestion&, const std::function<std::vector<OrbitGuess>()>&) {
-    refuse();
+AnswerOrNone solution_by_reference(const SceneSource&, const ReferenceQuestion&,
+                                   const std::function<std::vector<OrbitGuess>()>&) {
+    return {Outcome::not_certain, {}, built_without_reference};
 }
 
 std::vector<State> samples_by_reference(const SceneSource&, const Solution&, const std::vector<double>&, double,

@@ -7,7 +7,7 @@
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/answer/modes_in_double.hpp"
-#include "denhartog/solve/solve_by_reference.hpp"
+#include "denhartog/solve/decision.hpp"
 #include "denhartog/version.hpp"
 
 using namespace denhartog;

@@ -8,10 +8,11 @@
 
 #include "denhartog/c/denhartog.h"
 #include "denhartog/c/handles.hpp"
-#include "denhartog/map/regime_map.hpp"
+#include "denhartog/map/map_column.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/number/parallel.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/solve/decision.hpp"
 
 using namespace denhartog;
 using namespace denhartog::c_interface;
@@ -68,19 +69,12 @@ struct PointAnswer {
 
 PointAnswer answer_at(const PreparedSystem& prepared, double r, double beta, const Question& question,
                       const std::vector<Mass>& masses, const Allowance& allowed) {
-    PointAnswer answer;
-    try {
-        std::optional<QuestionEffort> effort;
-        if (allowed.operations) effort.emplace(0, allowed.operations);
-        const Solution s = solve(prepared, r, beta, question);
-        answer.point = {s.regime.on_boundary ? PointStatus::on_boundary : PointStatus::answered, s.regime.regime,
-                        static_cast<std::int32_t>(s.stops.size()), s.periods};
-        for (const Mass k : masses) answer.masses.push_back(mass_of(s, k));
-    } catch (const DomainError&) {
-        answer.point.status = PointStatus::at_a_pole;
-    } catch (const PrecisionError&) {
-        answer.point.status = PointStatus::failed;
-    }
+    std::optional<QuestionEffort> effort;
+    if (allowed.operations) effort.emplace(0, allowed.operations);
+    const AnswerOrNone found = decide(prepared, {r, beta, nullptr}, question);
+    PointAnswer answer{map_point(found), {}};
+    if (found.is_answered())
+        for (const Mass k : masses) answer.masses.push_back(mass_of(found.solution, k));
     return answer;
 }
 

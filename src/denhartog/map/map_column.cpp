@@ -10,8 +10,7 @@
 #include "denhartog/map/contact_arrays.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
-#include "denhartog/solve/solve.hpp"
-#include "denhartog/solve/solve_by_reference.hpp"
+#include "denhartog/solve/decision.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
 
@@ -19,6 +18,18 @@ namespace denhartog {
 namespace {
 
 constexpr double least_accuracy = 1e-6; // relative to an amplitude: what has less is left to `solve`
+
+// What comes of a computation in double that answers, or does not: `failed` is one that is left to `decide`.
+template <class Compute>
+PointStatus status_of(const Compute& compute) {
+    try {
+        return compute() ? PointStatus::answered : PointStatus::failed;
+    } catch (const DomainError&) {
+        return PointStatus::at_a_pole;
+    } catch (const PrecisionError&) {
+        return PointStatus::failed;
+    }
+}
 
 class MapColumn {
 public:
@@ -29,23 +40,17 @@ public:
           contact_alone(std::ranges::all_of(map.masses, [&](Mass k) { return k == map.system().contact; })),
           damped(every_motion_is_damped(map.system().basis)) {}
 
-    // The point in double; by `solve`, where the bounds do not tell the regime or leave an amplitude too few digits. Where
-    // `solve` finds no more, the point is next to a boundary and has the numbers that double has.
-    void answer(std::size_t n) {
+    // The point in double; as `solve` answers it, where the bounds do not tell the regime or leave an amplitude too few digits.
+    // Where that finds no more, the point is next to a boundary and has the numbers that double has.
+    PointStatus answer(std::size_t n) {
         is_near = false;
-        try {
-            if (answer_in_double(n)) return;
-        } catch (const DomainError&) {
-        } catch (const PrecisionError&) {
-        }
-        try {
-            return answer_by_solve(n);
-        } catch (const PrecisionError&) {
-            if (is_told(n) || !std::isfinite(column.boundary.exact.e)) throw;
-        }
+        if (status_of([&] { return answer_in_double(n); }) == PointStatus::answered) return points[n].status;
+        AnswerOrNone answer = decided(n);
+        const PointStatus status = write(n, answer);
+        if (status != PointStatus::failed || is_told(n) || !std::isfinite(column.boundary.exact.e)) return status;
         is_near = true;
-        if (!answer_in_double(n)) throw PrecisionError("an amplitude is beyond the range of a double");
-        if (points[n].status == PointStatus::answered) points[n].status = PointStatus::on_boundary;
+        if (const PointStatus again = status_of([&] { return answer_in_double(n); }); again != PointStatus::answered) return again;
+        return points[n].status == PointStatus::answered ? PointStatus::on_boundary : points[n].status;
     }
 
     // As many points from n on as the closed form or the rest answer without a motion to follow; the contact's amplitude alone.
@@ -198,23 +203,27 @@ private:
         return true;
     }
 
-    // As users ask: where there is more than one motion, it follows the start from rest, and no other.
-    void answer_by_solve(std::size_t n) {
+    // As users ask: where there is more than one motion, the one from the start of the map.
+    AnswerOrNone decided(std::size_t n) {
         Question question;
         question.asked = Asked::amplitude;
         if (map.masses.size() == 1) question.mass = map.masses.front();
-        const bool from_rest = map.mu == 1 || map.start == MapStart::rest || map.beta[n] == 0;
-        const Solution s = from_rest ? solve(map.prepared, r, map.beta[n], question)
-                                     : sliding_answer(at_point(map.prepared.source, r, map.beta[n]),
-                                                      SlidingQuestion{question.asked, {}, question.mass, map.prepared.bounded});
-        if (s.masses.empty()) throw PrecisionError("double does not follow the motion as beta rises");
-        if (!s.digits_reached) throw PrecisionError("an amplitude has fewer than 6 certain digits");
-        for (std::size_t m = 0; m < map.masses.size(); ++m) {
+        if (map.mu == 1 || map.start == MapStart::rest || map.beta[n] == 0)
+            return decide(map.prepared, {r, map.beta[n], nullptr}, question);
+        return decide_sliding(at_point(map.prepared.source, r, map.beta[n]),
+                              {question.asked, {}, question.mass, map.prepared.bounded});
+    }
+
+    // Writes an answer; one without the amplitude of a mass, or 6 certain digits of it, is none.
+    PointStatus write(std::size_t n, const AnswerOrNone& answer) {
+        points[n] = map_point(answer);
+        const Solution& s = answer.solution;
+        if (answer.is_answered() && (s.masses.empty() || !s.digits_reached)) points[n].status = PointStatus::failed;
+        for (std::size_t m = 0; m < map.masses.size() && has_numbers(points[n].status); ++m) {
             const Certified& X = s.amplitude(map.masses[m]); // within its error of zero, if the mass does not move
             amplitudes[n * map.masses.size() + m] = X.error < X.value ? X.value : 0;
         }
-        points[n] = {s.regime.on_boundary ? PointStatus::on_boundary : PointStatus::answered, s.regime.regime,
-                     static_cast<std::int32_t>(s.stops.size()), s.periods};
+        return points[n].status;
     }
 
     const MapSystem& map;
@@ -235,6 +244,14 @@ private:
 
 } // namespace
 
+MapPoint map_point(const AnswerOrNone& answer) {
+    const Solution& s = answer.solution;
+    if (!answer.is_answered())
+        return {answer.outcome == Outcome::at_a_pole ? PointStatus::at_a_pole : PointStatus::failed, Regime::continuous, 0, 1};
+    return {s.regime.on_boundary ? PointStatus::on_boundary : PointStatus::answered, s.regime.regime,
+            static_cast<std::int32_t>(s.stops.size()), s.periods};
+}
+
 bool answers_together(const MapSystem& map) {
     return !map.system().basis.coupled() && map.masses.size() == 1 && map.masses.front() == map.system().contact &&
            (map.mu == 1 || map.start == MapStart::sliding);
@@ -242,40 +259,26 @@ bool answers_together(const MapSystem& map) {
 
 void compute_column(const MapSystem& map, double r, const std::optional<ContactColumn>& arrays, const std::atomic<bool>& stop,
                     std::span<MapPoint> points, std::span<double> amplitudes) {
-    const std::size_t masses = map.masses.size();
-    const auto without_numbers = [&](std::size_t n, PointStatus status) {
-        points[n] = {status, Regime::continuous, 0, 1};
-        std::ranges::fill(amplitudes.subspan(n * masses, masses), std::nan(""));
-    };
-    const std::size_t modes = map.system().basis.r_n.size();
+    const std::size_t masses = map.masses.size(), modes = map.system().basis.r_n.size();
     const auto stopped = [&stop] { return stop.load(std::memory_order_relaxed); };
     std::optional<MapColumn> column;
-    PointStatus fault = PointStatus::failed;
-    try {
+    const PointStatus prepared = [&] {
         const QuestionEffort effort(modes, map.effort, stopped);
-        column.emplace(map, r, arrays, points, amplitudes);
-    } catch (const DomainError&) {
-        fault = PointStatus::at_a_pole;
-    } catch (const PrecisionError&) {
-    }
+        return status_of([&] {
+            column.emplace(map, r, arrays, points, amplitudes);
+            return true;
+        });
+    }();
     for (std::size_t n = 0; n < points.size() && !stop; ++n) {
-        if (!column) {
-            without_numbers(n, fault);
-            continue;
-        }
-        if (const std::size_t together = column->answer_together(n); together > 0) {
+        if (const std::size_t together = column ? column->answer_together(n) : 0; together > 0) {
             n += together - 1;
             continue;
         }
-        try {
-            const QuestionEffort effort(modes, map.effort, stopped);
-            column->answer(n);
-            if (points[n].status == PointStatus::not_converged) without_numbers(n, PointStatus::not_converged);
-        } catch (const DomainError&) {
-            without_numbers(n, PointStatus::at_a_pole);
-        } catch (const PrecisionError&) {
-            without_numbers(n, PointStatus::failed);
-        }
+        const QuestionEffort effort(modes, map.effort, stopped);
+        points[n].status = column ? column->answer(n) : prepared;
+        if (has_numbers(points[n].status)) continue;
+        points[n] = {points[n].status, Regime::continuous, 0, 1};
+        std::ranges::fill(amplitudes.subspan(n * masses, masses), std::nan(""));
     }
 }
 

@@ -45,6 +45,9 @@ struct ContactColumn {
 void compute_column(const MapSystem& map, double r, const std::optional<ContactColumn>& arrays, const std::atomic<bool>& stop,
                     std::span<MapPoint> points, std::span<double> amplitudes);
 
+/// @brief The point of a map that an answer makes; one without numbers where there is none.
+[[nodiscard]] MapPoint map_point(const AnswerOrNone& answer);
+
 /// @brief A periodic orbit by its state at tau = 0, with its friction ratio.
 struct OrbitAt {
     State start; ///< the state

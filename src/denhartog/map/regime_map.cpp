@@ -8,7 +8,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/parallel.hpp"
 #include "denhartog/scene/point_rules.hpp"
-#include "denhartog/solve/solve_by_reference.hpp"
+#include "denhartog/solve/decision.hpp"
 
 namespace denhartog {
 namespace {
@@ -115,20 +115,14 @@ std::vector<BoundaryPoint> boundary_curves(const Scene<double>& scene, const std
     question.modes = modes_with_errors(source->in_double().system);
     std::vector<BoundaryPoint> curves(r.size());
     for (std::size_t n = 0; n < r.size(); ++n) {
-        try {
-            const Solution s = sliding_answer(at_frequency(source, r[n]), question);
-            const Limits& b = *s.limits;
-            bool finite = s.digits_reached; // far off in frequency numbers leave the range of a double
-            for (const Certified& limit : {b.exact, b.paper, b.approximate})
-                finite = finite && limit.value >= 0 && std::isfinite(limit.value);
-            if (!finite) continue;
-            curves[n] = {PointStatus::answered, b.exact.value, b.paper.value, b.approximate.value, std::nullopt};
-            if (b.sticking) curves[n].sticking = b.sticking->value;
-        } catch (const DomainError&) {
-            curves[n].status = PointStatus::at_a_pole;
-        } catch (const PrecisionError&) {
-            curves[n].status = PointStatus::failed;
-        }
+        const AnswerOrNone answer = decide_sliding(at_frequency(source, r[n]), question);
+        curves[n].status = answer.outcome == Outcome::at_a_pole ? PointStatus::at_a_pole : PointStatus::failed;
+        if (!answer.is_answered() || !answer.solution.digits_reached) continue;
+        const Limits& b = *answer.solution.limits;
+        const auto has_number = [](const Certified& limit) { return limit.value >= 0 && std::isfinite(limit.value); };
+        if (!has_number(b.exact) || !has_number(b.paper) || !has_number(b.approximate)) continue; // beyond the range of a double
+        curves[n] = {PointStatus::answered, b.exact.value, b.paper.value, b.approximate.value, std::nullopt};
+        if (b.sticking) curves[n].sticking = b.sticking->value;
     }
     return curves;
 }

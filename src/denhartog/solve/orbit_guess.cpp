@@ -1,4 +1,4 @@
-#include "denhartog/solve/solve_by_reference.hpp"
+#include "denhartog/solve/decision.hpp"
 
 #include <algorithm>
 #include <cmath>

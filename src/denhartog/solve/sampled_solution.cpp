@@ -9,7 +9,7 @@
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/solve/sampled_closed_form.hpp"
-#include "denhartog/solve/solve_by_reference.hpp"
+#include "denhartog/solve/decision.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "elementary/elementary.hpp"
 

@@ -10,7 +10,7 @@
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/converted.hpp"
 #include "denhartog/scene/point_rules.hpp"
-#include "denhartog/solve/solve_by_reference.hpp"
+#include "denhartog/solve/decision.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
 
@@ -18,6 +18,13 @@ namespace denhartog {
 namespace {
 
 Work work_so_far() { return {eigen_solves(), mode_evaluations(), phases_propagated()}; }
+
+Solution with_work_since(const Work& before, Solution s) {
+    const Work after = work_so_far();
+    s.work = {after.eigen_solves - before.eigen_solves, after.mode_evaluations - before.mode_evaluations,
+              after.phases_propagated - before.phases_propagated};
+    return s;
+}
 
 void set_regime(const SolveTask& task, Regime met, const std::string& reason, Solution& s) {
     if (task.unknown)
@@ -167,7 +174,7 @@ bool is_vague(const SolveTask& task, const Solution& s) {
 }
 
 AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, const Question& question) {
-    AnswerInDouble found;
+    AnswerInDouble found{{Outcome::answered}};
     Solution& s = found.solution;
     s.asked = question.asked;
     if (answer_by_contact(p, at, question, s)) {
@@ -197,15 +204,6 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
     return found;
 }
 
-// What double is certain of; else the reference.
-Solution solve_at(const PreparedSystem& p, const SolvePoint& at, const Question& question, const Work& before) {
-    Solution s = answer_or_reference(p, at, question, [&](const Question& of) { return solve_in_double(p, at, of); });
-    const Work after = work_so_far();
-    s.work = {after.eigen_solves - before.eigen_solves, after.mode_evaluations - before.mode_evaluations,
-              after.phases_propagated - before.phases_propagated};
-    return s;
-}
-
 } // namespace
 
 void say_whether_unique(const ModalBasis<Bounded<double>>& basis, double mu, Solution& s) {
@@ -224,21 +222,27 @@ void say_whether_unique(const ModalBasis<Bounded<double>>& basis, double mu, Sol
         s.unique_because = "not known: a mode has no damping, and the motion may depend on the start";
 }
 
+AnswerOrNone decide(const PreparedSystem& p, const SolvePoint& at, const Question& question) {
+    const std::size_t N = number_of_masses(p.scene().system);
+    check(question, N);
+    check_frequency_ratio(at.r);
+    check_friction_ratio(at.beta);
+    const QuestionEffort effort(N);
+    return answer_or_reference(p, at, question, [&](const Question& of) {
+        return tried_in_double([&] { return solve_in_double(p, at, of); });
+    });
+}
+
 Solution solve(const SceneSource& source, const Question& question) {
     const Work before = work_so_far();
     const PreparedSystem p = prepare(source, question);
-    const QuestionEffort effort(number_of_masses(p.scene().system));
-    (void)frequency_ratio_of(p.scene());
-    (void)friction_ratio_of(p.scene());
-    return solve_at(p, {*p.scene().r, *p.scene().beta, &source}, question, before);
+    const SolvePoint at{frequency_ratio_of(p.scene()), friction_ratio_of(p.scene()), &source};
+    return with_work_since(before, required(decide(p, at, question)));
 }
 
 Solution solve(const PreparedSystem& system, double r, double beta, const Question& question) {
-    check(question, number_of_masses(system.scene().system));
-    check_frequency_ratio(r);
-    check_friction_ratio(beta);
-    const QuestionEffort effort(number_of_masses(system.scene().system));
-    return solve_at(system, {r, beta, nullptr}, question, work_so_far());
+    const Work before = work_so_far();
+    return with_work_since(before, required(decide(system, {r, beta, nullptr}, question)));
 }
 
 } // namespace denhartog

@@ -7,7 +7,7 @@
 ///  3. for a contact that rests the stuck response, see `held_solution`;
 ///  4. the exact solver's periodic orbit.
 /// Each is in double, with the bounds of its numbers. Where these do not leave the digits, or the regime is open, the reference
-/// answers, see `solve_by_reference.hpp`.
+/// answers, see `decision.hpp`.
 /// The boundaries tell the regime where mu = 1. Where mu > 1 more than one motion may exist: the exact solver then follows the
 /// start from rest, and where that leads into the closed form or the stuck response these give the numbers.
 #pragma once

@@ -7,7 +7,7 @@
 #include "denhartog/reference/orbit_equations.hpp"
 #include "denhartog/reference/sliding.hpp"
 #include "denhartog/reference/stuck.hpp"
-#include "denhartog/solve/solve_by_reference.hpp"
+#include "denhartog/solve/decision.hpp"
 #include "tests/benchmark/generator/motion.hpp"
 
 namespace denhartog::benchmark {

@@ -8,7 +8,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/program/exit_status.hpp"
 #include "denhartog/scene/scene_json.hpp"
-#include "denhartog/solve/solve_by_reference.hpp"
+#include "denhartog/solve/decision.hpp"
 
 namespace CLI {
 class App;

@@ -1,6 +1,8 @@
 /// @file
-/// @brief How a question is answered: what the models of `solve` share and how each writes its answer, and the reference for
-/// questions for a proof, and for those of which double does not have the digits.
+/// @brief What answers a question: double, if its numbers have the digits and it tells what the contact does; else the reference.
+///
+/// The models of `solve` share the task, and each writes its own answer. Where a question has no answer, that is a value, see
+/// `Outcome`; the functions that users call make an exception of it.
 #pragma once
 
 #include <functional>
@@ -9,6 +11,7 @@
 
 #include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/answer/sliding_point.hpp"
+#include "denhartog/number/errors.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/reference/orbit_guess_data.hpp"
 #include "denhartog/solve/prepared_system.hpp"
@@ -78,31 +81,55 @@ void answer_by_orbit(const SolveTask& task, ExactSolver& solver, const PeriodicO
 /// prepared is used.
 [[nodiscard]] std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source);
 
-/// @brief An answer in double.
-struct AnswerInDouble {
-    Solution solution{};   ///< the answer
+/// @brief What double makes of a question.
+struct AnswerInDouble : AnswerOrNone {
     bool open = false;     ///< whether double does not tell what the contact does
     bool is_answer = true; ///< whether the regime is certain nevertheless, so that it answers where the reference does not
     bool vague = false;    ///< whether double does not tell if the motion is stable
 
     /// @brief Whether it needs nothing more: it has its digits, and regime and stability are certain.
-    [[nodiscard]] bool is_settled() const { return solution.digits_reached && !open && !vague && !solution.regime.on_boundary; }
+    [[nodiscard]] bool is_settled() const {
+        return is_answered() && solution.digits_reached && !open && !vague && !solution.regime.on_boundary;
+    }
 };
+
+/// @brief What comes of a question in double: what its computation throws becomes an outcome.
+template <class Answer>
+[[nodiscard]] AnswerInDouble tried_in_double(const Answer& answer) {
+    AnswerInDouble failed;
+    try {
+        return answer();
+    } catch (const DomainError& e) {
+        failed.outcome = Outcome::at_a_pole;
+        failed.refused = e.what();
+    } catch (const PrecisionError& e) {
+        failed.refused = e.what();
+    }
+    return failed;
+}
 
 /// @brief How double answers a question.
 using InDouble = std::function<AnswerInDouble(const Question&)>;
 
-/// @brief An answer in double, or else by the reference. The mass of the question and those of the answer are in the order of the
-/// masses. What `fast` throws comes out where the reference cannot help; PrecisionError where the digits asked for are not
-/// reached.
-[[nodiscard]] Solution answer_or_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question,
-                                           const InDouble& fast);
+/// @brief The answer in double, or else by the reference. The mass of the question and those of the answer are in the order of
+/// the masses. There is none where the digits asked for are not reached.
+[[nodiscard]] AnswerOrNone answer_or_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question,
+                                               const InDouble& fast);
+
+/// @brief What comes of a question at a point of a prepared system: what `solve` gives, or why it gives nothing. A bad question or
+/// point is an InputError.
+[[nodiscard]] AnswerOrNone decide(const PreparedSystem& p, const SolvePoint& at, const Question& question);
 
 /// @brief Boundary, regime and sliding motion of a scene, with its masses in their order, as `sliding_solution` has them; with
 /// `proved` every number is proved. If one mass is asked about, it alone is listed.
-[[nodiscard]] Solution sliding_answer(const SceneSource& source, const SlidingQuestion& question, bool proved = false);
+[[nodiscard]] AnswerOrNone decide_sliding(const SceneSource& source, const SlidingQuestion& question, bool proved = false);
 
-/// @brief The same for every mass; without digits 6 are aimed at. PrecisionError where the digits asked for are not reached.
+/// @brief The same, where it has an answer: DomainError at a pole, PrecisionError for another reason.
+[[nodiscard]] inline Solution sliding_answer(const SceneSource& source, const SlidingQuestion& question, bool proved = false) {
+    return required(decide_sliding(source, question, proved));
+}
+
+/// @brief The same for every mass, refused if the digits asked for are not reached; without digits 6 are aimed at.
 [[nodiscard]] Solution sliding_answer(const SceneSource& source, std::optional<int> digits, bool proved);
 
 } // namespace denhartog

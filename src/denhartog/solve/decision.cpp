@@ -1,0 +1,209 @@
+#include "denhartog/solve/decision.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "denhartog/answer/reference.hpp"
+#include "denhartog/number/effort.hpp"
+
+namespace denhartog {
+namespace {
+
+constexpr std::size_t most_masses_unasked = 100; // of which the reference is asked where nobody asked for digits
+
+// The answer in double with what the reference failed to prove; none where double does not tell the regime by itself.
+AnswerOrNone without_proof(AnswerInDouble found, const AnswerOrNone& proof, std::string why) {
+    RegimeAtPoint& regime = found.solution.regime;
+    // The reference tells the regime, though not the motion; double then has only one that may be next to it.
+    const bool told = proof.outcome == Outcome::motion_unproved;
+    const bool answers =
+        found.is_answered() && found.is_answer && proof.outcome != Outcome::regime_disproved && !(told && regime.on_boundary);
+    std::string refused = proof.refused;
+    if (found.open && !answers && !told)
+        refused += (regime.on_boundary ? ". As double sees it: " : ". This much is certain: ") + regime.reason;
+    if (told) why.resize(std::min(why.size(), why.find(". This much is certain")));
+    if (!answers) return {Outcome::not_certain, {}, why == refused ? why : why + "; " + refused};
+    found.solution.method.why += "; " + refused;
+    if (found.open) found.solution.digits_reached = false;
+    return found;
+}
+
+// Double for the digits of every day; the reference for more, for a proof, and for what double leaves open. Where that does not
+// tell either, what double has, or the reasons of both.
+template <class ByReference, class Fast>
+AnswerOrNone in_turn(std::size_t N, std::optional<int> digits, bool proved, const ByReference& by_reference, const Fast& fast) {
+    if (proved || digits > most_digits_in_double) return by_reference();
+    AnswerInDouble found = fast();
+    if (found.is_settled()) return found;
+    std::string why = !found.is_answered() ? found.refused
+                      : found.vague        ? found.solution.method.why + ", but double does not tell whether the motion is stable"
+                                           : found.solution.method.why;
+    count_precision_step();
+    AnswerOrNone proof;
+    if (QuestionEffort::exhausted())
+        proof.refused = "the work allowed is spent";
+    else if (!digits && N > most_masses_unasked)
+        proof.refused = "the reference is asked about no more than " + std::to_string(most_masses_unasked) +
+                        " masses unless digits are asked for";
+    else
+        proof = by_reference();
+    if (proof.outcome == Outcome::at_a_pole) return proof;
+    if (found.outcome == Outcome::at_a_pole && !proof.is_answered()) return found;
+    if (!proof.is_answered()) return without_proof(std::move(found), proof, std::move(why));
+    Solution& s = proof.solution;
+    s.method.why = "in double: " + why + "; " + s.method.why;
+    if (found.open && found.solution.limits && s.regime.regime == Regime::stick_slip)
+        s.regime.reason += "; double precision does not tell whether the contact stops, and the reference proves that it does";
+    return proof;
+}
+
+AnswerOrNone with_digits(std::optional<int> digits, AnswerOrNone answer) {
+    const Solution& s = answer.solution;
+    if (!digits || !answer.is_answered() || s.digits_reached) return answer;
+    const int certain = digits_of(s.relative_error);
+    return {Outcome::not_certain,
+            {},
+            "the " + in_words(aim_of(digits)) + " are not reached: " +
+                (certain < *digits ? "only " + std::to_string(certain) + " are certain" : "the regime is not certain") + " (" +
+                s.method.why + ")"};
+}
+
+AnswerOrNone answer_by_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question, const InDouble& fast) {
+    if (question.all && question.proved)
+        throw InputError("all", "must not be asked for with a proof: other motions are estimates", "");
+    const SceneSource source = source_at(p, at);
+    const Scene<double>& scene = source->in_double();
+    PreparedSystem prepared = p; // the modes in double are found once
+    const auto guesses = [&] {
+        if (!prepared.bounded) {
+            const ModesInDouble modes = modes_in_double(source);
+            if (modes.rounded_because.empty()) prepared.bounded = modes.basis;
+        }
+        return guesses_at(prepared, source);
+    };
+    const auto proof_of = [&](std::optional<Regime> met) {
+        const int digits = question.digits.value_or(digits_by_default);
+        return solution_by_reference(source, {question.asked, digits, question.mass, met}, guesses);
+    };
+    // The motion that is meant where the friction ratio does not tell: with mu above 1, or at a pole, the one from rest.
+    std::optional<AnswerInDouble> rest;
+    Question of_regime;
+    of_regime.asked = Asked::regime;
+    AnswerOrNone answer;
+    if (scene.mu > 1) {
+        rest = fast(of_regime);
+        if (!rest->is_answered()) return *std::move(rest);
+        const RegimeAtPoint& met = rest->solution.regime;
+        const bool may_hide_a_stop = rest->open && rest->solution.limits && met.regime == Regime::continuous;
+        answer = proof_of(may_hide_a_stop ? Regime::stick_slip : met.regime);
+        if (answer.outcome == Outcome::regime_disproved && met.on_boundary) { // double may be on the wrong side of it
+            AnswerOrNone other = proof_of(Regime::stick_slip);
+            other.refused.insert(0, answer.refused + "; ");
+            answer = std::move(other);
+            if (!answer.is_answered()) answer.outcome = Outcome::regime_disproved;
+        }
+    } else {
+        answer = proof_of(std::nullopt);
+        if (answer.outcome == Outcome::not_certain || answer.outcome == Outcome::regime_disproved) {
+            rest = fast(of_regime);
+            if (rest->outcome == Outcome::at_a_pole) return *std::move(rest);
+            if (rest->is_answered() && !rest->solution.limits)
+                answer = proof_of(rest->solution.regime.regime); // a pole
+            else
+                rest.reset();
+        }
+    }
+    if (!answer.is_answered()) return answer;
+    Solution& s = answer.solution;
+    if (rest) {
+        if (s.regime.regime == rest->solution.regime.regime && !rest->open) s.regime = rest->solution.regime;
+        s.method.why = "the start from rest was followed without a proof; " + s.method.why;
+    }
+    const double mu = s.mu.value == 1 && s.mu.error > 0 ? 2 : scene.mu; // a text may be above 1 by less than double tells
+    say_whether_unique(prepared.bounded ? *prepared.bounded
+                       : p.contact      ? *p.contact->basis
+                                        : *modes_in_double(source).basis,
+                       mu, s);
+    if (question.all) {
+        Question others = question;
+        others.digits.reset();
+        AnswerInDouble found = fast(others);
+        if (!found.is_answered()) return found;
+        s.motions = std::move(found.solution.motions);
+    }
+    return answer;
+}
+
+} // namespace
+
+std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source) {
+    const Scene<double>& scene = source->in_double();
+    std::vector<OrbitGuess> all;
+    // Rounding of modes that double does not have itself would keep it from any motion that repeats itself.
+    const ModesInDouble modes = p.bounded ? ModesInDouble{p.bounded} : modes_in_double(source);
+    if (!modes.rounded_because.empty()) return all;
+    const std::shared_ptr<const ContactSystem> moving = p.moving ? p.moving : moving_in_double(source, modes);
+    if (!moving->rounded_because.empty()) return all;
+    ExactSolver solver(*moving, {*scene.r, *scene.beta, scene.mu});
+    OrbitSearch how;
+    how.with_stability = false;
+    PeriodicOrbit orbit = periodic_orbit(solver, at_rest(moving->basis.r_n.size()), how);
+    if (orbit.status == OrbitStatus::permanently_stuck) return all;
+    if (orbit.status == OrbitStatus::not_converged)
+        orbit.symmetric = true; // rounding may be why; where the motion was last is near
+    SearchEffort of_guesses(default_effort(moving->basis.r_n.size()));
+    (void)solver.allow(&of_guesses);
+    const auto add = [&](const OrbitGuess& guess) {
+        if (guess.directions.empty()) return;
+        const auto same = [&](const OrbitGuess& other) {
+            constexpr double near = 1e-3;
+            return other.directions == guess.directions && other.mirrored == guess.mirrored && other.periods == guess.periods &&
+                   std::ranges::equal(other.events, guess.events, [](double a, double b) { return std::abs(a - b) < near; });
+        };
+        if (std::ranges::none_of(all, same)) all.push_back(guess);
+    };
+    for (const double shortest : {0.0, 1e-9, 1e-6}) add(guess_of(solver, orbit, shortest));
+    for (const OrbitGuess& guess : std::vector<OrbitGuess>(all))
+        for (const OrbitGuess& other : with_other_stops(guess)) add(other);
+    return all;
+}
+
+AnswerOrNone answer_or_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question, const InDouble& fast) {
+    return with_digits(question.digits, in_turn(
+                                            number_of_masses(p.scene().system), question.digits, question.proved,
+                                            [&] { return answer_by_reference(p, at, question, fast); },
+                                            [&] { return fast(question); }));
+}
+
+AnswerOrNone decide_sliding(const SceneSource& source, const SlidingQuestion& question, bool proved) {
+    const auto in_double = [&](const SlidingQuestion& asked) {
+        return tried_in_double([&] {
+            AnswerInDouble found{{Outcome::answered, sliding_solution(source, asked)}};
+            Solution& s = found.solution;
+            take_contact_between(source->in_double().system, s);
+            if (asked.only && !s.masses.empty()) {
+                s.masses = {s.masses[asked.only->index]};
+                s.only = asked.only;
+            }
+            return found;
+        });
+    };
+    const auto by_reference = [&]() -> AnswerOrNone {
+        ReferenceQuestion asked{question.asked, question.digits.value_or(digits_by_default), question.only};
+        asked.closed_form_alone = true;
+        AnswerOrNone answer = solution_by_reference(source, asked, {});
+        if (answer.is_answered()) return answer;
+        AnswerInDouble regime = in_double({Asked::regime}); // says where there is a pole
+        if (regime.outcome == Outcome::at_a_pole) return regime;
+        return answer;
+    };
+    (void)aim_of(question.digits);
+    return in_turn(number_of_masses(source->in_double().system), question.digits, proved, by_reference,
+                   [&] { return in_double(question); });
+}
+
+Solution sliding_answer(const SceneSource& source, std::optional<int> digits, bool proved) {
+    return required(with_digits(digits, decide_sliding(source, SlidingQuestion{Asked::motion, digits}, proved)));
+}
+
+} // namespace denhartog
