@@ -152,8 +152,7 @@ TEST_CASE("a series of the exponential holds its sum and its derivatives", "[ref
         CHECK((sum(0) - cos(angle)).may_vanish());
         CHECK((sum(1) - sin(angle)).may_vanish());
         CHECK(sum(0).radius() < 1e-24);
-        CurveInBalls c;
-        for (slong k = 0; k < series.terms().columns(); ++k) c.powers.push_back(series.terms()(0, k));
+        const CurveInBalls c{series.powers(transposed(y))};
         CHECK((derivative(c, 1, Ball(theta)) + Ball(5) * sin(angle)).may_vanish());
         CHECK((derivative(c, 2, Ball(theta)) + Ball(25) * cos(angle)).may_vanish());
     }

@@ -27,11 +27,11 @@ BallMatrix inverse_of(const BallMatrix& M) {
     return inverse;
 }
 
-// 1, theta, theta^2 and so on, as a row.
+// 1, theta, theta^2 / 2 and so on, as a row: what the terms are multiplied by.
 BallMatrix powers_of(const Ball& theta, slong count) {
     BallMatrix powers(1, count);
     powers(0, 0) = Ball(1);
-    for (slong k = 1; k < count; ++k) powers(0, k) = powers(0, k - 1) * theta;
+    for (slong k = 1; k < count; ++k) powers(0, k) = powers(0, k - 1) * (theta / Ball(k));
     return powers;
 }
 
@@ -43,7 +43,7 @@ ContactMechanics::ContactMechanics(const SceneInBalls& scene)
       lead(0) {
     const BallMatrix inverse = inverse_of(scene.M * (scene.r * scene.r));
     const BallMatrix stiffness = inverse * scene.K, damping = inverse * (scene.C * scene.r), force = inverse * scene.p;
-    sigma = power_of_two(static_cast<slong>(std::ceil(binary_logarithm(std::max(norm(stiffness), 1e-280)) / 2)));
+    sigma = Ball(std::sqrt(std::max(norm(stiffness), 1e-280)));
     push = inverse * w * (Ball(1) / sigma);
     for (slong i = 0; i < N; ++i) {
         free(i, N + i) = sigma;
@@ -147,12 +147,9 @@ ExponentialSeries::ExponentialSeries(const BallMatrix& B, const BallMatrix& y) {
     QuestionEffort::pay(cost_of_ball_products(static_cast<double>((sparse.count() + n) * last)));
     terms_ = BallMatrix(n, last + 1);
     for (slong i = 0; i < n; ++i) terms_(i, 0) = y(i);
-    for (slong k = 1; k <= last; ++k) {
-        sparse.times_column(terms_, k - 1, terms_, k);
-        const Ball of_k = 1 / Ball(k);
-        for (slong i = 0; i < n; ++i) terms_(i, k) *= of_k;
-    }
-    // |y_(k+1)| <= |y_k| theta / (k + 1), and so on: the rest is at most twice that. Twice more holds its derivatives as well.
+    for (slong k = 1; k <= last; ++k) sparse.times_column(terms_, k - 1, terms_, k);
+    // Beyond k the first term is no larger than |y_k| theta / (k + 1) over k!, and so on: the rest is at most twice that. Twice
+    // more holds its derivatives as well.
     Ball largest(0);
     for (slong i = 0; i < n; ++i) largest = larger(largest, abs(terms_(i, last)));
     const Ball rest = upper_bound_of(largest * Ball(4 * theta / static_cast<double>(last + 1)));
@@ -175,6 +172,18 @@ Ball ExponentialSeries::at(const BallMatrix& row, const Ball& theta) const {
         arb_dot(part.a, nullptr, 0, terms_(i, 0).a, 1, powers(0, 0).a, 1, powers.columns(), ball_bits);
         sum += row(0, i) * part;
     }
+    return sum;
+}
+
+std::vector<Ball> ExponentialSeries::powers(const BallMatrix& row) const {
+    std::vector<Ball> sum(static_cast<std::size_t>(terms_.columns()));
+    for (slong i = 0; i < terms_.rows(); ++i) {
+        if (row(0, i).is_zero()) continue;
+        for (slong k = 0; k < terms_.columns(); ++k)
+            arb_addmul(sum[static_cast<std::size_t>(k)].a, row(0, i).a, terms_(i, k).a, ball_bits);
+    }
+    Ball factorial(1);
+    for (std::size_t k = 1; k < sum.size(); ++k) sum[k] /= factorial *= Ball(static_cast<slong>(k));
     return sum;
 }
 
