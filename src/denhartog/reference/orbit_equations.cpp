@@ -27,14 +27,6 @@ BallMatrix inverse_of(const BallMatrix& M) {
     return inverse;
 }
 
-// 1, theta, theta^2 / 2 and so on, as a row: what the terms are multiplied by.
-BallMatrix powers_of(const Ball& theta, slong count) {
-    BallMatrix powers(1, count);
-    powers(0, 0) = Ball(1);
-    for (slong k = 1; k < count; ++k) powers(0, k) = powers(0, k - 1) * (theta / Ball(k));
-    return powers;
-}
-
 } // namespace
 
 ContactMechanics::ContactMechanics(const SceneInBalls& scene)
@@ -146,8 +138,13 @@ ExponentialSeries::ExponentialSeries(const BallMatrix& B, const BallMatrix& y) {
     const SparseBalls sparse(B);
     QuestionEffort::pay(cost_of_ball_products(static_cast<double>((sparse.count() + n) * last)));
     terms_ = BallMatrix(n, last + 1);
+    over_factorials_ = BallMatrix(1, last + 1);
+    over_factorials_(0, 0) = Ball(1);
     for (slong i = 0; i < n; ++i) terms_(i, 0) = y(i);
-    for (slong k = 1; k <= last; ++k) sparse.times_column(terms_, k - 1, terms_, k);
+    for (slong k = 1; k <= last; ++k) {
+        sparse.times_column(terms_, k - 1, terms_, k);
+        over_factorials_(0, k) = over_factorials_(0, k - 1) / Ball(k);
+    }
     // Beyond k the first term is no larger than |y_k| theta / (k + 1) over k!, and so on: the rest is at most twice that. Twice
     // more holds its derivatives as well.
     Ball largest(0);
@@ -156,8 +153,15 @@ ExponentialSeries::ExponentialSeries(const BallMatrix& B, const BallMatrix& y) {
     for (slong i = 0; i < n; ++i) terms_(i, last) = widened(terms_(i, last), rest);
 }
 
+BallMatrix ExponentialSeries::powers_of(const Ball& theta) const {
+    BallMatrix powers = over_factorials_;
+    Ball power(1);
+    for (slong k = 1; k < powers.columns(); ++k) powers(0, k) *= power *= theta;
+    return powers;
+}
+
 BallMatrix ExponentialSeries::at(const Ball& theta) const {
-    const BallMatrix powers = powers_of(theta, terms_.columns());
+    const BallMatrix powers = powers_of(theta);
     BallMatrix sum(terms_.rows(), 1);
     for (slong i = 0; i < sum.rows(); ++i)
         arb_dot(sum(i).a, nullptr, 0, terms_(i, 0).a, 1, powers(0, 0).a, 1, powers.columns(), ball_bits);
@@ -165,7 +169,7 @@ BallMatrix ExponentialSeries::at(const Ball& theta) const {
 }
 
 Ball ExponentialSeries::at(const BallMatrix& row, const Ball& theta) const {
-    const BallMatrix powers = powers_of(theta, terms_.columns());
+    const BallMatrix powers = powers_of(theta);
     Ball sum(0), part;
     for (slong i = 0; i < terms_.rows(); ++i) {
         if (row(0, i).is_zero()) continue;
@@ -182,8 +186,7 @@ std::vector<Ball> ExponentialSeries::powers(const BallMatrix& row) const {
         for (slong k = 0; k < terms_.columns(); ++k)
             arb_addmul(sum[static_cast<std::size_t>(k)].a, row(0, i).a, terms_(i, k).a, ball_bits);
     }
-    Ball factorial(1);
-    for (std::size_t k = 1; k < sum.size(); ++k) sum[k] /= factorial *= Ball(static_cast<slong>(k));
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] *= over_factorials_(0, static_cast<slong>(k));
     return sum;
 }
 

@@ -109,7 +109,10 @@ public:
     void widen(const Ball& radius);
 
 private:
-    BallMatrix terms_{}; // y_k in column k
+    [[nodiscard]] BallMatrix powers_of(const Ball& theta) const; // 1, theta, theta^2 / 2 and so on, as a row
+
+    BallMatrix terms_{};           // y_k in column k
+    BallMatrix over_factorials_{}; // 1 / k! in column k
 };
 
 /// @brief The norm of A times a length up to which a series is summed at one go: it may widen a ball by the exponential of it.
