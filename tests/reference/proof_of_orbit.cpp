@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "denhartog/orbit/floquet.hpp"
 #include "denhartog/reference/orbit_proof.hpp"
 #include "orbit_cases.hpp"
 #include "tests/catch.hpp"
@@ -239,6 +240,45 @@ TEST_CASE("of displacements that are not told apart the larger one is held, and 
     }
     place_at(0, Ball::within(-3, 3));
     CHECK(peak_of_contact(orbit).phase.value().radius() > 3);
+}
+
+TEST_CASE("vectors in double belong to their eigenvalues, real or not", "[reference][proof]") {
+    const Eigen::Index n = 9;
+    Matrix<double> A(n, n);
+    for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index k = 0; k < n; ++k) A(i, k) = static_cast<double>((7 * i * i + 5 * i * k + 11 * k) % 13) - 6;
+    const ApproximateEigenvectors found = eigenvectors_of(A);
+    REQUIRE(found.values.size() == n);
+    int pairs = 0;
+    for (Eigen::Index c = 0; c < n; ++c) {
+        if (found.values(c).imag() > 0) ++pairs;
+        const Eigen::VectorXcd v = found.vectors.col(c), left = A.cast<std::complex<double>>() * v - found.values(c) * v;
+        CHECK(v.norm() >= 0.5);
+        CHECK(left.norm() < 1e-12 * A.norm() * v.norm());
+    }
+    CHECK(pairs > 0);
+    CHECK(2 * pairs < n);
+}
+
+TEST_CASE("multipliers that double cannot tell apart are known all the same", "[reference][proof]") {
+    const Bits all(192);
+    MapOfDeviations map{BallMatrix(2, 2), false}; // 1/2 and a little more, with nearly one vector, seen in an oblique basis
+    BallMatrix oblique(2, 2), back(2, 2), J(2, 2);
+    oblique(0, 0) = back(1, 1) = Ball(3);
+    oblique(1, 1) = back(0, 0) = Ball(2);
+    oblique(0, 1) = Ball(1);
+    oblique(1, 0) = Ball(5);
+    back(0, 1) = Ball(-1);
+    back(1, 0) = Ball(-5);
+    J(0, 0) = Ball(0.5);
+    J(0, 1) = Ball(1);
+    J(1, 1) = Ball(0.5) + power_of_two(-45);
+    map.A = oblique * J * back;
+    const std::vector<Ball> sizes = multipliers_over_period(map, false);
+    REQUIRE(sizes.size() == 2);
+    CHECK(are_narrow(sizes));
+    CHECK((sizes[0] - J(1, 1)).may_vanish());
+    CHECK((sizes[1] - J(0, 0)).may_vanish());
 }
 
 TEST_CASE("of a stable and an unstable map the right one is told", "[reference][proof]") {

@@ -9,7 +9,7 @@
 namespace denhartog::reference {
 namespace {
 
-constexpr double longest_stretch = 2;      // norm of A times its length
+constexpr double longest_stretch = 3;      // norm of A times its length
 constexpr int most_looks_at_phase = 20000; // at one curve
 constexpr double narrowest_look = 0x1p-60; // at a part of a stretch
 
