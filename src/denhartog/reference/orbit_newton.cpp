@@ -177,7 +177,7 @@ private:
     BallMatrix Y_{};
     OrbitResidual residual_{}; // where it was taken last
     bool at_hand_ = false;     // whether that is where the proof takes it, in all bits
-    double stalled_ = -1; // bits, where rounding may have stopped it
+    double stalled_ = -1;      // bits, where rounding may have stopped it
 };
 
 } // namespace
