@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "denhartog/orbit/floquet.hpp"
 #include "denhartog/reference/orbit_proof.hpp"
 #include "orbit_cases.hpp"
 #include "tests/catch.hpp"
@@ -52,7 +53,14 @@ TEST_CASE("the demands of friction hold on a motion with stops", "[reference][pr
 
 TEST_CASE("a contact that slides against its direction is refused", "[reference][proof]") {
     TwoStops motion;
-    for (int& direction : motion.orbit.at.directions) direction = -direction;
+    OrbitUnknowns& at = motion.orbit.at;
+    REQUIRE((at.m() == 2 && at.direction(1) == 0));
+    const Ball end = at.instant(2); // of the phase of sliding, which now comes first
+    at.directions = {0, -at.direction(2), 0};
+    at.u(at.states()) = at.instant(1);
+    at.u(at.states() + 1) = end;
+    motion.orbit.Z.erase(motion.orbit.Z.begin());
+    std::swap(motion.phases[0], motion.phases[1]);
     bool certain = false;
     CHECK(!refusal(motion.orbit, motion.phases, &certain).empty());
     CHECK(certain);
@@ -152,8 +160,7 @@ TEST_CASE("a series of the exponential holds its sum and its derivatives", "[ref
         CHECK((sum(0) - cos(angle)).may_vanish());
         CHECK((sum(1) - sin(angle)).may_vanish());
         CHECK(sum(0).radius() < 1e-24);
-        CurveInBalls c;
-        for (slong k = 0; k < series.terms().columns(); ++k) c.powers.push_back(series.terms()(0, k));
+        const CurveInBalls c{series.powers(transposed(y))};
         CHECK((derivative(c, 1, Ball(theta)) + Ball(5) * sin(angle)).may_vanish());
         CHECK((derivative(c, 2, Ball(theta)) + Ball(25) * cos(angle)).may_vanish());
     }
@@ -240,6 +247,38 @@ TEST_CASE("of displacements that are not told apart the larger one is held, and 
     }
     place_at(0, Ball::within(-3, 3));
     CHECK(peak_of_contact(orbit).phase.value().radius() > 3);
+}
+
+TEST_CASE("vectors in double belong to their eigenvalues, real or not", "[reference][proof]") {
+    constexpr Eigen::Index n = 9;
+    Matrix<double> A(n, n);
+    for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index k = 0; k < n; ++k) A(i, k) = static_cast<double>((7 * i * i + 5 * i * k + 11 * k) % 13) - 6;
+    const ApproximateEigenvectors found = eigenvectors_of(A);
+    REQUIRE(found.values.size() == n);
+    int pairs = 0;
+    for (Eigen::Index c = 0; c < n; ++c) {
+        if (found.values(c).imag() > 0) ++pairs;
+        const Eigen::VectorXcd v = found.vectors.col(c), left = A.cast<std::complex<double>>() * v - found.values(c) * v;
+        CHECK((v.norm() >= 0.5 && left.norm() < 1e-12 * A.norm() * v.norm()));
+    }
+    CHECK((pairs > 0 && 2 * pairs < n));
+}
+
+TEST_CASE("multipliers that double hardly tells apart are known all the same", "[reference][proof]") {
+    const Bits all(192);
+    for (const slong bits_apart : {6, 45}) {         // balls from double are wide, or there are none
+        const Ball more = power_of_two(-bits_apart); // than 1/2, the other multiplier; the vectors are both nearly (3, 5)
+        MapOfDeviations map{BallMatrix(2, 2), false};
+        map.A(0, 0) = Ball(0.5) - 5 * (12 + more);
+        map.A(0, 1) = 3 * (12 + more);
+        map.A(1, 0) = -5 * (20 + 2 * more);
+        map.A(1, 1) = Ball(0.5) + 3 * (20 + 2 * more);
+        const std::vector<Ball> sizes = multipliers_over_period(map, false);
+        CHECK(are_narrow(sizes));
+        CHECK((sizes.at(0) - Ball(0.5) - more).may_vanish());
+        CHECK((sizes.at(1) - Ball(0.5)).may_vanish());
+    }
 }
 
 TEST_CASE("of a stable and an unstable map the right one is told", "[reference][proof]") {

@@ -2,6 +2,7 @@
 /// @brief Matrices of balls of which few entries are not zero, by Arb.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "denhartog/number/ball_matrix.hpp"
@@ -69,14 +70,16 @@ private:
         mag_mul(rest, rest, size);
         mag_div_ui(rest, rest, static_cast<ulong>(++terms));
     }
-    for (slong k = terms - 1; k > 0; --k) { // 1 + B (1 + B / 2 (1 + B / 3 ...))
-        const Ball of_k = 1 / Ball(k);
+    Ball product_of_k(1);
+    for (slong k = terms - 1; k > 0; --k) { // ((B + 3) B + 3 * 2) B + 3 * 2 * 1, over the last number
+        product_of_k *= Ball(k);
         for (slong c = 0; c < n; ++c) {
             B.times_column(sum, c, product, c);
-            for (slong i = 0; i < n; ++i) arb_mul(sum(i, c).a, product(i, c).a, of_k.a, ball_bits);
-            arb_add_ui(sum(c, c).a, sum(c, c).a, 1, ball_bits);
+            arb_add(product(c, c).a, product(c, c).a, product_of_k.a, ball_bits);
         }
+        std::swap(sum, product);
     }
+    arb_mat_scalar_div_arb(sum.a, sum.a, product_of_k.a, ball_bits);
     mag_mul_2exp_si(rest, rest, 1);
     for (slong i = 0; i < n; ++i)
         for (slong c = 0; c < n; ++c) arb_add_error_mag(sum(i, c).a, rest);

@@ -31,16 +31,20 @@ std::complex<double> inverse_of(const std::complex<double>& z) {
     return {z.real() / size / size, -z.imag() / size / size};
 }
 
-// A block of two rows, whose eigenvalues are no real numbers, made triangular by a unitary matrix.
-void make_triangular(ComplexMatrix& R, Eigen::Index i, const std::complex<double>& eigenvalue) {
+// A block of two rows, whose eigenvalues are no real numbers, made triangular by a unitary matrix, which goes into Q.
+void make_triangular(ComplexMatrix& R, ComplexMatrix& Q, Eigen::Index i, const std::complex<double>& eigenvalue) {
     const std::complex<double> v_1 = R(i, i + 1), v_2 = eigenvalue - R(i, i);
     const double size = elementary::hypot(size_of(v_1), size_of(v_2));
     const std::complex<double> a = v_1 / size, b = v_2 / size; // the matrix has the columns (a, b) and (-b*, a*)
-    for (Eigen::Index row = 0; row < i + 2; ++row) {
-        const std::complex<double> left = R(row, i), right = R(row, i + 1);
-        R(row, i) = times(left, a) + times(right, b);
-        R(row, i + 1) = times(right, std::conj(a)) - times(left, std::conj(b));
-    }
+    const auto turn = [&](ComplexMatrix& A, Eigen::Index rows) {
+        for (Eigen::Index row = 0; row < rows; ++row) {
+            const std::complex<double> left = A(row, i), right = A(row, i + 1);
+            A(row, i) = times(left, a) + times(right, b);
+            A(row, i + 1) = times(right, std::conj(a)) - times(left, std::conj(b));
+        }
+    };
+    turn(R, i + 2);
+    turn(Q, Q.rows());
     for (Eigen::Index column = i; column < R.cols(); ++column) {
         const std::complex<double> upper = R(i, column), lower = R(i + 1, column);
         R(i, column) = times(std::conj(a), upper) + times(std::conj(b), lower);
@@ -51,21 +55,27 @@ void make_triangular(ComplexMatrix& R, Eigen::Index i, const std::complex<double
     R(i + 1, i) = 0;
 }
 
-// A triangular matrix that has the same eigenvalues, on its diagonal; empty where it was not found.
-ComplexMatrix triangular_form(const Matrix<double>& jacobian) {
+// A matrix as Q R Q^-1.
+struct TriangularForm {
+    ComplexMatrix R; // a triangular matrix that has the same eigenvalues, on its diagonal; empty where it was not found
+    ComplexMatrix Q; // a unitary matrix, or empty where it is not asked for
+};
+
+TriangularForm triangular_form(const Matrix<double>& jacobian, bool with_Q = false) {
     if (jacobian.rows() == 0 || !jacobian.allFinite()) return {};
-    const Eigen::RealSchur<Matrix<double>> schur(jacobian, false);
+    const Eigen::RealSchur<Matrix<double>> schur(jacobian, with_Q);
     if (schur.info() != Eigen::Success) return {};
     const Matrix<double>& T = schur.matrixT();
-    ComplexMatrix R = T.cast<std::complex<double>>();
+    ComplexMatrix R = T.cast<std::complex<double>>(), Q;
+    if (with_Q) Q = schur.matrixU().cast<std::complex<double>>();
     for (Eigen::Index i = 0; i + 1 < T.rows(); ++i) {
         if (T(i + 1, i) == 0) continue;
         const double p = 0.5 * (T(i, i) - T(i + 1, i + 1));
         const double largest = std::max({std::abs(p), std::abs(T(i + 1, i)), std::abs(T(i, i + 1))}); // scales the square
         const double p_1 = p / largest, below = T(i + 1, i) / largest, above = T(i, i + 1) / largest;
-        make_triangular(R, i, {T(i + 1, i + 1) + p, largest * std::sqrt(std::abs(p_1 * p_1 + below * above))});
+        make_triangular(R, Q, i, {T(i + 1, i + 1) + p, largest * std::sqrt(std::abs(p_1 * p_1 + below * above))});
     }
-    return R;
+    return {R, Q};
 }
 
 // A triangular matrix as Y (diagonal + couplings) Y^-1, the couplings between eigenvalues that are close.
@@ -162,7 +172,7 @@ bool are_inside(const std::vector<Multiplier>& multipliers) {
 }
 
 std::vector<Multiplier> multipliers_of(const Matrix<double>& jacobian, double error, double most) {
-    const ComplexMatrix R = triangular_form(jacobian);
+    const ComplexMatrix R = triangular_form(jacobian).R;
     const double rounding = 32 * static_cast<double>(R.rows()) * unit_of<double>() * jacobian.norm(); // of making it triangular
     const std::vector<SizeRange> intervals = intervals_of_sizes(R, error + rounding, most);
     std::vector<Multiplier> multipliers;
@@ -173,6 +183,24 @@ std::vector<Multiplier> multipliers_of(const Matrix<double>& jacobian, double er
         multipliers[n].error = std::max(size - std::max(0.0, intervals[n].from), intervals[n].to - size);
     }
     return multipliers;
+}
+
+ApproximateEigenvectors eigenvectors_of(const Matrix<double>& A) {
+    const auto [R, Q] = triangular_form(A, true);
+    const Eigen::Index n = R.rows();
+    ApproximateEigenvectors found{R.diagonal(), ComplexMatrix::Zero(n, n)};
+    const double least = unit_of<double>() * R.norm(); // keeps equal eigenvalues apart
+    for (Eigen::Index k = 0; k < n; ++k) {
+        Eigen::VectorXcd y = Eigen::VectorXcd::Unit(n, k); // R y = R(k, k) y
+        for (Eigen::Index i = k; i >= 0; --i) {
+            std::complex<double> rest = 0;
+            for (Eigen::Index m = i + 1; m <= k; ++m) rest += times(R(i, m), y(m));
+            const std::complex<double> apart = R(k, k) - R(i, i);
+            if (i < k) y(i) = times(rest, inverse_of(size_of(apart) > least ? apart : least));
+            for (Eigen::Index row = 0; row < n; ++row) found.vectors(row, k) += times(Q(row, i), y(i));
+        }
+    }
+    return found;
 }
 
 std::vector<Multiplier> squared(std::vector<Multiplier> multipliers) {

@@ -30,6 +30,15 @@ struct Multiplier {
 /// `error` bounds that of the matrix in Euclid's norm, and `most` the true sizes from elsewhere; each may be infinite.
 [[nodiscard]] std::vector<Multiplier> multipliers_of(const Matrix<double>& jacobian, double error, double most);
 
+/// @brief Eigenvalues of a matrix, and vectors that belong to them, to rounding.
+struct ApproximateEigenvectors {
+    Eigen::VectorXcd values;              ///< the eigenvalues; none where they were not found
+    Matrix<std::complex<double>> vectors; ///< an eigenvector of each, in columns
+};
+
+/// @brief Eigenvalues and eigenvectors of a matrix, the same by every compiler. Nothing of it is proved.
+[[nodiscard]] ApproximateEigenvectors eigenvectors_of(const Matrix<double>& A);
+
 /// @brief Multipliers of a map applied twice, from those of the map applied once.
 [[nodiscard]] std::vector<Multiplier> squared(std::vector<Multiplier> multipliers);
 

@@ -9,7 +9,6 @@ namespace denhartog::reference {
 namespace {
 
 constexpr slong bits_of_multipliers[] = {64, 192}; // the next, with slopes of its own, where the slopes of the proof do not tell
-constexpr double narrow_multiplier = 1e-9;
 
 // An instant moved by whole periods to [0, period), by its midpoint; the other by as many.
 void bring_into_period(Ball& start, Ball& end, const Ball& period) {
@@ -43,8 +42,7 @@ void set_stability(const ProvedOrbit& orbit, OrbitInBalls& r) {
         r.multipliers = multipliers_over_period(map, orbit.at.mirrored);
         r.stable = r.multipliers.front() < Ball(1) || dies_out(map.A);
         r.unstable = !r.stable && r.multipliers.front() > Ball(1);
-        const double widest = std::ranges::max(r.multipliers, {}, &Ball::radius).radius();
-        if ((r.stable || r.unstable) && widest < narrow_multiplier * std::max(1.0, r.multipliers.front().high())) return;
+        if ((r.stable || r.unstable) && are_narrow(r.multipliers)) return;
     }
 }
 

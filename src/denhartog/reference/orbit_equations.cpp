@@ -27,14 +27,6 @@ BallMatrix inverse_of(const BallMatrix& M) {
     return inverse;
 }
 
-// 1, theta, theta^2 and so on, as a row.
-BallMatrix powers_of(const Ball& theta, slong count) {
-    BallMatrix powers(1, count);
-    powers(0, 0) = Ball(1);
-    for (slong k = 1; k < count; ++k) powers(0, k) = powers(0, k - 1) * theta;
-    return powers;
-}
-
 } // namespace
 
 ContactMechanics::ContactMechanics(const SceneInBalls& scene)
@@ -43,7 +35,7 @@ ContactMechanics::ContactMechanics(const SceneInBalls& scene)
       lead(0) {
     const BallMatrix inverse = inverse_of(scene.M * (scene.r * scene.r));
     const BallMatrix stiffness = inverse * scene.K, damping = inverse * (scene.C * scene.r), force = inverse * scene.p;
-    sigma = power_of_two(static_cast<slong>(std::ceil(binary_logarithm(std::max(norm(stiffness), 1e-280)) / 2)));
+    sigma = Ball(std::sqrt(std::max(norm(stiffness), 1e-280)));
     push = inverse * w * (Ball(1) / sigma);
     for (slong i = 0; i < N; ++i) {
         free(i, N + i) = sigma;
@@ -146,21 +138,30 @@ ExponentialSeries::ExponentialSeries(const BallMatrix& B, const BallMatrix& y) {
     const SparseBalls sparse(B);
     QuestionEffort::pay(cost_of_ball_products(static_cast<double>((sparse.count() + n) * last)));
     terms_ = BallMatrix(n, last + 1);
+    over_factorials_ = BallMatrix(1, last + 1);
+    over_factorials_(0, 0) = Ball(1);
     for (slong i = 0; i < n; ++i) terms_(i, 0) = y(i);
     for (slong k = 1; k <= last; ++k) {
         sparse.times_column(terms_, k - 1, terms_, k);
-        const Ball of_k = 1 / Ball(k);
-        for (slong i = 0; i < n; ++i) terms_(i, k) *= of_k;
+        over_factorials_(0, k) = over_factorials_(0, k - 1) / Ball(k);
     }
-    // |y_(k+1)| <= |y_k| theta / (k + 1), and so on: the rest is at most twice that. Twice more holds its derivatives as well.
+    // Beyond k the first term is no larger than |y_k| theta / (k + 1) over k!, and so on: the rest is at most twice that. Twice
+    // more holds its derivatives as well.
     Ball largest(0);
     for (slong i = 0; i < n; ++i) largest = larger(largest, abs(terms_(i, last)));
     const Ball rest = upper_bound_of(largest * Ball(4 * theta / static_cast<double>(last + 1)));
     for (slong i = 0; i < n; ++i) terms_(i, last) = widened(terms_(i, last), rest);
 }
 
+BallMatrix ExponentialSeries::powers_of(const Ball& theta) const {
+    BallMatrix powers = over_factorials_;
+    Ball power(1);
+    for (slong k = 1; k < powers.columns(); ++k) powers(0, k) *= power *= theta;
+    return powers;
+}
+
 BallMatrix ExponentialSeries::at(const Ball& theta) const {
-    const BallMatrix powers = powers_of(theta, terms_.columns());
+    const BallMatrix powers = powers_of(theta);
     BallMatrix sum(terms_.rows(), 1);
     for (slong i = 0; i < sum.rows(); ++i)
         arb_dot(sum(i).a, nullptr, 0, terms_(i, 0).a, 1, powers(0, 0).a, 1, powers.columns(), ball_bits);
@@ -168,13 +169,24 @@ BallMatrix ExponentialSeries::at(const Ball& theta) const {
 }
 
 Ball ExponentialSeries::at(const BallMatrix& row, const Ball& theta) const {
-    const BallMatrix powers = powers_of(theta, terms_.columns());
+    const BallMatrix powers = powers_of(theta);
     Ball sum(0), part;
     for (slong i = 0; i < terms_.rows(); ++i) {
         if (row(0, i).is_zero()) continue;
         arb_dot(part.a, nullptr, 0, terms_(i, 0).a, 1, powers(0, 0).a, 1, powers.columns(), ball_bits);
         sum += row(0, i) * part;
     }
+    return sum;
+}
+
+std::vector<Ball> ExponentialSeries::powers(const BallMatrix& row) const {
+    std::vector<Ball> sum(static_cast<std::size_t>(terms_.columns()));
+    for (slong i = 0; i < terms_.rows(); ++i) {
+        if (row(0, i).is_zero()) continue;
+        for (slong k = 0; k < terms_.columns(); ++k)
+            arb_addmul(sum[static_cast<std::size_t>(k)].a, row(0, i).a, terms_(i, k).a, ball_bits);
+    }
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] *= over_factorials_(0, static_cast<slong>(k));
     return sum;
 }
 

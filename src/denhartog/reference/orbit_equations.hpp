@@ -3,9 +3,9 @@
 ///
 /// The state \f$ \mathbf Z = (\bar{\mathbf x}, \bar{\mathbf x}'/\sigma, \cos\tau, \sin\tau, 1) \f$ obeys
 /// \f$ \mathbf Z' = \mathbf A\mathbf Z \f$ in every phase: one matrix for sliding forward, one for sliding back and one for
-/// sticking are all there is of the mechanics. The power of two \f$ \sigma \f$ brings the entries of \f$ \mathbf A \f$ to one
-/// size. The unknowns are the state at event 0 and the instants of events 0 to m - 1. The equations say that the state comes back
-/// after the stretch, mirrored or not, and that the quantity that ends a phase is zero at the event at its end.
+/// sticking are all there is of the mechanics. The unit \f$ \sigma \f$ brings the entries of \f$ \mathbf A \f$ to one size.
+/// The unknowns are the state at event 0 and the instants of events 0 to m - 1. The equations say that the state comes back after
+/// the stretch, mirrored or not, and that the quantity that ends a phase is zero at the event at its end.
 #pragma once
 
 #include <functional>
@@ -26,7 +26,7 @@ struct ContactMechanics {
     explicit ContactMechanics(const SceneInBalls& scene);
 
     slong N;                ///< number of masses
-    Ball sigma{};           ///< unit of the velocities in Z, a power of two
+    Ball sigma{};           ///< unit of the velocities in Z
     BallMatrix w;           ///< w^T x is the displacement of the contact, N x 1
     BallMatrix free;        ///< A without friction, n x n
     BallMatrix load;        ///< minus the sum in (75): all forces on a contact at rest but friction, as a row over Z
@@ -91,16 +91,16 @@ struct OrbitUnknowns {
 /// @throws Disproved where no contact has such an order of phases
 [[nodiscard]] OrbitUnknowns unknowns_of(const ContactMechanics& s, const OrbitGuess& guess);
 
-/// @brief Terms of \f$ \mathrm e^{\mathbf B\theta}\mathbf y = \sum_k \mathbf y_k\theta^k \f$, from
-/// \f$ \mathbf y_k = \mathbf B\mathbf y_{k-1}/k \f$, for theta in [0, 1].
+/// @brief Terms of \f$ \mathrm e^{\mathbf B\theta}\mathbf y = \sum_k \mathbf y_k\theta^k/k! \f$, from
+/// \f$ \mathbf y_k = \mathbf B\mathbf y_{k-1} \f$, for theta in [0, 1].
 class ExponentialSeries {
 public:
     /// @brief Zeros of the matrix cost nothing.
     ExponentialSeries(const BallMatrix& B, const BallMatrix& y);
 
-    /// @brief The terms y_k, in column k. The last one has a ball that holds the rest of the series, and whose
-    /// derivatives by theta, up to the second, hold those of the rest
-    [[nodiscard]] const BallMatrix& terms() const { return terms_; }
+    /// @brief Factors of the powers of theta in one number of the sum, given as a row. The last one has a ball that holds the rest
+    /// of the series, and whose derivatives by theta, up to the second, hold those of the rest
+    [[nodiscard]] std::vector<Ball> powers(const BallMatrix& row) const;
     /// @brief The sum, exp(B theta) y.
     [[nodiscard]] BallMatrix at(const Ball& theta) const;
     /// @brief One number of the sum, given as a row.
@@ -109,11 +109,14 @@ public:
     void widen(const Ball& radius);
 
 private:
-    BallMatrix terms_{};
+    [[nodiscard]] BallMatrix powers_of(const Ball& theta) const; // 1, theta, theta^2 / 2 and so on, as a row
+
+    BallMatrix terms_{};           // y_k in column k
+    BallMatrix over_factorials_{}; // 1 / k! in column k
 };
 
 /// @brief The norm of A times a length up to which a series is summed at one go: it may widen a ball by the exponential of it.
-inline constexpr double longest_leap = 18;
+inline constexpr double longest_leap = 16;
 
 /// @brief Leaps of all phases beyond which these are not followed by series, but by their free motions, if these are known.
 inline constexpr slong many_leaps = 24;

@@ -4,20 +4,36 @@
 #include <cmath>
 
 #include "denhartog/number/effort.hpp"
+#include "denhartog/orbit/floquet.hpp"
 
 namespace denhartog::reference {
 namespace {
 
+constexpr double narrow_multiplier = 1e-9;
+
 // Balls that hold the sizes of all eigenvalues, which Arb makes certain from approximate ones; false where they are not bounded.
-bool enclosed(const ComplexMatrix& A, slong bits_of_guess, std::vector<Ball>& sizes) {
+bool enclosed(const ComplexMatrix& A, const ComplexMatrix& near, const ComplexMatrix& vectors, std::vector<Ball>& sizes) {
     const slong n = acb_mat_nrows(A.a);
-    ComplexMatrix near(1, n), vectors(n, n), found(1, n);
-    if (acb_mat_approx_eig_qr(near.all(), nullptr, vectors.a, A.a, nullptr, 0, bits_of_guess) == 0 && bits_of_guess < ball_bits)
-        return false;
+    ComplexMatrix found(1, n);
     acb_mat_eig_multiple(found.all(), A.a, near.all(), vectors.a, ball_bits);
     sizes.assign(static_cast<std::size_t>(n), Ball());
     for (slong i = 0; i < n; ++i) acb_abs(sizes[static_cast<std::size_t>(i)].a, found.all() + i, ball_bits);
     return std::ranges::all_of(sizes, &Ball::finite);
+}
+
+// Approximate eigenvalues and eigenvectors by double; false where it finds none.
+bool guessed_in_double(const BallMatrix& map, ComplexMatrix& near, ComplexMatrix& vectors) {
+    const slong n = map.rows();
+    Matrix<double> A(n, n);
+    for (slong i = 0; i < n; ++i)
+        for (slong k = 0; k < n; ++k) A(i, k) = static_cast<double>(map(i, k));
+    const ApproximateEigenvectors guess = eigenvectors_of(A);
+    for (slong k = 0; k < guess.values.size(); ++k) {
+        acb_set_d_d(near.all() + k, guess.values(k).real(), guess.values(k).imag());
+        for (slong i = 0; i < n; ++i)
+            acb_set_d_d(acb_mat_entry(vectors.a, i, k), guess.vectors(i, k).real(), guess.vectors(i, k).imag());
+    }
+    return guess.values.size() > 0;
 }
 
 // No eigenvalue is larger than the root of a norm of a power.
@@ -38,11 +54,13 @@ std::vector<Ball> sizes_of_eigenvalues(const BallMatrix& map) {
     const slong n = map.rows();
     if (n == 1) return {abs(map(0, 0))};
     QuestionEffort::pay(cost_of_ball_products(30 * static_cast<double>(n * n * n)));
-    ComplexMatrix A(map);
+    const ComplexMatrix A(map);
+    ComplexMatrix near(1, n), vectors(n, n);
     std::vector<Ball> sizes;
-    if (enclosed(A, 64, sizes)) return sizes;
+    if (guessed_in_double(map, near, vectors) && enclosed(A, near, vectors, sizes) && are_narrow(sizes)) return sizes;
     QuestionEffort::pay(cost_of_ball_products(200 * static_cast<double>(n * n * n)));
-    return enclosed(A, ball_bits, sizes) ? sizes : bounded_sizes(map);
+    acb_mat_approx_eig_qr(near.all(), nullptr, vectors.a, A.a, nullptr, 0, ball_bits);
+    return enclosed(A, near, vectors, sizes) ? sizes : bounded_sizes(map);
 }
 
 // The n-th largest is no less than the n-th largest lower end, and no more than the n-th largest upper end.
@@ -140,6 +158,15 @@ bool dies_out(const BallMatrix& map) {
         QuestionEffort::pay(cost_of_ball_products(static_cast<double>(map.rows() * map.rows() * map.rows())));
     }
     return false;
+}
+
+bool are_narrow(const std::vector<Ball>& sizes) {
+    double largest = 1, widest = 0;
+    for (const Ball& size : sizes) {
+        largest = std::max(largest, size.high());
+        widest = std::max(widest, size.radius());
+    }
+    return widest < narrow_multiplier * largest;
 }
 
 std::vector<Ball> multipliers_over_period(const MapOfDeviations& map, bool mirrored) {

@@ -46,7 +46,7 @@ class NewtonSearch {
 public:
     NewtonSearch(const ContactMechanics& s, OrbitUnknowns& o, slong bits_of_slopes)
         : s_(s), o_(o), bits_(bits_of_slopes), scale_(static_cast<std::size_t>(o.u.rows()), 1),
-          box_(std::ldexp(1, -static_cast<int>(std::min<slong>(std::max<slong>(26, bits_of_slopes / 2 - 6), 900)))) {
+          box_(std::ldexp(1, -static_cast<int>(std::min<slong>(std::max<slong>(36, bits_of_slopes / 2 - 6), 900)))) {
         double largest = 1e-280;
         for (slong k = 0; k < o.states(); ++k) largest = std::max(largest, std::abs(static_cast<double>(o.u(k))));
         std::fill_n(scale_.begin(), o.states(), largest);
@@ -81,7 +81,10 @@ private:
         Y_ = middle(Y_);
     }
 
-    BallMatrix step_at(const OrbitUnknowns& o) { return Y_ * residual_at(s_, o, along_).F; }
+    BallMatrix step_at(const OrbitUnknowns& o) {
+        residual_ = residual_at(s_, o, along_);
+        return Y_ * residual_.F;
+    }
 
     // The digits that are right once a step was taken, in bits: how small the step is, in units of the scales.
     double smallness_of(const BallMatrix& step) const {
@@ -114,6 +117,7 @@ private:
     // Steps with the same slopes as long as they bring it nearer: true once rounding is all that is left.
     bool settled() {
         const slong all = ball_bits;
+        at_hand_ = false;
         BallMatrix step = step_at(o_);
         double small = smallness_of(step), gained = 0; // bits
         const double at_first = small;
@@ -135,8 +139,9 @@ private:
             }
             if (nearer && part < 1) return false;                               // the slopes there are others
             if (nearer && small + gained / 2 > static_cast<double>(all) - 56) { // the step at hand does the rest
+                at_hand_ = ball_bits == all && small + gained / 2 > static_cast<double>(all) - 32;
                 const Bits last(all);
-                o_.u = moved(step, 1).u;
+                if (!at_hand_) o_.u = moved(step, 1).u; // else the proof takes it
                 return true;
             }
             // Slopes taken here, so much nearer, give more digits a step.
@@ -149,8 +154,7 @@ private:
     }
 
     std::optional<ProvedOrbit> krawczyk() {
-        OrbitResidual here = residual_at(s_, o_, along_);
-        const BallMatrix step = Y_ * here.F;
+        const BallMatrix step = at_hand_ ? Y_ * residual_.F : step_at(o_);
         const auto left_open = [&] {
             const Bits few(bits_);
             return unit_matrix(step.rows()) - Y_ * along_.J;
@@ -159,7 +163,7 @@ private:
         if (!off) return std::nullopt;
         ProvedOrbit orbit{s_, o_, {}, along_};
         orbit.at.u = o_.u + *off;
-        for (std::size_t i = 0; i < here.Z.size(); ++i) orbit.Z.push_back(here.Z[i] + along_.D[i] * *off);
+        for (std::size_t i = 0; i < residual_.Z.size(); ++i) orbit.Z.push_back(residual_.Z[i] + along_.D[i] * *off);
         return orbit;
     }
 
@@ -171,7 +175,9 @@ private:
     Linearised along_{};
     BallMatrix box_of_slopes_{};
     BallMatrix Y_{};
-    double stalled_ = -1; // bits, where rounding may have stopped it
+    OrbitResidual residual_{}; // where it was taken last
+    bool at_hand_ = false;     // whether that is where the proof takes it, in all bits
+    double stalled_ = -1;      // bits, where rounding may have stopped it
 };
 
 } // namespace

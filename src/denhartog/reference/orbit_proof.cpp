@@ -9,7 +9,7 @@
 namespace denhartog::reference {
 namespace {
 
-constexpr double longest_stretch = 2;      // norm of A times its length
+constexpr double longest_stretch = 3;      // norm of A times its length
 constexpr int most_looks_at_phase = 20000; // at one curve
 constexpr double narrowest_look = 0x1p-60; // at a part of a stretch
 
@@ -91,15 +91,7 @@ PhaseInStretches::PhaseInStretches(const ProvedOrbit& orbit, slong i, slong few)
 
 CurveInBalls PhaseInStretches::curve(slong stretch, const BallMatrix& row) const {
     if (fast_) return {{}, fast_->number(row, Z_), length_};
-    const BallMatrix& terms = stretches_[static_cast<std::size_t>(stretch)].terms();
-    CurveInBalls c;
-    c.powers.resize(static_cast<std::size_t>(terms.columns()));
-    for (slong i = 0; i < terms.rows(); ++i) {
-        if (row(0, i).is_zero()) continue;
-        for (slong k = 0; k < terms.columns(); ++k)
-            arb_addmul(c.powers[static_cast<std::size_t>(k)].a, row(0, i).a, terms(i, k).a, ball_bits);
-    }
-    return c;
+    return {stretches_[static_cast<std::size_t>(stretch)].powers(row)};
 }
 
 Ball PhaseInStretches::number(slong stretch, const BallMatrix& row, const Ball& theta) const {

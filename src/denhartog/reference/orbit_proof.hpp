@@ -98,10 +98,14 @@ struct MapOfDeviations {
 /// @brief Whether all deviations certainly die out: a power of the map has a norm below 1.
 [[nodiscard]] bool dies_out(const BallMatrix& map);
 
+/// @brief Whether the sizes of multipliers are known so well that more bits need not be tried.
+[[nodiscard]] bool are_narrow(const std::vector<Ball>& sizes);
+
 /// @brief Sizes of the 2N multipliers over the whole period, descending; wide where the eigenvectors hardly differ.
 ///
 /// Arb encloses the eigenvalues, from approximate ones: by the method of van der Hoeven and Mourrain if they are simple, else by
-/// those of Miyajima and Rump. If that fails, norms of powers of the matrix bound them.
+/// those of Miyajima and Rump. The approximate ones come from double, or, where that leaves the balls wide, from Arb. If both fail,
+/// norms of powers of the matrix bound them.
 [[nodiscard]] std::vector<Ball> multipliers_over_period(const MapOfDeviations& map, bool mirrored);
 
 } // namespace denhartog::reference

@@ -68,30 +68,32 @@ AnswerOrNone with_digits(std::optional<int> digits, AnswerOrNone answer) {
                 s.method.why + ")"};
 }
 
-AnswerOrNone answer_by_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question, const InDouble& fast) {
+// `seen` is what double has answered to the question, if it has.
+AnswerOrNone answer_by_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question, const InDouble& fast,
+                                 const AnswerInDouble& seen) {
     if (question.all && question.proved)
         throw InputError("all", "must not be asked for with a proof: other motions are estimates", "");
     const SceneSource source = source_at(p, at);
     const Scene<double>& scene = source->in_double();
     PreparedSystem prepared = p; // the modes in double are found once
+    // The motion that is meant where the friction ratio does not tell: with mu above 1, or at a pole, the one from rest.
+    std::optional<AnswerInDouble> rest;
     const auto guesses = [&] {
         if (!prepared.bounded) {
             const ModesInDouble modes = modes_in_double(source);
             if (modes.rounded_because.empty()) prepared.bounded = modes.basis;
         }
-        return guesses_at(prepared, source);
+        return guesses_at(prepared, source, rest ? rest->orbit : seen.orbit);
     };
     const auto proof_of = [&](std::optional<Regime> met) {
         const int digits = question.digits.value_or(digits_by_default);
         return solution_by_reference(source, {question.asked, digits, question.mass, met}, guesses);
     };
-    // The motion that is meant where the friction ratio does not tell: with mu above 1, or at a pole, the one from rest.
-    std::optional<AnswerInDouble> rest;
     Question of_regime;
     of_regime.asked = Asked::regime;
     AnswerOrNone answer;
     if (scene.mu > 1) {
-        rest = fast(of_regime);
+        rest = seen.is_answered() ? seen : fast(of_regime);
         if (!rest->is_answered()) return *std::move(rest);
         const RegimeAtPoint& met = rest->solution.regime;
         const bool may_hide_a_stop = rest->open && rest->solution.limits && met.regime == Regime::continuous;
@@ -136,7 +138,8 @@ AnswerOrNone answer_by_reference(const PreparedSystem& p, const SolvePoint& at, 
 
 } // namespace
 
-std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source) {
+std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source,
+                                   const std::optional<PeriodicOrbit>& followed) {
     const Scene<double>& scene = source->in_double();
     std::vector<OrbitGuess> all;
     // Rounding of modes that double does not have itself would keep it from any motion that repeats itself.
@@ -147,7 +150,7 @@ std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& s
     ExactSolver solver(*moving, {*scene.r, *scene.beta, scene.mu});
     OrbitSearch how;
     how.with_stability = false;
-    PeriodicOrbit orbit = periodic_orbit(solver, at_rest(moving->basis.r_n.size()), how);
+    PeriodicOrbit orbit = followed ? *followed : periodic_orbit(solver, at_rest(moving->basis.r_n.size()), how);
     if (orbit.status == OrbitStatus::permanently_stuck) return all;
     if (orbit.status == OrbitStatus::not_converged)
         orbit.symmetric = true; // rounding may be why; where the motion was last is near
@@ -169,10 +172,11 @@ std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& s
 }
 
 AnswerOrNone answer_or_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question, const InDouble& fast) {
+    AnswerInDouble seen;
     return with_digits(question.digits, in_turn(
                                             number_of_masses(p.scene().system), question.digits, question.proved,
-                                            [&] { return answer_by_reference(p, at, question, fast); },
-                                            [&] { return fast(question); }));
+                                            [&] { return answer_by_reference(p, at, question, fast, seen); },
+                                            [&] { return seen = fast(question); }));
 }
 
 AnswerOrNone decide_sliding(const SceneSource& source, const SlidingQuestion& question, bool proved) {

@@ -44,6 +44,7 @@ struct SolveTask {
     bool is_told = true;                         ///< whether the regime is certain nevertheless
     std::optional<std::string> unknown{};        ///< why boundaries and closed form are not known
     bool at_pole = false;                        ///< whether they do not exist
+    std::optional<PeriodicOrbit> orbit{};        ///< the motion from rest, where it was followed
 };
 
 /// @brief Amplitude or phase of the contact alone, in the sliding regime at mu = 1: the cheapest model. False where something
@@ -78,14 +79,16 @@ void answer_by_orbit(const SolveTask& task, ExactSolver& solver, const PeriodicO
 [[nodiscard]] std::vector<OrbitGuess> with_other_stops(const OrbitGuess& guess);
 
 /// @brief Motions near the one from rest, as double sees them, the likeliest first: what a proof starts from. What the system has
-/// prepared is used.
-[[nodiscard]] std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source);
+/// prepared is used, and the motion itself where it was followed before.
+[[nodiscard]] std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source,
+                                                 const std::optional<PeriodicOrbit>& followed = std::nullopt);
 
 /// @brief What double makes of a question.
 struct AnswerInDouble : AnswerOrNone {
     bool open = false;     ///< whether double does not tell what the contact does
     bool is_answer = true; ///< whether the regime is certain nevertheless, so that it answers where the reference does not
     bool vague = false;    ///< whether double does not tell if the motion is stable
+    std::optional<PeriodicOrbit> orbit{}; ///< the motion from rest, where it was followed
 
     /// @brief Whether it needs nothing more: it has its digits, and regime and stability are certain.
     [[nodiscard]] bool is_settled() const {

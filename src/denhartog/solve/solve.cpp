@@ -95,7 +95,7 @@ void answer_from_rest(SolveTask& task, Solution& s) {
                                            *task.scene.beta);
         how.guess = &near;
     }
-    const PeriodicOrbit orbit = periodic_orbit(solver, at_rest(system.basis.r_n.size()), how);
+    const PeriodicOrbit& orbit = task.orbit.emplace(periodic_orbit(solver, at_rest(system.basis.r_n.size()), how));
     if (orbit.status == OrbitStatus::not_converged) fail_from_rest(task, orbit.reason + cost_of_fast_mode(solver, orbit), s);
     const bool rests = orbit.status == OrbitStatus::permanently_stuck;
     // With mu = 1 the boundaries tell that it never rests for ever: only rounding does not see it move.
@@ -193,6 +193,7 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
         found.open = task.open || task.unknown;
         found.is_answer = task.is_told;
         found.vague = is_vague(task, s);
+        found.orbit = std::move(task.orbit);
         if (question.all) {
             if (!task.moving) task.moving = moving_in_double(source, task.known);
             s.motions = other_motions(task.scene, *task.moving, task.known.basis);
