@@ -184,9 +184,7 @@ Series FrictionMotionOfMode::at(const Ball& tau) const {
         for (const MotionThatDiesOut& p : parts) F = F + (Series(p.factor) + p.slope * time) * exp(p.rate * time);
         return F;
     }
-    const Ball w = sqrt(1 - zeta * zeta), x = tau * speed, e = exp(-zeta * x), q = e * sin(w * x) / w,
-               d = e * cos(w * x) + zeta * q;
-    const Ball F = 1 - (1 + g) * d - u * R * q, rate = (1 + g) * q * speed - u * (d - 2 * zeta * q); // the braces of (40)
+    const Ball F = paper::friction_motion(tau, R, zeta, u, g), rate = paper::friction_motion_prime(tau, R, zeta, u, g);
     // The mode obeys F'' + 2 zeta / R F' + F / R^2 = 1 / R^2.
     std::vector<Ball> c{F, rate, ((1 - F) * stiffness - damping * rate) / 2};
     Series series;

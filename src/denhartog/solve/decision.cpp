@@ -32,7 +32,7 @@ AnswerOrNone without_proof(AnswerInDouble found, const AnswerOrNone& proof, std:
 // tell either, what double has, or the reasons of both.
 template <class ByReference, class Fast>
 AnswerOrNone in_turn(std::size_t N, std::optional<int> digits, bool proved, const ByReference& by_reference, const Fast& fast) {
-    if (proved || digits > most_digits_in_double) return by_reference();
+    if (proved || digits > most_digits_in_double) return by_reference(AnswerInDouble{});
     AnswerInDouble found = fast();
     if (found.is_settled()) return found;
     std::string why = !found.is_answered() ? found.refused
@@ -46,7 +46,7 @@ AnswerOrNone in_turn(std::size_t N, std::optional<int> digits, bool proved, cons
         proof.refused = "the reference is asked about no more than " + std::to_string(most_masses_unasked) +
                         " masses unless digits are asked for";
     else
-        proof = by_reference();
+        proof = by_reference(found);
     if (proof.outcome == Outcome::at_a_pole) return proof;
     if (found.outcome == Outcome::at_a_pole && !proof.is_answered()) return found;
     if (!proof.is_answered()) return without_proof(std::move(found), proof, std::move(why));
@@ -172,11 +172,9 @@ std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& s
 }
 
 AnswerOrNone answer_or_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question, const InDouble& fast) {
-    AnswerInDouble seen;
-    return with_digits(question.digits, in_turn(
-                                            number_of_masses(p.scene().system), question.digits, question.proved,
-                                            [&] { return answer_by_reference(p, at, question, fast, seen); },
-                                            [&] { return seen = fast(question); }));
+    const auto by_reference = [&](const AnswerInDouble& seen) { return answer_by_reference(p, at, question, fast, seen); };
+    return with_digits(question.digits, in_turn(number_of_masses(p.scene().system), question.digits, question.proved, by_reference,
+                                                [&] { return fast(question); }));
 }
 
 AnswerOrNone decide_sliding(const SceneSource& source, const SlidingQuestion& question, bool proved) {
@@ -192,7 +190,7 @@ AnswerOrNone decide_sliding(const SceneSource& source, const SlidingQuestion& qu
             return found;
         });
     };
-    const auto by_reference = [&]() -> AnswerOrNone {
+    const auto by_reference = [&](const AnswerInDouble&) -> AnswerOrNone {
         ReferenceQuestion asked{question.asked, question.digits.value_or(digits_by_default), question.only};
         asked.closed_form_alone = true;
         AnswerOrNone answer = solution_by_reference(source, asked, {});
