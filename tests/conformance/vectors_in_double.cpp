@@ -5,6 +5,7 @@
 
 #include "conformance/plain/closed_form.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
+#include "denhartog/formulas/stuck.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/sliding/regime.hpp"
 #include "denhartog/sliding/steady_state.hpp"
@@ -69,7 +70,7 @@ Numbers of_sums(const Asks& q, const Scene<double>& scene) {
 Numbers of_stuck_motion(const Asks& q, const Scene<double>& scene) {
     const StuckConfiguration<double> stuck = stuck_configuration(scene.system, modal_basis(scene.system));
     const StuckResponse held = stuck_response(stuck, scene.system.load, q.r);
-    if (q.quantity == "rest_interval") return {rest_interval(stuck, held, q.mu, q.beta).value()};
+    if (q.quantity == "rest_interval") return {paper::sticking_margin(modulus(held.contact_load), q.mu, q.beta) / stuck.k_contact};
     const StuckMass& m = held.masses[mass_of(q)];
     if (q.quantity == "amplitude") return {m.amplitude};
     if (q.quantity == "phase") return {m.phase.value()};

@@ -91,11 +91,7 @@ std::vector<Mistake> mistakes_of_print() {
         printed("88", "(88) as printed: the spring next to the contact alone holds it, and the modes are taken as uncoupled.",
                 "(88): all forces on the held contact count, the damping forces of the moving masses among them",
                 by_formulas({"beta_lim_sticking", "regime"},
-                            [](Choices& c) {
-                                c.sticking = [](const ProtocolQuestion& q) {
-                                    return sticking_boundary_of(q).paper.value_or(std::nan(""));
-                                };
-                            })),
+                            [](Choices& c) { c.sticking = plain_sticking_limit_by_88; })),
         // It has no maximum: what is answered depends on the instants tried, which `fitted_instants` finds from the answers.
         printed("57",
                 "(57) as printed: another bracket multiplies u_di, and cos(tau) is missing, so that it has no maximum; its "
@@ -113,9 +109,7 @@ std::vector<Mistake> mistakes_of_form() {
         {"88-without-damping-forces", "88", "The damping forces of the moving masses on the held contact are left out of (88).",
          "(88): row j of the damping matrix is not zero off its diagonal",
          by_formulas({"beta_lim_sticking", "regime"},
-                     [](Choices& c) {
-                         c.sticking = [](const ProtocolQuestion& q) { return sticking_boundary_of(q).without_damping_load; };
-                     })},
+                     [](Choices& c) { c.sticking = plain_sticking_limit_without_damping; })},
         {"approximate-limit", "67", "(67) is taken for the boundary (69): (72) stands in place of the maximum over tau.",
          "whether the maximum over tau of the sum over modes is sought at all",
          by_formulas({"S_j", "beta_lim_exact", "beta_lim_paper", "regime"}, [](Choices& c) { c.demand_at_start = true; })},

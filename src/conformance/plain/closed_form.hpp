@@ -19,9 +19,11 @@ namespace denhartog::conformance {
 [[nodiscard]] double plain_limit_by(const PlainModes& m, double S);
 [[nodiscard]] double plain_approximate_limit(const PlainModes& m, const Choices& c);
 
-// The smallest beta at which the contact never moves; the same in the forms that (88) has.
+// The smallest beta at which the contact never moves; the same by (88) as printed, no number where that has none, and without the
+// damping forces on the contact.
 [[nodiscard]] double plain_sticking_limit(const ProtocolQuestion& q, const PlainModes& m, const Choices& c);
-[[nodiscard]] StickingBoundary sticking_boundary_of(const ProtocolQuestion& q);
+[[nodiscard]] double plain_sticking_limit_by_88(const ProtocolQuestion& q);
+[[nodiscard]] double plain_sticking_limit_without_damping(const ProtocolQuestion& q);
 
 // The answer of the plain closed form to a question; beyond the sliding regime the exact solver answers in double. The
 // scene is of the paper; the formulas are used as they stand even if it breaks a rule of friction. None if the answer is not

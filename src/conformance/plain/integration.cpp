@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "denhartog/formulas/stuck.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
@@ -61,8 +62,8 @@ std::optional<Value> answer_of_stuck_motion(const ProtocolQuestion& q, const Sce
     const StuckConfiguration<double> stuck = stuck_configuration(scene.system, modal_basis(scene.system));
     const StuckResponse response = stuck_response(stuck, scene.system.load, *scene.r);
     if (q.quantity == "rest_interval") {
-        const std::optional<double> half = rest_interval(stuck, response, scene.mu, *scene.beta);
-        return half ? std::optional(Value{{*half}, ""}) : std::nullopt;
+        const double margin = paper::sticking_margin(modulus(response.contact_load), scene.mu, *scene.beta);
+        return margin < 0 ? std::nullopt : std::optional(Value{{margin / stuck.k_contact}, ""});
     }
     if (q.quantity == "stops_per_period") return Value{{0}, ""};
     if (q.quantity == "stop_durations") return Value{};

@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 
+#include "denhartog/answer/held_solution.hpp"
 #include "denhartog/evaluation/demand.hpp"
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/boundary.hpp"
@@ -109,10 +110,19 @@ double demand_at_rest(const PlainModes& m) { return paper::static_friction_deman
 
 } // namespace
 
-StickingBoundary sticking_boundary_of(const ProtocolQuestion& q) {
+double plain_sticking_limit_by_88(const ProtocolQuestion& q) {
+    Scene<double> scene;
+    scene.system = paper_system(q);
+    scene.mu = q.mu;
+    scene.r = q.r;
+    const std::optional<Certified> by_88 = sticking_by_88(scene);
+    return by_88 ? by_88->value : std::nan("");
+}
+
+double plain_sticking_limit_without_damping(const ProtocolQuestion& q) {
     const System<double> system = paper_system(q);
     const StuckConfiguration<double> stuck = stuck_configuration(system, modal_basis(system));
-    return sticking_boundary(stuck_response(stuck, system.load, q.r), stuck_chain(system, stuck), q.mu);
+    return paper::sticking_limit(stuck_response(stuck, system.load, q.r).elastic_load, q.mu);
 }
 
 double plain_demand(const PlainModes& m, const Choices& c, bool of_paper) {

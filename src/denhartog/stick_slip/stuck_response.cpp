@@ -71,18 +71,6 @@ std::vector<Complex<double>> mode_amplitudes(const StuckConfiguration<double>& s
     return q;
 }
 
-/// Amplitude by (88)'s modal superposition of the mass of the chain next to the contact.
-double neighbour_amplitude(const StuckChain& chain, const StuckResponse& response) {
-    const auto [neighbour, load] = rows_of_neighbour_and_load(chain, response);
-    Complex<double> X{0, 0};
-    for (std::size_t i = 0; i < chain.r_n.size(); ++i) {
-        const auto n = static_cast<Eigen::Index>(i);
-        X = X + chain.phi(neighbour, n) * mode_amplitude(chain.phi(load, n), chain.r_n[i], 2 * chain.zeta[i] * chain.r_n[i],
-                                                         response.r, rounding(chain.r_n.size()));
-    }
-    return amplitude_of(X);
-}
-
 } // namespace
 
 StuckMass motion_of(const Complex<double>& X) {
@@ -149,32 +137,6 @@ std::optional<StuckChain> stuck_chain(const System<double>& s, const StuckConfig
     chain.phi = std::move(modes.phi);
     chain.kappa = before ? s.stiffness_ratios[s.contact.index] : s.stiffness_ratios[s.contact.index + 1];
     return chain;
-}
-
-StickingBoundary sticking_boundary(const StuckResponse& response, const std::optional<StuckChain>& chain, double mu) {
-    check_static_friction(mu);
-    StickingBoundary b{paper::sticking_limit(response.contact_load, mu), paper::sticking_limit(response.elastic_load, mu),
-                       std::nullopt};
-    if (!chain) return b;
-    if (chain->kappa)
-        b.paper = paper::sticking_limit_by_spring(*chain->kappa, neighbour_amplitude(*chain, response), mu);
-    else
-        b.paper = paper::sticking_limit_under_load(mu);
-    return b;
-}
-
-std::pair<Eigen::Index, Eigen::Index> rows_of_neighbour_and_load(const StuckChain& chain, const StuckResponse& response) {
-    const bool before = response.load.index < response.contact.index;
-    return {before ? chain.phi.rows() - 1 : 0, static_cast<Eigen::Index>(response.load.index - chain.masses.front().index)};
-}
-
-std::optional<double> rest_interval(const StuckConfiguration<double>& stuck, const StuckResponse& response, double mu,
-                                    double beta) {
-    check_static_friction(mu);
-    check_friction_ratio(beta);
-    const double margin = paper::sticking_margin(modulus(response.contact_load), mu, beta);
-    if (margin < 0) return std::nullopt;
-    return margin / stuck.k_contact;
 }
 
 } // namespace denhartog

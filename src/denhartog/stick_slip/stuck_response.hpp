@@ -1,5 +1,5 @@
 /// @file
-/// @brief The response while the contact is held, the boundary of permanent sticking, and where the contact may rest, (88).
+/// @brief The response while the contact is held, and the masses that move by (88).
 #pragma once
 
 #include <optional>
@@ -50,10 +50,6 @@ struct StuckChain {
 /// given as a chain. @eq{88}
 [[nodiscard]] std::optional<StuckChain> stuck_chain(const System<double>& s, const StuckConfiguration<double>& stuck);
 
-/// @brief The rows of the mode shapes of a chain that (88) needs: of the mass next to the contact, and of the loaded mass.
-[[nodiscard]] std::pair<Eigen::Index, Eigen::Index> rows_of_neighbour_and_load(const StuckChain& chain,
-                                                                               const StuckResponse& response);
-
 /// @brief Complex amplitude of a mode under a force p cos tau: \f$ p / (a + \mathrm{i}b) \f$ with its stiffness less inertia,
 /// \f$ a = r_n^2 - r^2 \f$, and its damping, \f$ b = 2\zeta r_n r \f$. @eq{88}
 template <class Number>
@@ -61,24 +57,5 @@ template <class Number>
     const Number size = a * a + b * b;
     return {p * a / size, -p * b / size};
 }
-
-/// @brief The friction ratio from which the contact can stay at rest for ever, as it is and as (88) has it.
-struct StickingBoundary {
-    double exact;                ///< with all forces on the contact; equal to `Boundary::sticking`
-    double without_damping_load; ///< the damping forces of the moving masses on the contact left out, all else exact
-    std::optional<double> paper; ///< by (88); none for a system that is no chain
-};
-
-/// @brief The boundary of permanent sticking; `chain` is the masses that move by (88), where there are such. InputError where mu
-/// is below 1 or not finite; DomainError where the load excites the resonance of an undamped stuck mode. @eq{88}
-[[nodiscard]] StickingBoundary sticking_boundary(const StuckResponse& response, const std::optional<StuckChain>& chain,
-                                                 double mu);
-
-/// @brief How far from zero the contact may rest for ever: \f$ |\bar{x}_j| \le (\mu\beta - |\text{load}|)/k \f$.
-///
-/// At rest in x_j the contact bears the static load k x_j besides, with the other masses free to follow it. None where no rest
-/// lasts. InputError where mu or beta breaks its rule. @eq{74,88}
-[[nodiscard]] std::optional<double> rest_interval(const StuckConfiguration<double>& stuck, const StuckResponse& response,
-                                                  double mu, double beta);
 
 } // namespace denhartog
