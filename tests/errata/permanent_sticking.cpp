@@ -23,7 +23,7 @@ Scene<double> scene_of(const Case& c) {
 
 /// The amplitude of the force that holds the contact: the constraint's reaction in the full complex system.
 double reaction(const Scene<double>& scene) {
-    const NonDimensionalMatrices<double> m = matrices_of(scene);
+    const NonDimensionalMatrices m = matrices_of(scene);
     const auto N = m.M.rows(), j = static_cast<Eigen::Index>(scene.system.contact.index);
     const std::complex<double> i(0, 1);
     Eigen::MatrixXcd A = Eigen::MatrixXcd::Zero(N + 1, N + 1);
@@ -41,9 +41,9 @@ TEST_CASE("the boundary of permanent sticking is the force that holds the contac
     for (const Case& c :
          {Case{5, 3, 1, 0.1, 0.62, 0.88}, {5, 3, 1, 0.01, 0.62, 0.90}, {5, 5, 1, 0.1, 2.77, 3.8}, {2, 2, 1, 0.1, 3, 0.97}}) {
         const Scene<double> scene = scene_of(c);
-        const StuckConfiguration<double> stuck = stuck_configuration(scene.system, modal_basis(scene.system));
-        const StickingBoundary b = sticking_boundary(stuck_response(stuck, scene.system.load, c.r),
-                                                     stuck_chain(scene.system, stuck), scene.mu);
+        const StuckConfiguration stuck = stuck_configuration(scene.system, modal_basis(scene.system));
+        const StickingBoundary b =
+            sticking_boundary(stuck_response(stuck, scene.system.load, c.r), stuck_chain(scene.system, stuck), scene.mu);
         CAPTURE(c.N, c.j, c.l, c.zeta, c.r);
         CHECK(b.exact == Approx(reaction(scene)).epsilon(1e-11));
         CHECK(*b.paper / b.exact == Approx(c.printed_over_exact).epsilon(0.01));
@@ -53,9 +53,9 @@ TEST_CASE("the boundary of permanent sticking is the force that holds the contac
 TEST_CASE("at a resonance of the masses beyond the contact (88) stays wrong however small the damping", "[eq:88][erratum]") {
     for (const double zeta : {1e-2, 1e-4, 1e-6}) {
         const Scene<double> scene = scene_of({5, 3, 5, zeta, 1, 0});
-        const StuckConfiguration<double> stuck = stuck_configuration(scene.system, modal_basis(scene.system));
-        const StickingBoundary b = sticking_boundary(stuck_response(stuck, scene.system.load, 1.0),
-                                                     stuck_chain(scene.system, stuck), scene.mu);
+        const StuckConfiguration stuck = stuck_configuration(scene.system, modal_basis(scene.system));
+        const StickingBoundary b =
+            sticking_boundary(stuck_response(stuck, scene.system.load, 1.0), stuck_chain(scene.system, stuck), scene.mu);
         CHECK(b.exact == Approx(reaction(scene)).epsilon(1e-8));
         CHECK(*b.paper / b.exact < 0.92);
     }
@@ -65,9 +65,9 @@ TEST_CASE("where the damping matrix has no entry between the contact and the oth
     Scene<double> scene = scene_of({5, 3, 1, 0.1, 0.62, 1});
     const ModalBasis<double> basis = modal_basis(scene.system);
     for (std::size_t i = 0; i < 5; ++i) scene.system.damping_ratios[i] = 0.05 / basis.r_n[i];
-    const StuckConfiguration<double> stuck = stuck_configuration(scene.system, modal_basis(scene.system));
-    const StickingBoundary b = sticking_boundary(stuck_response(stuck, scene.system.load, 0.62),
-                                                 stuck_chain(scene.system, stuck), scene.mu);
+    const StuckConfiguration stuck = stuck_configuration(scene.system, modal_basis(scene.system));
+    const StickingBoundary b =
+        sticking_boundary(stuck_response(stuck, scene.system.load, 0.62), stuck_chain(scene.system, stuck), scene.mu);
     CHECK(*b.paper == Approx(b.exact).epsilon(1e-13));
     CHECK(b.exact == Approx(reaction(scene)).epsilon(1e-12));
 }

@@ -111,7 +111,7 @@ double demand_at_rest(const PlainModes& m) { return paper::static_friction_deman
 
 StickingBoundary sticking_boundary_of(const ProtocolQuestion& q) {
     const System<double> system = paper_system(q);
-    const StuckConfiguration<double> stuck = stuck_configuration(system, modal_basis(system));
+    const StuckConfiguration stuck = stuck_configuration(system, modal_basis(system));
     return sticking_boundary(stuck_response(stuck, system.load, q.r), stuck_chain(system, stuck), q.mu);
 }
 
