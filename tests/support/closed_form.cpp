@@ -35,6 +35,14 @@ T demand_of_mode(const ModeSums<T>& s, std::size_t i, const T& tau) {
     return evaluation::s_d_integrand_of(tau, s.R[i], s.zeta[i], evaluation::DampingFunctions<T>{s.u[i], s.g[i]});
 }
 
+// The same in double, where samples are taken.
+template <class T>
+double rough_demand(const ModeSums<T>& s, std::size_t i, double tau) {
+    const auto narrow = [](const T& x) { return static_cast<double>(x); };
+    return evaluation::s_d_integrand_of(tau, narrow(s.R[i]), narrow(s.zeta[i]),
+                                        evaluation::DampingFunctions<double>{narrow(s.u[i]), narrow(s.g[i])});
+}
+
 // The braces of (40) of all modes at an instant.
 template <class T>
 struct FrictionAt {
@@ -150,7 +158,15 @@ T sliding_demand(const ModeSums<T>& s, const T& tau) {
 
 template <ManyDigits T>
 T instant_of_largest_demand(const ModeSums<T>& s) {
-    return instant_of_largest<T>([&](const T& tau) { return sliding_demand(s, tau); }, steps_for(std::span<const T>(s.R)));
+    std::vector<double> squares;
+    for (const T& psi_ji : mode_shapes_at(s, s.contact)) squares.push_back(static_cast<double>(T(psi_ji * psi_ji)));
+    const auto in_double = [&](double tau) {
+        double sum = 0;
+        for (std::size_t i = 0; i < squares.size(); ++i) sum += squares[i] * rough_demand(s, i, tau);
+        return sum;
+    };
+    return instant_of_largest<T>([&](const T& tau) { return sliding_demand(s, tau); }, in_double,
+                                 steps_for(std::span<const T>(s.R)));
 }
 
 template <ManyDigits T>
@@ -191,6 +207,7 @@ Boundary<T> boundary(const ModeSums<T>& s, const T& mu) {
     std::vector<T> instants;
     for (std::size_t i = 0; i < s.R.size(); ++i)
         instants.push_back(instant_of_largest<T>([&](const T& tau) { return demand_of_mode(s, i, tau); },
+                                                 [&](double tau) { return rough_demand(s, i, tau); },
                                                  steps_for(std::span<const T>(s.R).subspan(i, 1))));
     return boundary_at(s, mu, instant_of_largest_demand(s), std::move(instants));
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -39,28 +40,27 @@ template <class T, class Function>
     return tau;
 }
 
-/// @brief Where a smooth function on [0, pi] is largest, to half its digits. It is looked at closely next to each sample that may be next
-/// to the largest value.
-template <class T, class Function>
-[[nodiscard]] T instant_of_largest(const Function& f, int steps) {
-    std::vector<T> samples;
-    const auto instant = [&](int n) { return n == steps ? pi<T>() : T(pi<T>() * n / steps); };
-    for (int n = 0; n <= steps; ++n) samples.push_back(f(instant(n)));
-    const auto at = [&](int n) -> const T& { return samples[static_cast<std::size_t>(std::clamp(n, 0, steps))]; };
-    const T best_sample = *std::max_element(samples.begin(), samples.end());
-    T best = instant(0), largest = at(0);
-    const auto take = [&](const T& tau, const T& value) {
-        if (value > largest) {
+/// @brief Where a smooth function on [0, pi] is largest, to half its digits. It is looked at closely next to each sample in double
+/// that may be next to the largest value.
+template <class T, class Function, class InDouble>
+[[nodiscard]] T instant_of_largest(const Function& f, const InDouble& in_double, int steps) {
+    std::vector<double> samples;
+    for (int n = 0; n <= steps; ++n) samples.push_back(in_double(n == steps ? pi<double>() : pi<double>() * n / steps));
+    const auto at = [&](int n) { return samples[static_cast<std::size_t>(std::clamp(n, 0, steps))]; };
+    const auto instant = [&](int n) { return n >= steps ? pi<T>() : n <= 0 ? T(0) : T(pi<T>() * n / steps); };
+    const double best_sample = *std::max_element(samples.begin(), samples.end()), noise = 1e-9 * std::abs(best_sample);
+    T best(0), largest = f(best);
+    const auto take = [&](const T& tau) {
+        if (const T value = f(tau); value > largest) {
             best = tau;
             largest = value;
         }
     };
     for (int n = 0; n <= steps; ++n) {
         if (at(n - 1) > at(n) || at(n + 1) > at(n)) continue;
-        take(instant(n), at(n));
-        if (2 * at(n) - std::min(at(n - 1), at(n + 1)) < best_sample) continue;
-        const T peak = instant_of_peak(f, instant(std::max(n - 1, 0)), instant(std::min(n + 1, steps)));
-        take(peak, f(peak));
+        if (2 * at(n) - std::min(at(n - 1), at(n + 1)) + noise < best_sample) continue;
+        take(instant(n));
+        take(instant_of_peak(f, instant(n - 1), instant(n + 1)));
     }
     return best;
 }
