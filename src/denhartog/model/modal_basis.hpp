@@ -48,7 +48,7 @@ template <class T>
 ///
 /// A chain given by ratios is solved through a bidiagonal matrix: each natural frequency comes with an error of about N eps of
 /// itself, however stiff its springs. Other systems are solved through a symmetric matrix: errors of the squared frequencies are
-/// about N eps of the highest one, or, in double, of each one where the masses are very different, see `graded_modes`.
+/// about N eps of the highest one, or of each one where the masses are very different, see `graded_modes`.
 /// InputError where `check` throws, or C feeds energy into the motion. PrecisionError where the iteration does not converge, the
 /// lowest natural frequency is too low beside the highest, or a mode is beyond the range of the number type.
 /// @eq{14,15}

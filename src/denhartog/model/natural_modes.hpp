@@ -29,8 +29,8 @@ struct NaturalModes {
 [[nodiscard]] NaturalModes chain_modes(const std::vector<double>& gamma, const std::vector<double>& kappa,
                                        const std::vector<Mass>& masses);
 
-/// @brief Modes of any system: errors of the squared frequencies are about N eps of the highest one, in double but of masses of
-/// very different size, see `graded_modes`. L is the factor of the mass matrix. PrecisionError where the digits do not tell the
+/// @brief Modes of any system: errors of the squared frequencies are about N eps of the highest one, but of masses of very
+/// different size, see `graded_modes`. L is the factor of the mass matrix. PrecisionError where the digits do not tell the
 /// lowest from zero, or the iteration does not converge. @eq{14,15}
 [[nodiscard]] NaturalModes general_modes(const Matrix<double>& L, const Matrix<double>& K);
 

@@ -122,7 +122,7 @@ template <class Function>
 [[nodiscard]] std::optional<Crossing> first_crossing(Function& at, double t, double t_end, int order, double& step,
                                                      const Effort& effort) {
     const double shortest = 4 * std::numeric_limits<double>::epsilon() * std::max(1.0, t_end);
-    const double least((std::numeric_limits<double>::min)()); // from 0 on a wide type has steps without end below it
+    const double least((std::numeric_limits<double>::min)()); // from 0 on no step is halved below it
     const auto value_at = [&at](double instant) {
         const Jet there = at(instant);
         return ValueAt{instant, there.f[0], there.f[1]};
