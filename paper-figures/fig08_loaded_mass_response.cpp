@@ -10,8 +10,8 @@ double least_phase(double) { return -pi<double>() / 2; }
 
 // The stuck configuration of a system.
 struct StuckCurve {
-    const StuckConfiguration<double> stuck; // the configuration
-    const System<double>& system;           // the system
+    const StuckConfiguration stuck; // the configuration
+    const System<double>& system;   // the system
 
     double X(double r) const { return stuck_response(stuck, system.load, r).masses[mass.index].amplitude; }
 };

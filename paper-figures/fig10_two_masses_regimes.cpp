@@ -65,7 +65,7 @@ Statement limit_without_damping(const RegimePlane& p) {
 std::string sticking_as_printed(const std::vector<RegimePlane>& planes) {
     double worst = 0;
     for (const RegimePlane& p : planes) {
-        const StuckConfiguration<double> stuck = stuck_configuration(p.modes.system, p.modes.basis);
+        const StuckConfiguration stuck = stuck_configuration(p.modes.system, p.modes.basis);
         const std::optional<StuckChain> chain = stuck_chain(p.modes.system, stuck);
         for (const double r : spaced(0.02, 3, 150)) {
             const StuckResponse response = stuck_response(stuck, p.modes.system.load, r);

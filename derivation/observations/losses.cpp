@@ -105,7 +105,7 @@ double error_with_68(const SlidingScene& s) {
 
 /// Relative error of the boundary of permanent sticking by (88); none where the system is no chain.
 std::optional<double> error_with_88(const SlidingScene& s) {
-    const StuckConfiguration<double> stuck = stuck_configuration(s.system, s.basis);
+    const StuckConfiguration stuck = stuck_configuration(s.system, s.basis);
     const StuckResponse response = stuck_response(stuck, s.system.load, s.sums.r);
     const StickingBoundary b = sticking_boundary(response, stuck_chain(s.system, stuck), s.mu);
     if (!b.paper) return std::nullopt;

@@ -57,8 +57,8 @@ double coupling(const System<double>& system) { return non_dimensional_matrices(
 Worst change_of_boundary(const std::string& name, const System<double>& system) {
     System<double> without = system;
     std::ranges::fill(without.damping_ratios, 0.0);
-    const StuckConfiguration<double> stuck = stuck_configuration(system, modal_basis(system)),
-                                     stuck_0 = stuck_configuration(without, modal_basis(without));
+    const StuckConfiguration stuck = stuck_configuration(system, modal_basis(system)),
+                             stuck_0 = stuck_configuration(without, modal_basis(without));
     Worst worst;
     for (int n = 10; n <= 600; ++n) {
         const double r = n / 200.0;

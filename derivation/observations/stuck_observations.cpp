@@ -113,7 +113,7 @@ Outcome high_frequency() {
         if (s.system.load == s.system.contact) continue;
         System<double> undamped = s.system;
         std::fill(undamped.damping_ratios.begin(), undamped.damping_ratios.end(), 0.0);
-        const StuckConfiguration<double> stuck = stuck_configuration(undamped, modal_basis(undamped));
+        const StuckConfiguration stuck = stuck_configuration(undamped, modal_basis(undamped));
         const double r = 20, with_damping = sticking_at(s, r)->exact;
         const double without = modulus(stuck_response(stuck, undamped.load, r).contact_load);
         outcome.steps.push_back({s.name + ", r = 20: beta*_lim " + rounded(with_damping) + ", undamped " + rounded(without), ""});

@@ -10,7 +10,7 @@ namespace {
 
 StuckSystem prepared(const std::string& name, bool of_the_paper, const System<double>& system) {
     ModalBasis<double> basis = modal_basis(system);
-    StuckConfiguration<double> stuck = stuck_configuration(system, basis);
+    StuckConfiguration stuck = stuck_configuration(system, basis);
     std::optional<StuckChain> chain = stuck_chain(system, stuck);
     return {name, of_the_paper, system, std::move(basis), std::move(stuck), std::move(chain)};
 }

@@ -14,12 +14,12 @@ namespace denhartog::derivation {
 
 /// @brief A system with its modes, sliding and stuck.
 struct StuckSystem {
-    std::string name;                 ///< its name
-    bool of_the_paper;                ///< whether it is one of the paper's own
-    System<double> system;            ///< the system
-    ModalBasis<double> basis;         ///< modes while the contact slides
-    StuckConfiguration<double> stuck; ///< modes while it sticks
-    std::optional<StuckChain> chain;  ///< the masses that move by (88)
+    std::string name;                ///< its name
+    bool of_the_paper;               ///< whether it is one of the paper's own
+    System<double> system;           ///< the system
+    ModalBasis<double> basis;        ///< modes while the contact slides
+    StuckConfiguration stuck;        ///< modes while it sticks
+    std::optional<StuckChain> chain; ///< the masses that move by (88)
 };
 
 /// @brief The systems, made once.

@@ -103,7 +103,7 @@ Compared amplitude_by_82(const SlidingScene& s) {
 }
 
 Compared sticking_by_88(const SlidingScene& s) {
-    const StuckConfiguration<double> stuck = stuck_configuration(s.system, s.basis);
+    const StuckConfiguration stuck = stuck_configuration(s.system, s.basis);
     const StuckResponse response = stuck_response(stuck, s.system.load, s.sums.r);
     const StickingBoundary b = sticking_boundary(response, stuck_chain(s.system, stuck), s.mu);
     return {"friction ratio from which the contact never moves", b.paper.value(), b.exact, b.exact};

@@ -62,7 +62,7 @@ double error_of_72(const WithModes& s, double r) {
 
 /// (88) as printed against the boundary of permanent sticking.
 std::function<double(double)> error_of_88(const WithModes& s) {
-    const StuckConfiguration<double> stuck = stuck_configuration(s.system, s.basis);
+    const StuckConfiguration stuck = stuck_configuration(s.system, s.basis);
     return [stuck, chain = stuck_chain(s.system, stuck), j = s.system.contact, l = s.system.load](double r) {
         const StickingBoundary b = sticking_boundary(stuck_response(stuck, l, r), chain, 1.0);
         return std::abs(b.paper.value() / b.exact - 1);

@@ -94,7 +94,7 @@ Record make(Figure& figure) {
     const WithModes one(single_mass(0.1)), light(single_mass(0.01)),
         fourth(equal_chain<double>(5, 4, 1, std::vector<double>(5, 0.02))), paper_5(five_masses(1, 0.1)),
         last(equal_chain<double>(5, 5, 1, std::vector<double>(5, 0.1)));
-    const StuckConfiguration<double> stuck = stuck_configuration(last.system, last.basis);
+    const StuckConfiguration stuck = stuck_configuration(last.system, last.basis);
     const std::optional<StuckChain> chain = stuck_chain(last.system, stuck);
     const std::vector<double> r = spaced(0.05, 2.5, 491), few = spaced(0.2, 2.4, 12);
     Record record;
@@ -147,8 +147,7 @@ Record make(Figure& figure) {
         {"f",
          {"(88) as corrected", "(88) as printed"},
          [&](double x) {
-             const StickingBoundary b =
-                 sticking_boundary(stuck_response(stuck, last.system.load, x), chain, 1.0);
+             const StickingBoundary b = sticking_boundary(stuck_response(stuck, last.system.load, x), chain, 1.0);
              return std::vector<double>{b.exact, b.paper.value()};
          },
          seen(figure, last, 1, few, true)}};

@@ -165,7 +165,7 @@ Statement sticking_as_printed(Figure& figure, const std::vector<Chain>& chains) 
     std::string found;
     for (const Chain& c : chains) {
         const System<double>& s = c.modes.system;
-        const StuckConfiguration<double> stuck = stuck_configuration(s, c.modes.basis);
+        const StuckConfiguration stuck = stuck_configuration(s, c.modes.basis);
         const std::optional<StuckChain> moving = stuck_chain(s, stuck);
         Table table{"printed " + c.name, {"r", "(88)"}, {}};
         double most = 0, at = 0;

@@ -24,7 +24,7 @@ struct PlaneAtMu {
     double mu;                        ///< static over kinetic friction
     System<double> system;            ///< the system
     ModalBasis<double> basis;         ///< its modes
-    StuckConfiguration<double> stuck; ///< its stuck configuration
+    StuckConfiguration stuck;         ///< its stuck configuration
     std::vector<SeenFromStarts> seen; ///< boundaries by the paper's algorithm
     std::vector<RegimeCheck> checks;  ///< regimes on a grid by the paper's algorithm, from rest
 

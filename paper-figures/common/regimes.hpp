@@ -37,7 +37,7 @@ struct RegimeCurves {
 [[nodiscard]] inline std::vector<double> frequencies_for_boundaries(const System<double>& system, double from, double to,
                                                                     double step) {
     const ModalBasis<double> basis = modal_basis(system);
-    const StuckConfiguration<double> stuck = stuck_configuration(system, basis);
+    const StuckConfiguration stuck = stuck_configuration(system, basis);
     std::vector<double> all = spaced(from, to, static_cast<std::size_t>(std::lround((to - from) / step)) + 1);
     const auto closer_to = [&](double r_n, double width) {
         all.push_back(r_n);

@@ -15,6 +15,7 @@
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/solve/solve_by_reference.hpp"
 #include "kept_digits.hpp"
+#include "tests/support/closed_form.hpp"
 
 namespace denhartog::figures {
 
@@ -209,8 +210,8 @@ namespace response_paths {
 
 /// @brief A single mass, r = 3/4, zeta = 1/16, mu = 1, at a friction ratio that is the same in every number type.
 [[nodiscard]] inline SceneSource single_mass_at(const Real100& beta) {
-    const auto scene = std::make_shared<const Scene<double>>(
-        response_paths::chain({1}, {1}, 1, 1, 0x1p-4, 0.75, static_cast<double>(beta)));
+    const auto scene =
+        std::make_shared<const Scene<double>>(response_paths::chain({1}, {1}, 1, 1, 0x1p-4, 0.75, static_cast<double>(beta)));
     SceneReader reader{scene, {}, {}, {}};
 #if DENHARTOG_REFERENCE
     reader.in_balls = [scene, beta](Scene<Ball>& in_balls) {

@@ -80,7 +80,7 @@ struct Sweep {
     const std::atomic<bool> stop{false};
     const RegimeMap map = regime_map(scene, {frequencies, betas, {k}, MapStart::rest, threads()}, stop);
     const ModalBasis<double> basis = modal_basis(system);
-    const StuckConfiguration<double> stuck = stuck_configuration(system, basis);
+    const StuckConfiguration stuck = stuck_configuration(system, basis);
     std::vector<Sweep> all(betas.size());
     for (std::size_t b = 0; b < betas.size(); ++b) {
         all[b].beta = betas[b];

@@ -68,7 +68,7 @@ Numbers of_sums(const Asks& q, const Scene<double>& scene) {
 }
 
 Numbers of_stuck_motion(const Asks& q, const Scene<double>& scene) {
-    const StuckConfiguration<double> stuck = stuck_configuration(scene.system, modal_basis(scene.system));
+    const StuckConfiguration stuck = stuck_configuration(scene.system, modal_basis(scene.system));
     const StuckResponse held = stuck_response(stuck, scene.system.load, q.r);
     if (q.quantity == "rest_interval") return {paper::sticking_margin(modulus(held.contact_load), q.mu, q.beta) / stuck.k_contact};
     const StuckMass& m = held.masses[mass_of(q)];

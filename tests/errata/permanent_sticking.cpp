@@ -23,7 +23,7 @@ Scene<double> scene_of(const Case& c) {
 
 /// The amplitude of the force that holds the contact: the constraint's reaction in the full complex system.
 double reaction(const Scene<double>& scene) {
-    const NonDimensionalMatrices<double> m = matrices_of(scene);
+    const NonDimensionalMatrices m = matrices_of(scene);
     const auto N = m.M.rows(), j = static_cast<Eigen::Index>(scene.system.contact.index);
     const std::complex<double> i(0, 1);
     Eigen::MatrixXcd A = Eigen::MatrixXcd::Zero(N + 1, N + 1);

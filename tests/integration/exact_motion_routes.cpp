@@ -2,11 +2,11 @@
 #include <cmath>
 
 #include "denhartog/orbit/orbit_map.hpp"
-#include "denhartog/scene/converted.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "tests/integration/orbit_scenes.hpp"
 #include "tests/support/contact_phase.hpp"
 #include "tests/support/multiprecision.hpp"
+#include "tests/support/second_witness.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;
@@ -125,9 +125,8 @@ void check_jacobian(const tests::Prepared& p, const State& start, int directions
             (c < N ? z.x[c] : z.x_prime[c - N]) += deviation;
             return solver.run(z, tau_0, tau_1).end;
         };
-        const Column<double> near = difference(end_after(h), end_after(-h)),
-                             far = difference(end_after(2 * h), end_after(-2 * h));
-        const Column<double> slope = (8 * near - far) / (12 * h);
+        const Column near = difference(end_after(h), end_after(-h)), far = difference(end_after(2 * h), end_after(-2 * h));
+        const Column slope = (8 * near - far) / (12 * h);
         largest = std::max(largest, slope.cwiseAbs().maxCoeff());
         worst = std::max(worst, (slope - jacobian.col(static_cast<Eigen::Index>(c))).cwiseAbs().maxCoeff());
     }
@@ -171,8 +170,10 @@ TEST_CASE("stuck modes that damping couples or that are overdamped move as the e
              {std::vector<double>{0.03125, 0.0625, 0.25}, {0.9375, 0.03125, 0.96875}, {0.0, 0.5, 0.0}}) {
             INFO("r " << hexadecimal(r));
             const tests::Prepared p = prepared_chain({1, 2, 1}, {1, 0.25, 0.75}, zeta, 2, 1, r, 1000);
-            const System<Real50> s = in_type<Real50>(p.scene.system);
-            const NonDimensionalMatrices<Real50> m = non_dimensional_matrices(s, modal_basis(s), Real50(1));
+            Scene<double> at_1 = p.scene;
+            at_1.r = 1;
+            at_1.beta = 0;
+            const HalfPeriodProblem<Real50> m = half_period_problem(at_1);
             CHECK_FALSE(p.system.stuck.modes_diagonalise_damping);
             const State start{{0.5, -0.25, 1}, {-0.75, 0, 0.125}};
             ExactSolver solver(p.system, p.excitation);
@@ -180,7 +181,7 @@ TEST_CASE("stuck modes that damping couples or that are overdamped move as the e
             const ExactMotion& motion = solver.run(start, tau_0, tau_0 + 6);
             REQUIRE(motion.phases.size() == 1);
             const auto after = [&](double t) {
-                return by_exponential(m.M, m.C, m.K, s.contact, s.load, p.excitation, 0, start, tau_0, t);
+                return by_exponential(m.M, m.C, m.K, m.contact, m.load, p.excitation, 0, start, tau_0, t);
             };
             CHECK(distance(motion.end, after(6)) < 1e-12);
             CHECK(distance(solver.state_at(0, tau_0 + 2), after(2)) < 1e-12);

@@ -167,7 +167,7 @@ TEST_CASE("what bounds the derivatives of the braces from an instant on holds fo
     int broken_by_half = 0;
     for (const std::vector<double>& zeta : damping) {
         const ModeSums<double> s = sums_of(chain({1, 0.75}, {1, 1.5}, zeta, 2, 1, 1, 0.75));
-        FrictionMotions<double> y(s);
+        FrictionMotions y(s);
         for (std::size_t i = 0; i < 2; ++i) {
             if (s.zeta[i] < 1) continue;
             for (int start = 0; start < 32; ++start) {

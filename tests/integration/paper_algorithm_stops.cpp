@@ -104,7 +104,7 @@ TEST_CASE("stops of one mass agree with the exponential of its matrix from one t
     const Scene<double> scene = with_beta(oscillator(0.01, 0.1), 0.2);
     const PaperMotion motion = paper_algorithm(scene, settings_with(1e-12, 60));
     REQUIRE(motion.stops.size() == 4);
-    const NonDimensionalMatrices<double> m = matrices_of(scene);
+    const NonDimensionalMatrices m = matrices_of(scene);
     for (std::size_t n = 0; n < 4; ++n) {
         const Stop& from = motion.stops[n];
         Stop to = motion.stops[(n + 1) % 4];
@@ -160,7 +160,7 @@ TEST_CASE("over the last period the work of the force is what dampers and fricti
     const PaperMotion motion = paper_algorithm(scene, settings);
     REQUIRE(motion.stops.size() >= 2);
     REQUIRE(motion.samples.size() == 20000);
-    const NonDimensionalMatrices<double> m = matrices_of(scene);
+    const NonDimensionalMatrices m = matrices_of(scene);
     double force = 0, dampers = 0, friction = 0;
     for (std::size_t n = 0; n < 20000; ++n) {
         const State& s = motion.samples[n];
@@ -188,7 +188,7 @@ TEST_CASE("a contact that never moves stays to the last bit, and the others move
     CHECK(motion.rests);
     CHECK(motion.phases == 1);
     CHECK(motion.masses[1].amplitude == 0);
-    const NonDimensionalMatrices<double> m = matrices_of(three);
+    const NonDimensionalMatrices m = matrices_of(three);
     Eigen::Matrix2cd D;
     for (int a = 0; a < 2; ++a)
         for (int b = 0; b < 2; ++b) D(a, b) = {m.K(2 * a, 2 * b) - m.M(2 * a, 2 * b), m.C(2 * a, 2 * b)};

@@ -20,7 +20,7 @@ std::vector<RandomScene<double>> scenes_by_matrices() {
         if (++n % 4 != 0) continue;
         System<double>& s = random.scene.system;
         const Eigen::Index N = static_cast<Eigen::Index>(number_of_masses(s));
-        const NonDimensionalMatrices<double> m = matrices_of(random.scene);
+        const NonDimensionalMatrices m = matrices_of(random.scene);
         if (s.mass_matrix.size() == 0) s.mass_matrix = Eigen::Map<Eigen::VectorXd>(s.mass_ratios.data(), N).asDiagonal();
         s.mass_ratios.clear();
         s.stiffness_ratios.clear();

@@ -89,7 +89,7 @@ TEST_CASE("with load and contact on one mass permanent sticking starts at 1 / mu
 
 TEST_CASE("permanent sticking starts where a dense solve with the contact held has static friction", "[sticking]") {
     for (const RandomScene<double>& random : scenes()) {
-        const NonDimensionalMatrices<double> m = matrices_of(random.scene);
+        const NonDimensionalMatrices m = matrices_of(random.scene);
         const Eigen::Index N = m.M.rows(), j = static_cast<Eigen::Index>(random.scene.system.contact.index);
         Eigen::MatrixXd A(2 * N, 2 * N);
         A << m.K - m.M, m.C, -m.C, m.K - m.M;

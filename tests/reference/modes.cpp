@@ -6,7 +6,7 @@
 #include "denhartog/model/modal_basis.hpp"
 #include "tests/catch.hpp"
 #include "tests/reference/proofs.hpp"
-#include "tests/support/multiprecision.hpp"
+#include "tests/support/closed_form.hpp"
 #include "tests/support/sample_scenes.hpp"
 
 using namespace denhartog;

@@ -9,6 +9,7 @@
 #include "denhartog/solve/quantities.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/reference/surveyed_scenes.hpp"
+#include "tests/support/closed_form.hpp"
 #include "tests/support/wide_scene.hpp"
 
 using namespace denhartog;
@@ -53,8 +54,8 @@ double apart_in_time(const SolvedStop& told, const SolvedStop& proved, int later
 }
 
 const SolvedStop& nearest_stop(const SolvedStop& told, const Solution& proved, int later) {
-    return *std::ranges::min_element(
-        proved.stops, {}, [&](const SolvedStop& stop) { return apart_in_time(told, stop, later, proved.periods); });
+    return *std::ranges::min_element(proved.stops, {},
+                                     [&](const SolvedStop& stop) { return apart_in_time(told, stop, later, proved.periods); });
 }
 
 // A motion of several periods is the same motion whichever of them comes first.

@@ -8,7 +8,7 @@
 #include "denhartog/solve/quantities_of_sums.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
 #include "tests/speed_accuracy/bounds_scenes.hpp"
-#include "tests/support/multiprecision.hpp"
+#include "tests/support/closed_form.hpp"
 
 namespace denhartog::tests {
 namespace {

@@ -5,7 +5,6 @@
 #include <Eigen/LU>
 
 #include "denhartog/formulas/complex.hpp"
-#include "denhartog/model/modal_basis.hpp"
 #include "tests/support/half_period.hpp"
 
 namespace denhartog::tests {
@@ -17,15 +16,15 @@ struct HeldContact {
     Complex<T> load;           ///< of all that acts on the contact but friction
 };
 
-/// @brief Solves for it. @param m the matrices @param contact j @param load l @return the motion
+/// @brief Solves for it. @param m the matrices, contact and load, each of one mass @return the motion
 template <class T>
-[[nodiscard]] HeldContact<T> held_contact(const NonDimensionalMatrices<T>& m, Mass contact, Mass load) {
-    const Eigen::Index N = m.M.rows(), j = static_cast<Eigen::Index>(contact.index);
+[[nodiscard]] HeldContact<T> held_contact(const HalfPeriodProblem<T>& m) {
+    const Eigen::Index N = m.M.rows(), j = static_cast<Eigen::Index>(m.contact.index);
     Matrix<T> A(2 * N, 2 * N); // the real part, then the imaginary one
     const Matrix<T> D = m.K - m.M;
     A << D, Matrix<T>(-m.C), m.C, D;
     Vector<T> force = Vector<T>::Zero(2 * N);
-    force(static_cast<Eigen::Index>(load.index)) = T(1);
+    force(static_cast<Eigen::Index>(m.load.index)) = T(1);
     Matrix<T> held = A;
     Vector<T> on_others = force;
     for (const Eigen::Index row : {j, N + j}) {

@@ -1,7 +1,9 @@
 /// @file
-/// @brief The closed form at one point on any plain number type, without bounds: what answers are compared with.
+/// @brief The closed form at one point without bounds, what answers are compared with: in double the library's own, in more digits
+/// that of `closed_form.hpp`.
 #pragma once
 
+#include <concepts>
 #include <limits>
 #include <optional>
 
@@ -9,6 +11,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/sliding/regime.hpp"
 #include "denhartog/sliding/steady_state.hpp"
+#include "tests/support/closed_form.hpp"
 
 namespace denhartog {
 
@@ -27,10 +30,9 @@ struct Response {
 /// @brief What rounding alone does to a boundary, where nothing better is known.
 /// @param boundary  the boundary
 /// @return          16 units in the last place
-template <class T>
-[[nodiscard]] BoundaryError<T> rounding_of(const RegimeBoundary<T>& boundary) {
-    const T few = 16 * std::numeric_limits<T>::epsilon();
-    return {few * boundary.exact, boundary.sticking ? T(few * *boundary.sticking) : T(0)};
+[[nodiscard]] inline BoundaryError rounding_of(const RegimeBoundary<double>& boundary) {
+    const double few = 16 * std::numeric_limits<double>::epsilon();
+    return {few * boundary.exact, boundary.sticking ? few * *boundary.sticking : 0};
 }
 
 /// @brief The response at the point of a scene, as the number type rounds it.
@@ -46,7 +48,10 @@ template <class T>
     const ModeSums<T> sums = mode_sums(modal_basis(scene.system), contact_row(scene.system), load_row(scene.system), *scene.r);
     Response<T> all{*scene.r, scene.mu, scene.beta, scene.system.contact, boundary(sums, scene.mu), std::nullopt, std::nullopt};
     if (!scene.beta) return all;
-    all.regime = regime_at(all.boundary, *scene.beta, rounding_of(all.boundary));
+    if constexpr (std::same_as<T, double>)
+        all.regime = regime_at(all.boundary, *scene.beta, rounding_of(all.boundary));
+    else
+        all.regime = RegimeAtPoint{regime_of(all.boundary, *scene.beta), {}, false, {}};
     if (all.regime->regime == Regime::continuous) all.steady_state = steady_state(sums, all.boundary, *scene.beta, only);
     return all;
 }

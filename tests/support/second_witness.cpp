@@ -1,90 +1,15 @@
 #include "tests/support/second_witness.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Jacobi>
 #include <algorithm>
 
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/errors.hpp"
+#include "tests/support/rotations.hpp"
 
 namespace denhartog {
 namespace {
 
 using Index = Eigen::Index;
-
-template <class W, class T>
-Matrix<W> widened(const Matrix<T>& A) {
-    return A.unaryExpr([](const T& value) { return static_cast<W>(value); });
-}
-
-template <class W, class T>
-Matrix<W> stiffness_of(const System<T>& s) {
-    if (s.stiffness_matrix.size() > 0) return widened<W>(s.stiffness_matrix);
-    const Index N = static_cast<Index>(s.stiffness_ratios.size());
-    Matrix<W> K = Matrix<W>::Zero(N, N);
-    for (Index i = 0; i < N; ++i) {
-        const W k = static_cast<W>(s.stiffness_ratios[static_cast<std::size_t>(i)]);
-        K(i, i) += k;
-        if (i == 0) continue;
-        K(i - 1, i - 1) += k;
-        K(i, i - 1) -= k;
-        K(i - 1, i) -= k;
-    }
-    return K;
-}
-
-template <class W, class T>
-Matrix<W> mass_of(const System<T>& s) {
-    if (s.mass_matrix.size() > 0) return widened<W>(s.mass_matrix);
-    const Index N = static_cast<Index>(s.mass_ratios.size());
-    Matrix<W> M = Matrix<W>::Zero(N, N);
-    for (Index i = 0; i < N; ++i) M(i, i) = static_cast<W>(s.mass_ratios[static_cast<std::size_t>(i)]);
-    return M;
-}
-
-/// Eigenvalues on the diagonal of A, ascending, and eigenvectors in Q, by Jacobi's rotations.
-template <class W>
-void diagonalise(Matrix<W>& A, Matrix<W>& Q) {
-    const Index N = A.rows();
-    Q = Matrix<W>::Identity(N, N);
-    const W threshold = A.squaredNorm() * std::numeric_limits<W>::epsilon() * std::numeric_limits<W>::epsilon();
-    const auto off_diagonal = [&A] { return W(A.template triangularView<Eigen::StrictlyUpper>().toDenseMatrix().squaredNorm()); };
-    for (int sweep = 0; off_diagonal() > threshold; ++sweep) {
-        if (sweep == 60) throw PrecisionError("the modes of the second witness did not converge");
-        for (Index p = 0; p < N; ++p)
-            for (Index q = p + 1; q < N; ++q) {
-                Eigen::JacobiRotation<W> rotation;
-                rotation.makeJacobi(A, p, q);
-                A.applyOnTheLeft(p, q, rotation.adjoint());
-                A.applyOnTheRight(p, q, rotation);
-                Q.applyOnTheRight(p, q, rotation);
-            }
-    }
-    for (Index i = 0; i < N; ++i)
-        for (Index n = i + 1; n < N; ++n)
-            if (A(n, n) < A(i, i)) {
-                std::swap(A(n, n), A(i, i));
-                Q.col(n).swap(Q.col(i));
-            }
-}
-
-/// C in units of sqrt(k_1 m_1): as given, or by its definition (19) from modes that are computed here.
-template <class W, class T>
-Matrix<W> damping_of(const System<T>& s, const Matrix<W>& M, const Matrix<W>& K) {
-    if (s.damping_matrix.size() > 0) return widened<W>(s.damping_matrix);
-    const Matrix<W> L = M.llt().matrixL();
-    const auto lower = L.template triangularView<Eigen::Lower>();
-    Matrix<W> A = lower.solve(Matrix<W>(lower.solve(K).transpose()));
-    Matrix<W> Q;
-    diagonalise(A, Q);
-    Matrix<W> C = Matrix<W>::Zero(M.rows(), M.cols());
-    for (Index i = 0; i < M.rows(); ++i) {
-        const W zeta = static_cast<W>(s.damping_ratios[static_cast<std::size_t>(i)]);
-        const Vector<W> M_phi = L * Q.col(i);
-        C += W(2 * zeta * sqrt(A(i, i))) * M_phi * M_phi.transpose();
-    }
-    return C;
-}
 
 /// |a - b|; a number that is not finite is no small difference.
 template <class W>
@@ -200,6 +125,7 @@ Agreement<T> compare_with_second_witness(const Scene<T>& scene, int steps) {
 
 template HalfPeriodProblem<Real50> half_period_problem(const Scene<double>&);
 template HalfPeriodProblem<Real100> half_period_problem(const Scene<Real50>&);
+template HalfPeriodProblem<Real100> half_period_problem(const Scene<Real100>&);
 template SampledMotion<double> sampled_motion(const ModeSums<double>&, const SteadyState<double>&, int);
 template double worst(const Agreement<double>&);
 template Agreement<double> compare(const SampledMotion<double>&, const HalfPeriodMotion<Real50>&);

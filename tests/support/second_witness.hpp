@@ -23,6 +23,12 @@ struct WitnessNumber<Real50> {
     using type = Real100; ///< 100 digits
 };
 
+/// @brief In 100 digits the matrices of a scene are set up, and no motion is compared.
+template <>
+struct WitnessNumber<Real100> {
+    using type = Real100; ///< the same
+};
+
 /// @brief The number type in which the witness of a closed form in T computes.
 template <class T>
 using WitnessOf = typename WitnessNumber<T>::type;

@@ -55,7 +55,7 @@ double margin(const ModeSums<double>& s, double beta, double tau) {
 
 /// Friction force, per unit of load, that holds the contact: 2N real equations with its displacement zero.
 double holding_force(const Scene<double>& scene) {
-    const NonDimensionalMatrices<double> m = matrices_of(scene);
+    const NonDimensionalMatrices m = matrices_of(scene);
     const Eigen::Index N = m.M.rows(), j = static_cast<Eigen::Index>(scene.system.contact.index);
     Eigen::MatrixXd A(2 * N, 2 * N);
     A << m.K - m.M, m.C, -m.C, m.K - m.M;
@@ -132,7 +132,7 @@ TEST_CASE("at the static boundary the load on the contact equals static friction
         const double beta = b.exact * (1 - 1e-12);
         const SteadyState<double> state = steady_state(s, b, beta);
         const std::size_t j = s.contact.index, N = s.R.size();
-        const NonDimensionalMatrices<double> m = matrices_of(scene);
+        const NonDimensionalMatrices m = matrices_of(scene);
         std::vector<double> C_j, K_j, x, v;
         for (std::size_t k = 0; k < N; ++k) {
             C_j.push_back(m.C(j, k));
@@ -172,7 +172,7 @@ TEST_CASE("every mode sees the same phase of the contact", "[eq:20][eq:26][eq:27
         const Boundary<double> b = boundary(s, scene.mu);
         const double beta = 0.75 * b.exact, h = 1e-4;
         const SteadyState<double> state = steady_state(s, b, beta);
-        const NonDimensionalMatrices<double> m = matrices_of(scene);
+        const NonDimensionalMatrices m = matrices_of(scene);
         for (std::size_t i = 0; i < s.R.size(); ++i) {
             const auto psi = [&](std::size_t k) { return mode_shapes_at(s, Mass{k})[i]; };
             const ModeInScene<double> mode{s.R[i], s.zeta[i], psi(s.contact.index), psi(s.load.index)};

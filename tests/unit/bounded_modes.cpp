@@ -6,7 +6,7 @@
 
 #include "denhartog/evaluation/mode.hpp"
 #include "tests/catch.hpp"
-#include "tests/support/multiprecision.hpp"
+#include "tests/support/closed_form.hpp"
 
 using namespace denhartog;
 

@@ -26,7 +26,7 @@ struct Energy {
     double size;
 };
 
-Energy energy_of(ExactSolver& solver, const ExactMotion& run, const NonDimensionalMatrices<double>& m, Mass contact, Mass load,
+Energy energy_of(ExactSolver& solver, const ExactMotion& run, const NonDimensionalMatrices& m, Mass contact, Mass load,
                  double beta) {
     const ExactMotion motion = run;
     const auto column = [](const std::vector<double>& a) {
@@ -56,18 +56,17 @@ Energy energy_of(ExactSolver& solver, const ExactMotion& run, const NonDimension
 }
 
 // Two oscillators that do not feel each other, R = 0.25, zeta = 0.0625 and R = 2, zeta = 0.5, in coordinates that mix them.
-template <class T>
 struct MixedOscillators {
-    std::vector<T> R{T(0.25), T(2)}, zeta{T(0.0625), T(0.5)};
-    Matrix<T> mixing = Matrix<T>::Identity(4, 4), A = Matrix<T>::Zero(4, 4);
+    std::vector<double> R{double(0.25), 2.0}, zeta{double(0.0625), double(0.5)};
+    Matrix<double> mixing = Matrix<double>::Identity(4, 4), A = Matrix<double>::Zero(4, 4);
 
     MixedOscillators() {
-        mixing(0, 1) = mixing(2, 3) = T(0.5); // x = mixing y; its inverse has -0.5 there
-        Matrix<T> back = Matrix<T>::Identity(4, 4), apart = Matrix<T>::Zero(4, 4);
-        back(0, 1) = back(2, 3) = T(-0.5);
+        mixing(0, 1) = mixing(2, 3) = double(0.5); // x = mixing y; its inverse has -0.5 there
+        Matrix<double> back = Matrix<double>::Identity(4, 4), apart = Matrix<double>::Zero(4, 4);
+        back(0, 1) = back(2, 3) = double(-0.5);
         for (Eigen::Index i = 0; i < 2; ++i) {
-            const T& each = R[static_cast<std::size_t>(i)];
-            apart(i, 2 + i) = T(1);
+            const double& each = R[static_cast<std::size_t>(i)];
+            apart(i, 2 + i) = 1.0;
             apart(2 + i, i) = -1 / (each * each);
             apart(2 + i, 2 + i) = -2 * zeta[static_cast<std::size_t>(i)] / each;
         }
@@ -75,11 +74,11 @@ struct MixedOscillators {
     }
 
     // By the closed form of each oscillator from y = (1, -2), y' = (0.5, 0.25).
-    Column<T> closed_form(const T& t) const {
-        const T start[4] = {T(1), T(-2), T(0.5), T(0.25)};
-        Column<T> y(4);
+    Column closed_form(double t) const {
+        const double start[4] = {1.0, -2.0, double(0.5), double(0.25)};
+        Column y(4);
         for (std::size_t i = 0; i < 2; ++i) {
-            const evaluation::FreeMotion<T> free =
+            const evaluation::FreeMotion<double> free =
                 evaluation::free_motion(t, R[i], zeta[i], evaluation::w_if_oscillating(zeta[i]));
             const auto row = static_cast<Eigen::Index>(i);
             y(row) = start[i] * free.d + start[2 + i] * R[i] * free.q;
@@ -88,24 +87,23 @@ struct MixedOscillators {
         return mixing * y;
     }
 
-    Column<T> start() const {
-        Column<T> y(4);
-        y << T(1), T(-2), T(0.5), T(0.25);
+    Column start() const {
+        Column y(4);
+        y << 1.0, -2.0, double(0.5), double(0.25);
         return mixing * y;
     }
 };
 
-template <class T>
-void check_coupled_motion(const T& unit) {
-    const MixedOscillators<T> mixed;
-    for (const auto asked : {CoupledMotion<T>::Asked::instants_of_one_start, CoupledMotion<T>::Asked::many_starts}) {
-        CoupledMotion<T> motion(mixed.A, T(4.5), asked, nullptr);
+void check_coupled_motion(double unit) {
+    const MixedOscillators mixed;
+    for (const auto asked : {CoupledMotion::Asked::instants_of_one_start, CoupledMotion::Asked::many_starts}) {
+        CoupledMotion motion(mixed.A, double(4.5), asked, nullptr);
         motion.start(mixed.start());
         for (const double t : {0.0, 0.001, 0.3, 0.31, 2.5, 0.3, 7.0, 40.0}) {
-            INFO("t = " << t << ", many starts: " << (asked == CoupledMotion<T>::Asked::many_starts));
-            const Column<T> expected = mixed.closed_form(T(t)), found = motion.at(T(t));
-            const Matrix<T> carried = motion.carried(T(t), Matrix<T>(mixed.start()));
-            const T allowed = 64 * (1 + T(t) * T(4.5)) * unit;
+            INFO("t = " << t << ", many starts: " << (asked == CoupledMotion::Asked::many_starts));
+            const Column expected = mixed.closed_form(double(t)), found = motion.at(double(t));
+            const Matrix<double> carried = motion.carried(double(t), Matrix<double>(mixed.start()));
+            const double allowed = 64 * (1 + double(t) * double(4.5)) * unit;
             CHECK((found - expected).cwiseAbs().maxCoeff() <= allowed);
             CHECK((carried.col(0) - expected).cwiseAbs().maxCoeff() <= allowed);
         }
@@ -163,7 +161,7 @@ TEST_CASE("over any motion the gain of energy is the work of load, damping and f
         const ContactSystem system = contact_system(p.system);
         ExactSolver solver(system, p.e);
         const ExactMotion& motion = solver.run(at_rest(system.basis.r_n.size()), 0.0, 4 * pi<double>());
-        const NonDimensionalMatrices<double> m = non_dimensional_matrices(p.system, system.basis, p.e.r);
+        const NonDimensionalMatrices m = non_dimensional_matrices(p.system, system.basis, p.e.r);
         const Energy e = energy_of(solver, motion, m, p.system.contact, p.system.load, p.e.beta);
         INFO("N = " << system.basis.r_n.size() << ", r = " << p.e.r << ", phases " << motion.phases.size() << ", coupling "
                     << system.stuck.coupling);
@@ -179,7 +177,7 @@ TEST_CASE("while it sticks the contact carries no more than static friction, and
     const double beta = 0.2, mu = 1.25, r = 0.15;
     ExactSolver solver(system, {r, beta, mu});
     const ExactMotion motion = solver.run(at_rest(3), 0.0, 12 * pi<double>());
-    const NonDimensionalMatrices<double> m = non_dimensional_matrices(s, system.basis, r);
+    const NonDimensionalMatrices m = non_dimensional_matrices(s, system.basis, r);
     int departures = 0;
     for (std::size_t n = 0; n + 1 < motion.phases.size(); ++n) {
         const Phase& p = motion.phases[n];
@@ -231,25 +229,24 @@ TEST_CASE("the exact solver names the quantity, the rule and the value of bad in
 
 TEST_CASE("coupled coordinates move as the oscillators do that they mix, with short steps and with long ones",
           "[model][coupled_damping]") {
-    check_coupled_motion<double>(0x1p-53);
-    check_coupled_motion<Real50>(std::numeric_limits<Real50>::epsilon() / 2);
+    check_coupled_motion(0x1p-53);
 }
 
 TEST_CASE("over half a period a mirrored system grows as its motion does", "[model][coupled_damping]") {
     // Two oscillators in energy coordinates, their damping coupled; at the last rate half a period holds no whole step.
-    Matrix<Real50> A(4, 4);
+    Matrix<double> A(4, 4);
     A << 0, 0, 1.3, 0.2, 0, 0, 0.1, 0.7, -1.3, -0.1, -0.3, 0.1, -0.2, -0.7, 0.1, -0.4;
-    const Real50 allowed = 4096 * std::numeric_limits<Real50>::epsilon();
+    const double allowed = 4096 * std::numeric_limits<double>::epsilon();
     for (const double rate : {100.0, 4.0, 2.5, 0.25}) {
         INFO("rate " << rate);
-        using Motion = CoupledMotion<Real50>;
-        const Matrix<Real50> slowed = A / Real50(std::max(1.0, 1 / rate)), unit = Matrix<Real50>::Identity(4, 4);
-        Motion motion(slowed, Real50(rate), Motion::Asked::instants_of_one_start, nullptr);
-        Motion otherwise(slowed, Real50(3 * rate), Motion::Asked::many_starts, nullptr);
-        const Matrix<Real50> carried = otherwise.carried(pi<Real50>(), unit);
-        CHECK((unit + motion.growth_over_half_period() - carried).cwiseAbs().maxCoeff() < allowed);
+        const Matrix<double> slowed = A / std::max(1.0, 1 / rate), unit = Matrix<double>::Identity(4, 4);
+        const Matrix<double> truth = matrix_exponential(Matrix<Real50>(slowed.cast<Real50>() * pi<Real50>())).cast<double>();
+        CoupledMotion motion(slowed, rate, CoupledMotion::Asked::instants_of_one_start, nullptr);
+        CoupledMotion otherwise(slowed, 3 * rate, CoupledMotion::Asked::many_starts, nullptr);
+        CHECK((otherwise.carried(pi<double>(), unit) - truth).cwiseAbs().maxCoeff() < allowed);
+        CHECK((unit + motion.growth_over_half_period() - truth).cwiseAbs().maxCoeff() < allowed);
         motion.start(unit.col(1));
-        CHECK((motion.at(pi<Real50>()) - carried.col(1)).cwiseAbs().maxCoeff() < allowed);
+        CHECK((motion.at(pi<double>()) - truth.col(1)).cwiseAbs().maxCoeff() < allowed);
     }
 }
 
@@ -257,12 +254,12 @@ TEST_CASE("the products that coupled motions form are paid for, and end where no
     const Matrix<double> unit = Matrix<double>::Identity(40, 40), A = Matrix<double>::Constant(40, 40, 0.1) - 4 * unit;
     Effort allowed{400};
     Effort* const paying = &allowed;
-    CoupledMotion<double> motion(A, 8, CoupledMotion<double>::Asked::many_starts, &paying);
+    CoupledMotion motion(A, 8, CoupledMotion::Asked::many_starts, &paying);
     CHECK_THROWS_AS(motion.carried(40, unit), PrecisionError);
     CHECK(allowed.spent > 400);
     CHECK(allowed.spent < 600);            // a product more than was allowed, and no further
     const QuestionEffort question(2, 400); // which pays half where no search does
-    CoupledMotion<double> without(A, 8, CoupledMotion<double>::Asked::many_starts, nullptr);
+    CoupledMotion without(A, 8, CoupledMotion::Asked::many_starts, nullptr);
     CHECK_THROWS_AS(without.carried(40, unit), PrecisionError);
     CHECK(question.spent() > 400);
     CHECK(question.spent() < 600);

@@ -8,7 +8,8 @@
 #include "denhartog/scene/converted.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
 #include "tests/catch.hpp"
-#include "tests/support/multiprecision.hpp"
+#include "tests/support/closed_form.hpp"
+#include "tests/support/rotations.hpp"
 #include "tests/support/scene_builder.hpp"
 
 using namespace denhartog;
@@ -88,7 +89,7 @@ std::vector<StiffChain> stiff_chains() {
 
 template <class T>
 void require_basis(const System<T>& s, const ModalBasis<T>& basis) {
-    const Matrix<T> M = mass_matrix(s);
+    const Matrix<T> M = mass_of<T>(s);
     const Matrix<T> K = stiffness_matrix(s);
     const int N = static_cast<int>(basis.r_n.size());
     const T unit = std::numeric_limits<T>::epsilon() * N;
@@ -155,7 +156,7 @@ TEST_CASE("mode shapes are orthonormal and solve the eigenproblem in every numbe
         general.stiffness_matrix = matrix_of_chain(s.stiffness_ratios);
         require_basis(general, modal_basis(general));
         general.mass_ratios.clear();
-        general.mass_matrix = mass_matrix(s);
+        general.mass_matrix = mass_of<T>(s);
         general.mass_matrix(0, 1) = general.mass_matrix(1, 0) = T(1) / 2;
         require_basis(general, modal_basis(general));
     };
@@ -294,7 +295,6 @@ TEST_CASE("modes that double does not tell from those of a singular matrix are r
 
 TEST_CASE("modes beyond the range of the number type are an error and not infinite", "[model][bad-input]") {
     REQUIRE_THROWS_AS(modal_basis(chain_of<double>({1, 1e-300}, {1, 1e300})), PrecisionError);
-    REQUIRE_NOTHROW(modal_basis(chain_of<Real50>({1, 1e-300}, {1, 1e300})));
 }
 
 TEST_CASE("masses of very different size keep the digits of every mode in double, within their bounds",

@@ -5,7 +5,7 @@
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
-#include "tests/support/multiprecision.hpp"
+#include "tests/support/closed_form.hpp"
 
 using namespace denhartog;
 

@@ -30,7 +30,7 @@ TEST_CASE("the damping functions are the response to a square wave on the contac
     for (const double r : {0.375, 0.875, 1.125, 2.5}) {
         const Scene<double> scene = three_masses(r);
         const ModeSums<double> s = sums_of(scene);
-        const NonDimensionalMatrices<double> m = matrices_of(scene);
+        const NonDimensionalMatrices m = matrices_of(scene);
         const Eigen::VectorXd tail = m.M.inverse().col(static_cast<Eigen::Index>(s.contact.index));
         Eigen::VectorXd x = Eigen::VectorXd::Zero(3);
         Eigen::VectorXd v = -pi<double>() * pi<double>() / 8 * tail;

@@ -43,7 +43,7 @@ TEST_CASE("the non-dimensional equation of motion is the dimensional one over P"
     const Matrix<double> C = a * M + b * K;
     for (int i = 0; i < 3; ++i) text["damping_matrix"].push_back({C(i, 0), C(i, 1), C(i, 2)});
     const Scene<double> scene = read_scene<double>(text.dump());
-    const NonDimensionalMatrices<double> bar = non_dimensional_matrices(scene.system, modal_basis(scene.system), *scene.r);
+    const NonDimensionalMatrices bar = non_dimensional_matrices(scene.system, modal_basis(scene.system), *scene.r);
     for (int i = 0; i < 3; ++i)
         for (int n = 0; n < 3; ++n) {
             REQUIRE(std::abs(paper::non_dimensional_mass(M(i, n), omega, k[0]) - bar.M(i, n)) < 16 * eps);
@@ -79,7 +79,7 @@ TEST_CASE("mode shapes over r are normalised by the non-dimensional mass matrix"
     const System<double> s = chain_of({1, 2.5, 0.75}, {1, 0.625, 1.875}, 0.03125);
     const ModalBasis<double> basis = modal_basis(s);
     for (const double r : {0.125, 1.0, 3.5}) {
-        const NonDimensionalMatrices<double> matrices = non_dimensional_matrices(s, basis, r);
+        const NonDimensionalMatrices matrices = non_dimensional_matrices(s, basis, r);
         const Matrix<double> psi = basis.phi / r;
         const Matrix<double> modal_mass = psi.transpose() * matrices.M * psi;
         const Matrix<double> modal_stiffness = psi.transpose() * matrices.K * psi;
@@ -99,7 +99,7 @@ TEST_CASE("the damping matrix (19) gives the damping ratios back through (18)", 
     s.damping_ratios = {0.03125, 0.5, 0, 0.125};
     const ModalBasis<double> basis = modal_basis(s);
     const double r = 1.375;
-    const NonDimensionalMatrices<double> matrices = non_dimensional_matrices(s, basis, r);
+    const NonDimensionalMatrices matrices = non_dimensional_matrices(s, basis, r);
     REQUIRE(matrices.C == Matrix<double>(matrices.C.transpose()));
     const Matrix<double> psi = basis.phi / r;
     const Matrix<double> modal_damping = psi.transpose() * matrices.C * psi;
@@ -121,7 +121,7 @@ TEST_CASE("modal superposition gives the harmonic response of the coupled equati
     s.damping_ratios = {0.03125, 0.25, 0.125};
     const ModalBasis<double> basis = modal_basis(s);
     const double r = 1.125;
-    const NonDimensionalMatrices<double> matrices = non_dimensional_matrices(s, basis, r);
+    const NonDimensionalMatrices matrices = non_dimensional_matrices(s, basis, r);
     const std::complex<double> i_unit(0, 1);
     const Matrix<std::complex<double>> dynamic =
         (matrices.K - matrices.M).cast<std::complex<double>>() + i_unit * matrices.C.cast<std::complex<double>>();

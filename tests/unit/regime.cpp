@@ -10,7 +10,7 @@ using namespace denhartog::tests;
 
 namespace {
 
-const BoundaryError<double> known_exactly{0, 0};
+const BoundaryError known_exactly{0, 0};
 
 Response<double> response_of(Scene<double> scene, double beta) {
     scene.beta = beta;

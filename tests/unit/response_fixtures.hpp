@@ -46,10 +46,7 @@ inline Scene<double> with_beta(Scene<double> scene, double beta) {
 }
 
 /// @brief The stuck configuration of a system.
-template <class T>
-StuckConfiguration<T> stuck_of(const System<T>& s) {
-    return stuck_configuration(s, modal_basis(s));
-}
+inline StuckConfiguration stuck_of(const System<double>& s) { return stuck_configuration(s, modal_basis(s)); }
 
 /// @brief The friction ratio from which the contact can stay at rest for ever.
 struct StickingLimits {
@@ -79,13 +76,12 @@ inline Scene<Real50> in_50_digits(Scene<double> scene, double r) {
 }
 
 /// @brief Matrices of (6) of a scene.
-template <class T>
-NonDimensionalMatrices<T> matrices_of(const Scene<T>& scene) {
+inline NonDimensionalMatrices matrices_of(const Scene<double>& scene) {
     return non_dimensional_matrices(scene.system, modal_basis(scene.system), *scene.r);
 }
 
 /// @brief Complex displacements of all masses under harmonic unit load of n times the frequency on one mass: a dense solve.
-inline Eigen::VectorXcd harmonic_response(const NonDimensionalMatrices<double>& m, std::size_t load, int n = 1) {
+inline Eigen::VectorXcd harmonic_response(const NonDimensionalMatrices& m, std::size_t load, int n = 1) {
     const std::complex<double> i(0, 1);
     const Eigen::MatrixXcd D = m.K.cast<std::complex<double>>() - double(n) * n * m.M + i * double(n) * m.C;
     return D.partialPivLu().solve(Eigen::VectorXcd::Unit(D.rows(), static_cast<Eigen::Index>(load)));

@@ -122,7 +122,7 @@ TEST_CASE("a mass that nothing moves has no amplitude beyond its error bound", "
 
 TEST_CASE("a damping matrix that double takes for uncoupled counts in more digits as it was given", "[eq:18][accuracy]") {
     Scene<double> scene = sliding();
-    const NonDimensionalMatrices<double> m = matrices_of(scene);
+    const NonDimensionalMatrices m = matrices_of(scene);
     scene.system.damping_ratios.clear();
     scene.system.damping_matrix = 0.1 * m.M / (1.125 * 1.125) + 0.03 * m.K;
     const Solution found = answer(scene_source(scene));
@@ -136,7 +136,7 @@ TEST_CASE("a damping matrix that double takes for uncoupled counts in more digit
     // (56) of modes that rounding alone couples is that of the modes, and not (69), which stands for it where they are coupled.
     Scene<double> other = chain({1, 0.4270386714783879, 1.4318314422854959, 0.7084766250547844},
                                 {1, 2.4821655187041753, 1.1658029398218572, 0.15781309896140538}, {0, 0, 0, 0}, 1, 3, 1, 1.37);
-    const NonDimensionalMatrices<double> of_other = matrices_of(other);
+    const NonDimensionalMatrices of_other = matrices_of(other);
     other.system.damping_ratios.clear();
     other.system.damping_matrix = 0.01 * of_other.M + 0.02 * of_other.K;
     other.beta = 0;
@@ -239,8 +239,7 @@ TEST_CASE("next to a friction ratio at which a phase jumps, its bound holds or r
     const auto instant = [&](const Real50& beta) {
         const Scene<Real50> wide = scene_in<Real50>(scene);
         const ModeSums<Real50> sums = mode_sums(modal_basis(wide.system), wide.system.contact, wide.system.load, *wide.r);
-        FrictionMotions<Real50> y(sums);
-        return instants_of_maxima(y, beta, Mass{0}).instants[0];
+        return steady_state(sums, {Real50(beta + 1), {}}, beta, Mass{0}).masses[0].instant;
     };
     Real50 below = Real50(jump) * (1 - Real50(1e-12)), above = Real50(jump) * (1 + Real50(1e-12));
     const Real50 left = instant(below);

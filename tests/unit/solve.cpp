@@ -168,7 +168,7 @@ TEST_CASE("a contact that rests gives the stuck response and the interval of res
     REQUIRE(s.regime.regime == Regime::permanent_sticking);
     const Solution& a = s;
     // The first mass between two springs of 1, its damping the diagonal entry of (19).
-    const NonDimensionalMatrices<double> m = matrices_of(scene);
+    const NonDimensionalMatrices m = matrices_of(scene);
     const std::complex<double> X = 1.0 / std::complex<double>(m.K(0, 0) - m.M(0, 0), m.C(0, 0));
     CHECK(a.masses[0].amplitude.value == Approx(std::abs(X)).epsilon(1e-13));
     CHECK(a.masses[0].phase->value == Approx(-std::arg(X)).epsilon(1e-13));

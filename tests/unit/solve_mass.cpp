@@ -194,7 +194,7 @@ TEST_CASE("shapes at a few masses are those of the whole basis up to sign, the l
     const std::vector<double> gamma{1, 2.5, 0.75, 1.25};
     for (const std::vector<double>& kappa :
          {std::vector<double>{1, 0.625, 1.875, 2}, std::vector<double>{1, 0.625, 1.875, 2, 0.5}}) {
-        const NaturalModes<double> all = chain_modes(gamma, kappa), rows = chain_modes(gamma, kappa, {Mass{2}, Mass{0}});
+        const NaturalModes all = chain_modes(gamma, kappa), rows = chain_modes(gamma, kappa, {Mass{2}, Mass{0}});
         CHECK(rows.r_n == all.r_n);
         REQUIRE(rows.phi.rows() == 2);
         for (Eigen::Index i = 0; i < rows.phi.cols(); ++i) {

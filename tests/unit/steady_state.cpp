@@ -65,7 +65,7 @@ TEST_CASE("one damped mass has the amplitude of Den Hartog's solution with mixed
 
 TEST_CASE("the motion fulfils the equation of motion inside the half-period", "[eq:6][eq:12][eq:40][eq:41]") {
     for (const Case& c : cases()) {
-        const NonDimensionalMatrices<double> m = matrices_of(c.scene);
+        const NonDimensionalMatrices m = matrices_of(c.scene);
         const double h = 1e-3;
         for (const double tau : {0.25, 1.0, 1.75, 2.875}) {
             // Accelerations by differences of velocities, sixth order.

@@ -44,7 +44,7 @@ TEST_CASE("a polynomial of fifth degree is found from its dense output", "[unit]
     const StepFunction p = through(f, derivative);
     for (int n = 0; n <= 16; ++n) {
         const double t = n / 16.0;
-        const Jet<double> jet = p(t);
+        const Jet jet = p(t);
         CHECK(std::abs(jet.f[0] - f(t)) <= 2e-14);
         CHECK(std::abs(jet.f[1] - derivative(t)) <= 2e-13);
         CHECK(std::abs(jet.f[2] - (1 + t * (42 + t * (-48 + t * 25)))) <= 2e-12);
@@ -59,7 +59,7 @@ TEST_CASE("a cosine over a step comes with its derivatives and what bounds the f
             const StepFunction f{{}, 2 * std::cos(tau), -2 * std::sin(tau), h};
             for (int n = 0; n <= 64; ++n) {
                 const double theta = n / 64.0, at = tau + h * theta;
-                const Jet<double> jet = f(theta);
+                const Jet jet = f(theta);
                 const std::array<double, 4> derivatives = {std::cos(at), -h * std::sin(at), -h * h * std::cos(at),
                                                            h * h * h * std::sin(at)};
                 for (std::size_t k = 0; k < 4; ++k) CHECK(std::abs(jet.f[k] - 2 * derivatives[k]) <= 2 * 1256 * 2.3e-16);

@@ -9,7 +9,7 @@
 #include "denhartog/sliding/boundary.hpp"
 #include "denhartog/sums/mode_sums.hpp"
 #include "tests/catch.hpp"
-#include "tests/support/multiprecision.hpp"
+#include "tests/support/closed_form.hpp"
 #include "tests/unit/program_runs.hpp"
 
 using namespace denhartog;

@@ -59,7 +59,7 @@ std::vector<double> durations(const std::vector<Stop>& stops) {
 }
 
 std::optional<Value> answer_of_stuck_motion(const ProtocolQuestion& q, const Scene<double>& scene) {
-    const StuckConfiguration<double> stuck = stuck_configuration(scene.system, modal_basis(scene.system));
+    const StuckConfiguration stuck = stuck_configuration(scene.system, modal_basis(scene.system));
     const StuckResponse response = stuck_response(stuck, scene.system.load, *scene.r);
     if (q.quantity == "rest_interval") {
         const double margin = paper::sticking_margin(modulus(response.contact_load), scene.mu, *scene.beta);
@@ -109,7 +109,7 @@ std::vector<std::optional<Value>> answers_of_transient(const ProtocolQuestion& q
 std::optional<Value> answer_of_creep(const ProtocolQuestion& q, double width) {
     if (q.mass != q.contact || !is_of_the_paper(q)) return std::nullopt;
     const Scene<double> scene = scene_of(q);
-    const StuckConfiguration<double> stuck = stuck_configuration(scene.system, modal_basis(scene.system));
+    const StuckConfiguration stuck = stuck_configuration(scene.system, modal_basis(scene.system));
     const Complex<double> load = stuck_response(stuck, scene.system.load, *scene.r).contact_load;
     const double share = modulus(load) / *scene.beta;
     if (!(share < 1)) return std::nullopt;

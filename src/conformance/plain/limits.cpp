@@ -121,7 +121,7 @@ double plain_sticking_limit_by_88(const ProtocolQuestion& q) {
 
 double plain_sticking_limit_without_damping(const ProtocolQuestion& q) {
     const System<double> system = paper_system(q);
-    const StuckConfiguration<double> stuck = stuck_configuration(system, modal_basis(system));
+    const StuckConfiguration stuck = stuck_configuration(system, modal_basis(system));
     return paper::sticking_limit(stuck_response(stuck, system.load, q.r).elastic_load, q.mu);
 }
 

@@ -57,7 +57,7 @@ Matrix<double> errors_of_damping(const Scene<double>& scene, const ModalBasis<Bo
 }
 
 // (88) as printed: modes of the masses on the load's side of the contact, damping read from the diagonal.
-std::optional<Certified> limit_by_88(const Scene<double>& scene, const StuckConfiguration<double>& stuck,
+std::optional<Certified> limit_by_88(const Scene<double>& scene, const StuckConfiguration& stuck,
                                      const Matrix<double>& of_damping) {
     const System<double>& s = scene.system;
     const Bounded<double> mu = as_input(scene.mu), r = as_input(*scene.r);
@@ -79,7 +79,7 @@ std::optional<Certified> limit_by_88(const Scene<double>& scene, const StuckConf
     Complex<Bounded<double>> X{Bounded<double>(0), Bounded<double>(0)};
     for (Eigen::Index i = 0; i < n; ++i) {
         const Bounded<double>& r_n = modes.r_n[static_cast<std::size_t>(i)];
-        const Column<double> size = chain->phi.col(i).cwiseAbs();
+        const Column size = chain->phi.col(i).cwiseAbs();
         Bounded<double> D = Bounded<double>(2) * modes.zeta[static_cast<std::size_t>(i)] * r_n;
         D.e += 2.0 * size.dot(product(left_out, size));
         const Bounded<double> a((r_n - r) * (r_n + r)), b(r * D);
@@ -92,14 +92,13 @@ std::optional<Certified> limit_by_88(const Scene<double>& scene, const StuckConf
 }
 
 // The static compliance of the contact, (K^-1)_jj.
-Bounded<double> compliance_of(const StuckConfiguration<double>& stuck) {
+Bounded<double> compliance_of(const StuckConfiguration& stuck) {
     const auto n = static_cast<Eigen::Index>(stuck.masses.size());
     Matrix<double> K(n + 1, n + 1);
     K.topLeftCorner(n, n) = stuck.K;
     for (Eigen::Index i = 0; i < n; ++i) K(i, n) = K(n, i) = stuck.k_j[static_cast<std::size_t>(i)];
     K(n, n) = stuck.k_jj;
-    const Bounded<double> found =
-        BoundedSystem<double>(K, Matrix<double>::Zero(n + 1, n + 1)).solved(Column<double>::Unit(n + 1, n)).back();
+    const Bounded<double> found = BoundedSystem(K, Matrix<double>::Zero(n + 1, n + 1)).solved(Column::Unit(n + 1, n)).back();
     const double by_modes = 1 / stuck.k_contact; // a number also where K is singular in double
     return {by_modes, found.e + abs(found.x - by_modes)};
 }
@@ -110,7 +109,7 @@ struct HeldResponse {
     Bounded<double> load;                    // on the contact, in size
 };
 
-HeldResponse held_response(const Scene<double>& scene, const StuckConfiguration<double>& stuck, Matrix<double> of_damping) {
+HeldResponse held_response(const Scene<double>& scene, const StuckConfiguration& stuck, Matrix<double> of_damping) {
     const std::size_t N = stuck.masses.size() + 1, a = stuck.contact.a;
     std::vector<double> p = load_vector(scene.system);
     if (stuck.contact.b) { // x_a moves as x_b does
@@ -129,7 +128,7 @@ HeldResponse held_response(const Scene<double>& scene, const StuckConfiguration<
     const Bounded<double> r = as_input(*scene.r);
     std::vector<Complex<Bounded<double>>> moving;
     if (N > 1)
-        moving = harmonic_responses(harmonic_system<double>(stuck.M, stuck.C, stuck.K, of_damping(others, others), r), forces);
+        moving = harmonic_responses(harmonic_system(stuck.M, stuck.C, stuck.K, of_damping(others, others), r), forces);
     HeldResponse held{{N, {Bounded<double>(0), Bounded<double>(0)}}, {}};
     std::vector<Bounded<double>> C_j, K_j;
     for (std::size_t i = 0; i + 1 < N; ++i) {
@@ -149,8 +148,8 @@ HeldResponse held_response(const Scene<double>& scene, const StuckConfiguration<
 
 } // namespace
 
-HeldSolution held_solution(const Scene<double>& scene, const StuckConfiguration<double>& stuck,
-                           const ModalBasis<Bounded<double>>& basis, std::optional<Mass> only) {
+HeldSolution held_solution(const Scene<double>& scene, const StuckConfiguration& stuck, const ModalBasis<Bounded<double>>& basis,
+                           std::optional<Mass> only) {
     const System<double>& s = scene.system;
     const Matrix<double> of_damping = errors_of_damping(scene, basis);
     const HeldResponse held = held_response(scene, stuck, of_damping);

@@ -23,7 +23,7 @@ struct HeldSolution {
 /// @brief The stuck response for rest at zero; its error is bounded by what it leaves over in the equations of motion. Damping
 /// ratios mean the damping matrix that the modes of the basis make. With `only` the errors of one mass count. Where the load
 /// excites the resonance of an undamped stuck mode, it throws DomainError. @eq{88}
-[[nodiscard]] HeldSolution held_solution(const Scene<double>& scene, const StuckConfiguration<double>& stuck,
+[[nodiscard]] HeldSolution held_solution(const Scene<double>& scene, const StuckConfiguration& stuck,
                                          const ModalBasis<Bounded<double>>& basis, std::optional<Mass> only = std::nullopt);
 
 /// @brief The boundary of permanent sticking by (88) as printed, with a bound of its error; none for a system that is no chain,

@@ -173,10 +173,10 @@ BallMatrix of_others(const BallMatrix& A, slong j) {
 }
 
 // Gives nothing where the frequencies do not have their digits.
-std::optional<RoundedModes<double>> held_modes(const SceneInBalls& s, const ModesInBalls& sliding, const System<double>& system) {
+std::optional<RoundedModes> held_modes(const SceneInBalls& s, const ModesInBalls& sliding, const System<double>& system) {
     const Contact contact = contact_of(system.contact, system.contact_with, mass_matrix(system));
     const BallMatrix O = with_contact(contact, s.N()), back = transposed(O), C = back * s.C * O;
-    RoundedModes<double> held{values_of(in_double(transposed(shapes_of(sliding)) * s.M)), values_of(in_double(C)), {}, {}, {}};
+    RoundedModes held{values_of(in_double(transposed(shapes_of(sliding)) * s.M)), values_of(in_double(C)), {}, {}, {}};
     if (s.N() == 1) return held;
     const auto j = static_cast<slong>(contact.a);
     SceneInBalls others{of_others(back * s.M * O, j), of_others(back * s.K * O, j), of_others(C, j)};
@@ -256,7 +256,7 @@ SystemByReference system_by_reference(const SceneSource& source) {
         ModalBasis<Bounded<double>> basis = basis_of(s, m, system);
         if (!is_nearly_rounded(basis)) return found;
         if (!s.zeta.empty()) s.C = damping_matrix_in_balls(s, m);
-        if (std::optional<RoundedModes<double>> held = held_modes(s, m, system)) {
+        if (std::optional<RoundedModes> held = held_modes(s, m, system)) {
             widen_shapes(m, basis);
             found = {std::move(basis), *std::move(held)};
         }

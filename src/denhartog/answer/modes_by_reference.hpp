@@ -32,7 +32,7 @@ namespace denhartog {
 /// @brief The modes of a system while the contact slides, and what goes with them.
 struct SystemByReference {
     ModalBasis<Bounded<double>> basis; ///< as `modes_by_reference` gives it, modes that coincide too
-    RoundedModes<double> held;         ///< the modes with the contact held, and more
+    RoundedModes held;                 ///< the modes with the contact held, and more
 };
 
 /// @brief All modes of a system. @param source the system @return the modes @throws PrecisionError as `modes_by_reference`

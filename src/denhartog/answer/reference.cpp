@@ -49,7 +49,7 @@ void write_regime(const PointInBalls& p, Solution& s) {
     b.exact = parted(p.boundary->exact, shown, beta < p.boundary->exact);
     if (p.sticking) b.sticking = parted(*p.sticking, shown, !(beta >= *p.sticking));
     b.binding = p.boundary->binding;
-    s.regime = regime_at(b, shown, BoundaryError<double>{0, 0});
+    s.regime = regime_at(b, shown, BoundaryError{0, 0});
     s.regime.regime = regime;
     const bool certain = beta < p.boundary->paper || beta >= p.boundary->paper;
     if (!certain || !p.sticking) return;

@@ -98,7 +98,7 @@ void write_point(const Scene<double>& scene, SlidingPoint& point, Asked asked, S
 
 } // namespace
 
-FrictionMotions<double>& SearchedSums::motions() {
+FrictionMotions& SearchedSums::motions() {
     constexpr std::size_t most_remembered = std::size_t(1) << 16;
     if (!motions_ || motions_->remembered() > most_remembered) motions_.emplace(values());
     return *motions_;
@@ -112,7 +112,7 @@ std::vector<double> SearchedSums::demands() {
 SteadyState<Number> SearchedSums::steady_state(const Number& beta, std::optional<Mass> only, bool with_rivals) {
     SteadyState<Number> state = steady_state_without_maxima(sums_, beta);
     if (only ? *only == sums_.contact : state.masses.size() == 1) return state; // the contact has a closed form
-    const InstantsOfMaxima<double> maxima =
+    const InstantsOfMaxima maxima =
         instants_of_maxima(motions(), beta.x, only, with_rivals ? errors_of_displacements(state) : std::vector<double>());
     state = with_maxima(sums_, std::move(state), {maxima.instants.begin(), maxima.instants.end()}, only);
     for (std::size_t k = 0; k < maxima.spreads.size(); ++k) {

@@ -38,7 +38,7 @@ public:
     /// @brief The same without bounds.
     [[nodiscard]] const ModeSums<double>& values() { return values_ ? *values_ : values_.emplace(values_of(sums_)); }
     /// @brief Friction's share of the motion.
-    [[nodiscard]] FrictionMotions<double>& motions();
+    [[nodiscard]] FrictionMotions& motions();
     /// @brief The instants of the largest demands: that of the sum over modes, then those of the modes.
     [[nodiscard]] std::vector<double> demands();
     /// @brief The steady state below the boundary. `with_rivals` looks for other instants at which a displacement may be largest,
@@ -49,7 +49,7 @@ public:
 private:
     ModeSums<Bounded<double>> sums_;
     std::optional<ModeSums<double>> values_{};
-    std::optional<FrictionMotions<double>> motions_{};
+    std::optional<FrictionMotions> motions_{};
 };
 
 /// @brief What is known of a point.

@@ -16,63 +16,59 @@ using std::abs;
 using std::sqrt;
 
 /// The plane rotation that takes (f, g) to (r, 0): c f + s g = r, c g - s f = 0.
-template <class T>
 struct Rotation {
-    T c, s, r;
+    double c, s, r;
 };
 
-template <class T>
-Rotation<T> rotation(const T& f, const T& g) {
-    if (g == 0) return {T(1), T(0), f};
-    if (f == 0) return {T(0), T(1), g};
+Rotation rotation(double f, double g) {
+    if (g == 0) return {1.0, 0.0, f};
+    if (f == 0) return {0.0, 1.0, g};
     const bool f_leads = abs(f) > abs(g);
-    const T t = f_leads ? T(g / f) : T(f / g);
-    const T length = sqrt(T(1 + t * t));
-    const T larger = 1 / length;
+    const double t = f_leads ? g / f : f / g;
+    const double length = sqrt(1 + t * t);
+    const double larger = 1 / length;
     if (f_leads) return {larger, t * larger, f * length};
     return {t * larger, larger, g * length};
 }
 
 /// Smaller singular value of the triangle [f g; 0 h], without overflow.
-template <class T>
-T smaller_singular_value(const T& f, const T& g, const T& h) {
-    const T small = std::min<T>(abs(f), abs(h));
-    const T large = std::max<T>(abs(f), abs(h));
-    if (small == 0) return T(0);
-    const T a = 1 + small / large;
-    const T b = (large - small) / large;
+double smaller_singular_value(double f, double g, double h) {
+    const double small = std::min<double>(abs(f), abs(h));
+    const double large = std::max<double>(abs(f), abs(h));
+    if (small == 0) return 0.0;
+    const double a = 1 + small / large;
+    const double b = (large - small) / large;
     if (abs(g) < large) {
-        const T q = abs(g) / large;
-        return small * (2 / (sqrt(T(a * a + q * q)) + sqrt(T(b * b + q * q))));
+        const double q = abs(g) / large;
+        return small * (2 / (sqrt(a * a + q * q) + sqrt(b * b + q * q)));
     }
-    const T q = large / abs(g);
-    return 2 * small * q / (sqrt(T(1 + (a * q) * (a * q))) + sqrt(T(1 + (b * q) * (b * q))));
+    const double q = large / abs(g);
+    return 2 * small * q / (sqrt(1 + (a * q) * (a * q)) + sqrt(1 + (b * q) * (b * q)));
 }
 
 /// A diagonal block first..last without zeros beside its diagonal. Seen from the bottom it is transposed and reversed: the view
 /// is upper bidiagonal again, and its left singular vectors are the right ones of the block.
-template <class T>
 struct DiagonalBlock {
-    std::vector<T>& d;
-    std::vector<T>& e;
-    Matrix<T>& V;
+    std::vector<double>& d;
+    std::vector<double>& e;
+    Matrix<double>& V;
     std::size_t first, last;
     bool from_bottom;
 
     std::size_t size() const { return last - first + 1; }
-    T& diagonal(std::size_t i) { return from_bottom ? d[last - i] : d[first + i]; }
-    T& beside(std::size_t i) { return from_bottom ? e[last - 1 - i] : e[first + i]; }
+    double& diagonal(std::size_t i) { return from_bottom ? d[last - i] : d[first + i]; }
+    double& beside(std::size_t i) { return from_bottom ? e[last - 1 - i] : e[first + i]; }
 
     /// Turns the singular vectors i and i + 1 of the view by its right or left rotation, whichever acts on ours.
-    void turn(std::size_t i, const Rotation<T>& right, const Rotation<T>& left) {
-        const Rotation<T>& by = from_bottom ? left : right;
+    void turn(std::size_t i, const Rotation& right, const Rotation& left) {
+        const Rotation& by = from_bottom ? left : right;
         const Eigen::Index N = V.rows();
-        T* x = V.data() + N * static_cast<Eigen::Index>(from_bottom ? last - i : first + i);
-        T* y = V.data() + N * static_cast<Eigen::Index>(from_bottom ? last - i - 1 : first + i + 1);
-        const T c = by.c;
-        const T s = by.s;
+        double* x = V.data() + N * static_cast<Eigen::Index>(from_bottom ? last - i : first + i);
+        double* y = V.data() + N * static_cast<Eigen::Index>(from_bottom ? last - i - 1 : first + i + 1);
+        const double c = by.c;
+        const double s = by.s;
         for (Eigen::Index k = 0; k < N; ++k) {
-            const T x_k = x[k];
+            const double x_k = x[k];
             x[k] = c * x_k + s * y[k];
             y[k] = c * y[k] - s * x_k;
         }
@@ -80,34 +76,32 @@ struct DiagonalBlock {
 };
 
 /// What the tests for convergence find in a block.
-template <class T>
 struct Estimate {
-    bool split = false; ///< an entry was negligible and is zero now
-    T smallest = T(0);  ///< lower estimate of the smallest singular value
-    T largest = T(0);   ///< largest entry
+    bool split = false;    ///< an entry was negligible and is zero now
+    double smallest = 0.0; ///< lower estimate of the smallest singular value
+    double largest = 0.0;  ///< largest entry
 };
 
 /// Sets entries beside the diagonal to zero that change no singular value by more than a relative `tolerance`.
-template <class T>
-Estimate<T> test(DiagonalBlock<T>& block, const T& tolerance) {
+Estimate test(DiagonalBlock& block, double tolerance) {
     const std::size_t n = block.size();
-    Estimate<T> found;
+    Estimate found;
     if (abs(block.beside(n - 2)) <= tolerance * abs(block.diagonal(n - 1))) {
-        block.beside(n - 2) = T(0);
+        block.beside(n - 2) = 0.0;
         found.split = true;
         return found;
     }
-    T distance = abs(block.diagonal(0));
+    double distance = abs(block.diagonal(0));
     found.smallest = distance;
     found.largest = distance;
     for (std::size_t i = 0; i + 1 < n; ++i) {
-        const T e = abs(block.beside(i));
+        const double e = abs(block.beside(i));
         if (e <= tolerance * distance) {
-            block.beside(i) = T(0);
+            block.beside(i) = 0.0;
             found.split = true;
             return found;
         }
-        const T d = abs(block.diagonal(i + 1));
+        const double d = abs(block.diagonal(i + 1));
         distance = d * (distance / (distance + e));
         found.smallest = std::min(found.smallest, distance);
         found.largest = std::max({found.largest, d, e});
@@ -116,42 +110,40 @@ Estimate<T> test(DiagonalBlock<T>& block, const T& tolerance) {
 }
 
 /// One sweep without shift: every entry keeps its relative accuracy, for there are no subtractions.
-template <class T>
-void sweep_without_shift(DiagonalBlock<T>& block) {
+void sweep_without_shift(DiagonalBlock& block) {
     const std::size_t n = block.size();
-    Rotation<T> left{T(1), T(0), T(0)};
-    T c = T(1);
+    Rotation left{1.0, 0.0, 0.0};
+    double c = 1.0;
     for (std::size_t i = 0; i + 1 < n; ++i) {
-        const Rotation<T> right = rotation(T(block.diagonal(i) * c), block.beside(i));
+        const Rotation right = rotation(block.diagonal(i) * c, block.beside(i));
         if (i > 0) block.beside(i - 1) = left.s * right.r;
-        left = rotation(T(left.c * right.r), T(block.diagonal(i + 1) * right.s));
+        left = rotation(left.c * right.r, block.diagonal(i + 1) * right.s);
         block.diagonal(i) = left.r;
         c = right.c;
         block.turn(i, right, left);
     }
-    const T rest = block.diagonal(n - 1) * c;
+    const double rest = block.diagonal(n - 1) * c;
     block.diagonal(n - 1) = rest * left.c;
     block.beside(n - 2) = rest * left.s;
 }
 
 /// One sweep of the QR iteration with a shift.
-template <class T>
-void sweep_with_shift(DiagonalBlock<T>& block, const T& shift) {
+void sweep_with_shift(DiagonalBlock& block, double shift) {
     const std::size_t n = block.size();
-    const T d_0 = block.diagonal(0);
-    T f = (abs(d_0) - shift) * ((d_0 > 0 ? T(1) : T(-1)) + shift / d_0);
-    T g = block.beside(0);
+    const double d_0 = block.diagonal(0);
+    double f = (abs(d_0) - shift) * ((d_0 > 0 ? 1.0 : -1.0) + shift / d_0);
+    double g = block.beside(0);
     for (std::size_t i = 0; i + 1 < n; ++i) {
-        T& d = block.diagonal(i);
-        T& e = block.beside(i);
-        T& d_next = block.diagonal(i + 1);
-        const Rotation<T> right = rotation(f, g);
+        double& d = block.diagonal(i);
+        double& e = block.beside(i);
+        double& d_next = block.diagonal(i + 1);
+        const Rotation right = rotation(f, g);
         if (i > 0) block.beside(i - 1) = right.r;
         f = right.c * d + right.s * e;
         e = right.c * e - right.s * d;
         g = right.s * d_next;
         d_next = right.c * d_next;
-        const Rotation<T> left = rotation(f, g);
+        const Rotation left = rotation(f, g);
         d = left.r;
         f = left.c * e + left.s * d_next;
         d_next = left.c * d_next - left.s * e;
@@ -165,23 +157,21 @@ void sweep_with_shift(DiagonalBlock<T>& block, const T& shift) {
 }
 
 /// The shift for the next sweep: the smaller singular value of the last two rows of the view, or zero where it would cost digits.
-template <class T>
-T shift_for(DiagonalBlock<T>& block, const Estimate<T>& found, int N) {
-    if (found.largest > 4 * N * found.smallest) return T(0);
+double shift_for(DiagonalBlock& block, const Estimate& found, int N) {
+    if (found.largest > 4 * N * found.smallest) return 0.0;
     const std::size_t n = block.size();
-    const T shift = smaller_singular_value(block.diagonal(n - 2), block.beside(n - 2), block.diagonal(n - 1));
-    const T ratio = shift / block.diagonal(0);
-    return ratio * ratio < std::numeric_limits<T>::epsilon() ? T(0) : shift;
+    const double shift = smaller_singular_value(block.diagonal(n - 2), block.beside(n - 2), block.diagonal(n - 1));
+    const double ratio = shift / block.diagonal(0);
+    return ratio * ratio < std::numeric_limits<double>::epsilon() ? 0.0 : shift;
 }
 
 /// Values positive and ascending, vectors with them.
-template <class T>
-SingularValues<T> in_order(const std::vector<T>& d, const Matrix<T>& V, long sweeps) {
+SingularValues in_order(const std::vector<double>& d, const Matrix<double>& V, long sweeps) {
     const std::size_t N = d.size();
     std::vector<std::size_t> order(N);
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return abs(d[a]) < abs(d[b]); });
-    SingularValues<T> result{std::vector<T>(N), Matrix<T>(V.rows(), V.cols()), sweeps};
+    SingularValues result{std::vector<double>(N), Matrix<double>(V.rows(), V.cols()), sweeps};
     for (std::size_t i = 0; i < N; ++i) {
         result.sigma[i] = abs(d[order[i]]);
         result.V.col(i) = V.col(order[i]);
@@ -190,15 +180,14 @@ SingularValues<T> in_order(const std::vector<T>& d, const Matrix<T>& V, long swe
 }
 
 /// The iteration; V starts as rows of the identity.
-template <class T>
-SingularValues<T> iterate(std::vector<T> d, std::vector<T> e, Matrix<T> V) {
+SingularValues iterate(std::vector<double> d, std::vector<double> e, Matrix<double> V) {
     const std::size_t N = d.size();
-    const T tolerance = 8 * std::numeric_limits<T>::epsilon();
+    const double tolerance = 8 * std::numeric_limits<double>::epsilon();
     const double rotations_allowed =
-        2.0 * std::numeric_limits<T>::digits * static_cast<double>(N) * static_cast<double>(N) + 1000;
+        2.0 * std::numeric_limits<double>::digits * static_cast<double>(N) * static_cast<double>(N) + 1000;
     double rotations = 0;
     long sweeps = 0;
-    DiagonalBlock<T> block{d, e, V, N, 0, false};
+    DiagonalBlock block{d, e, V, N, 0, false};
     std::size_t end = N;
     while (true) {
         while (end > 1 && e[end - 2] == 0) --end;
@@ -209,13 +198,13 @@ SingularValues<T> iterate(std::vector<T> d, std::vector<T> e, Matrix<T> V) {
         block.first = begin;
         block.last = end - 1;
         if (is_new) block.from_bottom = abs(d[begin]) < abs(d[end - 1]);
-        const Estimate<T> found = test(block, tolerance);
+        const Estimate found = test(block, tolerance);
         if (found.split) continue;
         rotations += static_cast<double>(block.size());
         if (!(rotations <= rotations_allowed))
             throw PrecisionError("the natural frequencies of " + std::to_string(N) + " masses did not converge");
         QuestionEffort::pay_for_products(4 * static_cast<long>(block.size()) * V.rows());
-        const T shift = shift_for(block, found, static_cast<int>(N));
+        const double shift = shift_for(block, found, static_cast<int>(N));
         if (shift == 0)
             sweep_without_shift(block);
         else
@@ -227,21 +216,15 @@ SingularValues<T> iterate(std::vector<T> d, std::vector<T> e, Matrix<T> V) {
 
 } // namespace
 
-template <class T>
-SingularValues<T> bidiagonal_singular_values(std::vector<T> d, std::vector<T> e) {
+SingularValues bidiagonal_singular_values(std::vector<double> d, std::vector<double> e) {
     const auto N = static_cast<Eigen::Index>(d.size());
-    return iterate(std::move(d), std::move(e), Matrix<T>(Matrix<T>::Identity(N, N)));
+    return iterate(std::move(d), std::move(e), Matrix<double>(Matrix<double>::Identity(N, N)));
 }
 
-template <class T>
-SingularValues<T> bidiagonal_singular_values(std::vector<T> d, std::vector<T> e, const std::vector<std::size_t>& rows) {
-    Matrix<T> V = Matrix<T>::Zero(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(d.size()));
-    for (std::size_t n = 0; n < rows.size(); ++n) V(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(rows[n])) = T(1);
+SingularValues bidiagonal_singular_values(std::vector<double> d, std::vector<double> e, const std::vector<std::size_t>& rows) {
+    Matrix<double> V = Matrix<double>::Zero(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(d.size()));
+    for (std::size_t n = 0; n < rows.size(); ++n) V(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(rows[n])) = 1.0;
     return iterate(std::move(d), std::move(e), std::move(V));
 }
-
-template SingularValues<double> bidiagonal_singular_values(std::vector<double>, std::vector<double>);
-template SingularValues<double> bidiagonal_singular_values(std::vector<double>, std::vector<double>,
-                                                           const std::vector<std::size_t>&);
 
 } // namespace denhartog

@@ -9,11 +9,10 @@
 namespace denhartog {
 
 /// @brief Singular values, ascending, with their right singular vectors as columns.
-template <class T>
 struct SingularValues {
-    std::vector<T> sigma; ///< singular values, ascending, N values
-    Matrix<T> V;          ///< right singular vectors, orthonormal, N x N; column i belongs to sigma[i]
-    long sweeps = 0;      ///< QR sweeps that it took
+    std::vector<double> sigma; ///< singular values, ascending, N values
+    Matrix<double> V;          ///< right singular vectors, orthonormal, N x N; column i belongs to sigma[i]
+    long sweeps = 0;           ///< QR sweeps that it took
 };
 
 /// @brief Singular values of the upper bidiagonal matrix with diagonal d and superdiagonal e.
@@ -23,13 +22,11 @@ struct SingularValues {
 /// accuracy that they have themselves, however far apart the values lie. A sweep without shift keeps that accuracy; a sweep with
 /// a shift costs a factor of largest over smallest value of its block and is used only where that factor is at most 4 N. d has N
 /// >= 1 values, finite and not zero, and e has N - 1. PrecisionError where the iteration does not converge.
-template <class T>
-[[nodiscard]] SingularValues<T> bidiagonal_singular_values(std::vector<T> d, std::vector<T> e);
+[[nodiscard]] SingularValues bidiagonal_singular_values(std::vector<double> d, std::vector<double> e);
 
 /// @brief The same, to the last bit, with V of the rows wanted alone, in that order: the values cost N^2, a row another N^2, all
 /// rows N^3.
-template <class T>
-[[nodiscard]] SingularValues<T> bidiagonal_singular_values(std::vector<T> d, std::vector<T> e,
-                                                           const std::vector<std::size_t>& rows);
+[[nodiscard]] SingularValues bidiagonal_singular_values(std::vector<double> d, std::vector<double> e,
+                                                        const std::vector<std::size_t>& rows);
 
 } // namespace denhartog

@@ -15,12 +15,10 @@
 namespace denhartog {
 
 /// @brief The mass matrix of a system, N x N, in units of m_1.
-template <class T>
-[[nodiscard]] Matrix<T> mass_matrix(const System<T>& s);
+[[nodiscard]] Matrix<double> mass_matrix(const System<double>& s);
 
 /// @brief The stiffness matrix of a system, N x N, in units of k_1. @eq{73}
-template <class T>
-[[nodiscard]] Matrix<T> stiffness_matrix(const System<T>& s);
+[[nodiscard]] Matrix<double> stiffness_matrix(const System<double>& s);
 
 /// @brief The row of the contact: that of its mass against a wall.
 template <class T>
@@ -119,15 +117,13 @@ template <class T>
 
 /// @brief Matrices of a system with y in the place of x_a, \f$ \mathbf{O}^T\mathbf{A}\mathbf{O} \f$ with
 /// \f$ \mathbf{x} = \mathbf{O}\mathbf{y} \f$: every entry is off by no more than a unit in its last place.
-template <class T>
 struct HeldMatrices {
-    Matrix<T> M; ///< masses in units of m_1
-    Matrix<T> C; ///< damping in units of sqrt(k_1 m_1)
-    Matrix<T> K; ///< stiffnesses in units of k_1
+    Matrix<double> M; ///< masses in units of m_1
+    Matrix<double> C; ///< damping in units of sqrt(k_1 m_1)
+    Matrix<double> K; ///< stiffnesses in units of k_1
 };
 
 /// @brief The matrices of a system whose contact may be held, with its damping matrix C, given or (19) at r = 1.
-template <class T>
-[[nodiscard]] HeldMatrices<T> held_matrices(const System<T>& s, const Contact& held, const Matrix<T>& C);
+[[nodiscard]] HeldMatrices held_matrices(const System<double>& s, const Contact& held, const Matrix<double>& C);
 
 } // namespace denhartog

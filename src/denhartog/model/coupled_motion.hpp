@@ -20,14 +20,12 @@
 namespace denhartog {
 
 /// @brief A power series in a part of a step.
-template <class T>
 struct PowerSeries {
-    Matrix<T> terms;    ///< a column for each power, and some that are not used
-    Eigen::Index count; ///< columns in use
+    Matrix<double> terms; ///< a column for each power, and some that are not used
+    Eigen::Index count;   ///< columns in use
 };
 
 /// @brief The motion of a linear system.
-template <class T>
 class CoupledMotion {
 public:
     /// @brief What is asked most often.
@@ -39,16 +37,16 @@ public:
     CoupledMotion() = default;
     /// @brief Of a matrix A with no rate faster than `rate`: its entries over that are not much larger than 1 once its rows are
     /// scaled. Its exponentials spend of `effort`; if that is null, half of them is the question's to pay.
-    CoupledMotion(const Matrix<T>& A, const T& rate, Asked asked, Effort* const* effort);
+    CoupledMotion(const Matrix<double>& A, double rate, Asked asked, Effort* const* effort);
 
     /// @brief Starts at t = 0 with a state.
-    void start(Column<T> z);
+    void start(Column z);
 
     /// @brief The state at time t from the start; not a number where t has no digits left for a step.
-    [[nodiscard]] Column<T> at(const T& t);
+    [[nodiscard]] Column at(double t);
 
     /// @brief The rate \f$ Az \f$ of a state.
-    [[nodiscard]] Column<T> rates(const Column<T>& z) const;
+    [[nodiscard]] Column rates(const Column& z) const;
     /// @brief Operations that a state with three derivatives costs at another instant: a series, and two leaps or so.
     [[nodiscard]] long cost() const {
         return cost_of_products(64 * rows() + 3 * static_cast<Eigen::Index>(entries_.size()) + 2 * rows() * rows());
@@ -56,37 +54,37 @@ public:
 
     /// @brief \f$ e^{A\pi}-\mathbf{1} \f$, the exponential of the system over half a period, less the identity, where many
     /// instants of one start are asked. Half a period holds fewer than \f$ 2^{53} \f$ steps.
-    [[nodiscard]] const Matrix<T>& growth_over_half_period() { return leap(doublings_); }
+    [[nodiscard]] const Matrix<double>& growth_over_half_period() { return leap(doublings_); }
 
     /// @brief Other states of the same system, a column each, carried over a time; not numbers where t has no digits left for a
     /// step.
-    Matrix<T> carried(const T& t, Matrix<T> z);
+    Matrix<double> carried(double t, Matrix<double> z);
 
 private:
     [[nodiscard]] Eigen::Index rows() const { return static_cast<Eigen::Index>(ends_.size()); }
     void spend_products(Eigen::Index count) const;
-    bool add_term(const std::vector<T>& entries, const T& factor, const T* before, T* term, T* sum) const;
-    [[nodiscard]] Matrix<T> growth(const std::vector<T>& entries, Matrix<T> z) const;
-    [[nodiscard]] Matrix<T> doubled(const Matrix<T>& grown) const;
-    const Matrix<T>& leap(std::size_t k);
-    [[nodiscard]] std::optional<std::uint64_t> steps_in(const T& t) const;
-    [[nodiscard]] T part_after(std::uint64_t n, const T& t) const;
+    bool add_term(const std::vector<double>& entries, double factor, const double* before, double* term, double* sum) const;
+    [[nodiscard]] Matrix<double> growth(const std::vector<double>& entries, Matrix<double> z) const;
+    [[nodiscard]] Matrix<double> doubled(const Matrix<double>& grown) const;
+    const Matrix<double>& leap(std::size_t k);
+    [[nodiscard]] std::optional<std::uint64_t> steps_in(double t) const;
+    [[nodiscard]] double part_after(std::uint64_t n, double t) const;
     template <class Numbers>
     void leap_over(std::uint64_t n, Numbers& z);
-    [[nodiscard]] PowerSeries<T> terms_from(const Column<T>& z) const;
-    const PowerSeries<T>& series_after(std::uint64_t n);
+    [[nodiscard]] PowerSeries terms_from(const Column& z) const;
+    const PowerSeries& series_after(std::uint64_t n);
 
     // Entries of A that are not zero, row by row. Most are zero: half of the rows say that a velocity is one.
-    std::vector<T> entries_;
+    std::vector<double> entries_;
     std::vector<Eigen::Index> columns_; // of each of them
     std::vector<std::size_t> ends_;     // of each row in them
     std::size_t doublings_ = 0;         // of a step, which then is half a period
-    T rate_ = T(1);                     // steps a unit of time
+    double rate_ = 1.0;                 // steps a unit of time
     std::uint64_t single_steps_ = 0;    // so many are made one by one
     Effort* const* effort_ = nullptr;
-    Column<T> state_;                                // at the start
-    std::vector<Matrix<T>> leaps_;                   // as `leap` has them
-    std::map<std::uint64_t, PowerSeries<T>> series_; // as `series_after` has them
+    Column state_;                                // at the start
+    std::vector<Matrix<double>> leaps_;           // as `leap` has them
+    std::map<std::uint64_t, PowerSeries> series_; // as `series_after` has them
 };
 
 } // namespace denhartog

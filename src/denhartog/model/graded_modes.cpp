@@ -60,12 +60,12 @@ struct GradedStiffness {
 
 std::optional<GradedStiffness> graded_stiffness(const Matrix<double>& L, const Matrix<double>& K) {
     if (L.rows() < 2 || !is_diagonal(L)) return std::nullopt;
-    const Column<double> masses = L.diagonal().cwiseAbs2();
+    const Column masses = L.diagonal().cwiseAbs2();
     const double contrast = masses.maxCoeff() / masses.minCoeff();
     if (!(contrast >= least_contrast_of_masses)) return std::nullopt;
     Cholesky<double> factor = cholesky(K);
     if (factor.failed_order > 0) return std::nullopt;
-    const Matrix<double> inverse = LinearSystem<double>(K).inverse();
+    const Matrix<double> inverse = LinearSystem(K).inverse();
     double trace = 0;
     for (Eigen::Index i = 0; i < K.rows(); ++i) trace += inverse(i, i) * K(i, i);
     if (!(trace <= contrast)) return std::nullopt;
@@ -79,7 +79,7 @@ std::optional<double> condition_of_graded(const Matrix<double>& L, const Matrix<
     return graded ? std::optional(graded->condition) : std::nullopt;
 }
 
-std::optional<NaturalModes<double>> graded_modes(const Matrix<double>& L, const Matrix<double>& K) {
+std::optional<NaturalModes> graded_modes(const Matrix<double>& L, const Matrix<double>& K) {
     const std::optional<GradedStiffness> graded = graded_stiffness(L, K);
     if (!graded) return std::nullopt;
     const Eigen::Index N = K.rows();
@@ -91,7 +91,7 @@ std::optional<NaturalModes<double>> graded_modes(const Matrix<double>& L, const 
     std::vector<std::size_t> order(sizes.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::ranges::stable_sort(order, [&](std::size_t i, std::size_t k) { return sizes[i] < sizes[k]; });
-    NaturalModes<double> modes{{}, Matrix<double>(N, N)};
+    NaturalModes modes{{}, Matrix<double>(N, N)};
     for (const std::size_t i : order) {
         const auto column = static_cast<Eigen::Index>(modes.r_n.size());
         for (Eigen::Index k = 0; k < N; ++k) modes.phi(k, column) = V(k, static_cast<Eigen::Index>(i)) / L(k, k);

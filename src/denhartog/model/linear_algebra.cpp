@@ -2,9 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <concepts>
 #include <limits>
-#include <type_traits>
 
 #include "denhartog/model/product_of_doubles.hpp"
 #include "denhartog/number/effort.hpp"
@@ -14,17 +12,13 @@ namespace denhartog {
 namespace {
 
 // Eigen's own products of doubles add up in an order that depends on the processor and its caches.
-template <class T, class Left, class Right>
+template <class Left, class Right>
 auto times(const Left& A, const Right& B) {
-    if constexpr (std::same_as<T, double>) {
-        const Eigen::Ref<const Matrix<double>> a(A), b(B);
-        Eigen::Matrix<double, Eigen::Dynamic, Right::ColsAtCompileTime> product(a.rows(), b.cols());
-        product_of_doubles({a.data(), a.rows(), a.cols(), a.outerStride()}, {b.data(), b.rows(), b.cols(), b.outerStride()},
-                           product.data());
-        return product;
-    } else {
-        return A.lazyProduct(B).eval();
-    }
+    const Eigen::Ref<const Matrix<double>> a(A), b(B);
+    Eigen::Matrix<double, Eigen::Dynamic, Right::ColsAtCompileTime> product(a.rows(), b.cols());
+    product_of_doubles({a.data(), a.rows(), a.cols(), a.outerStride()}, {b.data(), b.rows(), b.cols(), b.outerStride()},
+                       product.data());
+    return product;
 }
 
 // So many times the cube of an order are multiplied for a matrix.
@@ -34,103 +28,67 @@ void pay_for(int times, Eigen::Index order) {
 
 } // namespace
 
-template <class T>
-SymmetricEigenproblem<T> symmetric_eigenproblem(const Matrix<T>& A) {
+SymmetricEigenproblem symmetric_eigenproblem(const Matrix<double>& A) {
     pay_for(9, A.rows());
-    const Eigen::SelfAdjointEigenSolver<Matrix<T>> solved(A);
+    const Eigen::SelfAdjointEigenSolver<Matrix<double>> solved(A);
     if (solved.info() != Eigen::Success) throw PrecisionError("the natural frequencies of the system did not converge");
-    const Column<T> values = solved.eigenvalues();
+    const Column values = solved.eigenvalues();
     return {{values.begin(), values.end()}, solved.eigenvectors()};
 }
 
-template <class T>
-Matrix<T> divide_out(const Matrix<T>& L, const Matrix<T>& X) {
+Matrix<double> divide_out(const Matrix<double>& L, const Matrix<double>& X) {
     pay_for(1, L.rows());
-    const auto lower = L.template triangularView<Eigen::Lower>();
-    const Matrix<T> half = lower.solve(X);
-    return lower.solve(Matrix<T>(half.transpose()));
+    const auto lower = L.triangularView<Eigen::Lower>();
+    const Matrix<double> half = lower.solve(X);
+    return lower.solve(Matrix<double>(half.transpose()));
 }
 
-template <class T>
-Matrix<T> divided_by_transpose(const Matrix<T>& L, const Matrix<T>& X) {
-    return L.transpose().template triangularView<Eigen::Upper>().solve(X);
+Matrix<double> divided_by_transpose(const Matrix<double>& L, const Matrix<double>& X) {
+    return L.transpose().triangularView<Eigen::Upper>().solve(X);
 }
 
-template <class T>
-Matrix<T> product(const Matrix<T>& A, const Matrix<T>& B) {
-    return times<T>(A, B);
-}
+Matrix<double> product(const Matrix<double>& A, const Matrix<double>& B) { return times(A, B); }
 
-template <class T>
-Column<T> product(const Matrix<T>& A, const Column<T>& x) {
-    return times<T>(A, x);
-}
+Column product(const Matrix<double>& A, const Column& x) { return times(A, x); }
 
-template <class T>
-Column<T> product_of_sizes(const Matrix<T>& A, const Column<T>& x) {
-    return times<T>(A.cwiseAbs(), x.cwiseAbs());
-}
+Column product_of_sizes(const Matrix<double>& A, const Column& x) { return times(A.cwiseAbs(), x.cwiseAbs()); }
 
-template <class T>
-Matrix<T> transpose_times(const Matrix<T>& X, const Matrix<T>& A) {
-    return times<T>(X.transpose(), A);
-}
+Matrix<double> transpose_times(const Matrix<double>& X, const Matrix<double>& A) { return times(X.transpose(), A); }
 
-template <class T>
-Matrix<T> in_coordinates(const Matrix<T>& X, const Matrix<T>& A) {
+Matrix<double> in_coordinates(const Matrix<double>& X, const Matrix<double>& A) {
     pay_for(2, A.rows());
-    return times<T>(transpose_times(X, A), X);
+    return times(transpose_times(X, A), X);
 }
 
-template <class T>
-struct LinearSystem<T>::Factors {
-    Eigen::PartialPivLU<Matrix<T>> of;
+struct LinearSystem::Factors {
+    Eigen::PartialPivLU<Matrix<double>> of;
 };
 
-template <class T>
-LinearSystem<T>::LinearSystem(const Matrix<T>& A) {
+LinearSystem::LinearSystem(const Matrix<double>& A) {
     pay_for(1, A.rows());
-    factors_ = std::unique_ptr<Factors>(new Factors{Eigen::PartialPivLU<Matrix<T>>(A)});
+    factors_ = std::unique_ptr<Factors>(new Factors{Eigen::PartialPivLU<Matrix<double>>(A)});
 }
 
-template <class T>
-LinearSystem<T>::~LinearSystem() = default;
+LinearSystem::~LinearSystem() = default;
 
-template <class T>
-LinearSystem<T>::LinearSystem(LinearSystem&&) noexcept = default;
+LinearSystem::LinearSystem(LinearSystem&&) noexcept = default;
 
-template <class T>
-Column<T> LinearSystem<T>::solve(const Column<T>& b) const {
-    const Column<T> x = factors_->of.solve(b);
+Column LinearSystem::solve(const Column& b) const {
+    const Column x = factors_->of.solve(b);
     return x;
 }
 
-template <class T>
-Matrix<T> LinearSystem<T>::inverse() const {
+Matrix<double> LinearSystem::inverse() const {
     pay_for(1, factors_->of.rows());
-    const Matrix<T> inverse = factors_->of.inverse();
+    const Matrix<double> inverse = factors_->of.inverse();
     return inverse;
 }
 
-template <class T>
-T LinearSystem<T>::reciprocal_condition() const {
-    return static_cast<T>(factors_->of.rcond());
-}
+double LinearSystem::reciprocal_condition() const { return factors_->of.rcond(); }
 
-template <class T>
-bool LinearSystem<T>::is_regular() const {
+bool LinearSystem::is_regular() const {
     const auto pivots = factors_->of.matrixLU().diagonal().cwiseAbs();
-    return pivots.minCoeff() > 16 * T(std::numeric_limits<T>::epsilon()) * pivots.maxCoeff();
+    return pivots.minCoeff() > 16 * std::numeric_limits<double>::epsilon() * pivots.maxCoeff();
 }
-
-template SymmetricEigenproblem<double> symmetric_eigenproblem(const Matrix<double>&);
-template Matrix<double> divide_out(const Matrix<double>&, const Matrix<double>&);
-template Matrix<double> divided_by_transpose(const Matrix<double>&, const Matrix<double>&);
-template Matrix<double> product(const Matrix<double>&, const Matrix<double>&);
-template Column<double> product(const Matrix<double>&, const Column<double>&);
-template Column<double> product_of_sizes(const Matrix<double>&, const Column<double>&);
-template Matrix<double> transpose_times(const Matrix<double>&, const Matrix<double>&);
-template Matrix<double> in_coordinates(const Matrix<double>&, const Matrix<double>&);
-template class LinearSystem<double>;
 
 } // namespace denhartog

@@ -10,50 +10,38 @@
 namespace denhartog {
 
 /// @brief A column of numbers.
-template <class T>
-using Column = Eigen::Matrix<T, Eigen::Dynamic, 1>;
+using Column = Eigen::Matrix<double, Eigen::Dynamic, 1>;
 
 /// @brief Solution of a symmetric eigenproblem.
-template <class T>
 struct SymmetricEigenproblem {
-    std::vector<T> values; ///< eigenvalues, ascending
-    Matrix<T> vectors;     ///< orthonormal eigenvectors, a column each
+    std::vector<double> values; ///< eigenvalues, ascending
+    Matrix<double> vectors;     ///< orthonormal eigenvectors, a column each
 };
 
 /// @brief Solves an eigenproblem by the lower triangle of a symmetric matrix; PrecisionError where the iteration does not
 /// converge.
-template <class T>
-[[nodiscard]] SymmetricEigenproblem<T> symmetric_eigenproblem(const Matrix<T>& A);
+[[nodiscard]] SymmetricEigenproblem symmetric_eigenproblem(const Matrix<double>& A);
 
 /// @brief \f$ L^{-1}XL^{-T} \f$ with a lower triangular L: a matrix in coordinates in which \f$ LL^T \f$ is the unit matrix.
-template <class T>
-[[nodiscard]] Matrix<T> divide_out(const Matrix<T>& L, const Matrix<T>& X);
+[[nodiscard]] Matrix<double> divide_out(const Matrix<double>& L, const Matrix<double>& X);
 
 /// @brief \f$ L^{-T}X \f$ with a lower triangular L.
-template <class T>
-[[nodiscard]] Matrix<T> divided_by_transpose(const Matrix<T>& L, const Matrix<T>& X);
+[[nodiscard]] Matrix<double> divided_by_transpose(const Matrix<double>& L, const Matrix<double>& X);
 
 /// @brief \f$ AB \f$.
-template <class T>
-[[nodiscard]] Matrix<T> product(const Matrix<T>& A, const Matrix<T>& B);
+[[nodiscard]] Matrix<double> product(const Matrix<double>& A, const Matrix<double>& B);
 
 /// @brief \f$ Ax \f$.
-template <class T>
-[[nodiscard]] Column<T> product(const Matrix<T>& A, const Column<T>& x);
+[[nodiscard]] Column product(const Matrix<double>& A, const Column& x);
 
 /// @brief \f$ |A||x| \f$, entry by entry.
-template <class T>
-[[nodiscard]] Column<T> product_of_sizes(const Matrix<T>& A, const Column<T>& x);
+[[nodiscard]] Column product_of_sizes(const Matrix<double>& A, const Column& x);
 
 /// @brief \f$ \|A\|_\infty \f$, the largest sum of the sizes of a row's entries.
-template <class T>
-[[nodiscard]] T largest_row_sum(const Matrix<T>& A) {
-    return A.cwiseAbs().rowwise().sum().maxCoeff();
-}
+[[nodiscard]] inline double largest_row_sum(const Matrix<double>& A) { return A.cwiseAbs().rowwise().sum().maxCoeff(); }
 
 /// @brief Whether a matrix has nothing beside its diagonal.
-template <class T>
-[[nodiscard]] bool is_diagonal(const Matrix<T>& A) {
+[[nodiscard]] inline bool is_diagonal(const Matrix<double>& A) {
     for (Eigen::Index i = 0; i < A.rows(); ++i)
         for (Eigen::Index k = 0; k < A.cols(); ++k)
             if (k != i && A(i, k) != 0) return false;
@@ -61,29 +49,26 @@ template <class T>
 }
 
 /// @brief \f$ X^TA \f$.
-template <class T>
-[[nodiscard]] Matrix<T> transpose_times(const Matrix<T>& X, const Matrix<T>& A);
+[[nodiscard]] Matrix<double> transpose_times(const Matrix<double>& X, const Matrix<double>& A);
 
 /// @brief \f$ X^TAX \f$: a matrix in the coordinates of which X has the shapes.
-template <class T>
-[[nodiscard]] Matrix<T> in_coordinates(const Matrix<T>& X, const Matrix<T>& A);
+[[nodiscard]] Matrix<double> in_coordinates(const Matrix<double>& X, const Matrix<double>& A);
 
 /// @brief A square matrix with its factors, by Gaussian elimination with row exchanges.
-template <class T>
 class LinearSystem {
 public:
     /// @brief Factors a square matrix.
-    explicit LinearSystem(const Matrix<T>& A);
+    explicit LinearSystem(const Matrix<double>& A);
     ~LinearSystem();
     /// @brief Takes the factors of another system, which is left without.
     LinearSystem(LinearSystem&& other) noexcept;
 
     /// @brief The solution of \f$ Ax=b \f$.
-    [[nodiscard]] Column<T> solve(const Column<T>& b) const;
+    [[nodiscard]] Column solve(const Column& b) const;
     /// @brief The inverse.
-    [[nodiscard]] Matrix<T> inverse() const;
+    [[nodiscard]] Matrix<double> inverse() const;
     /// @brief An estimate of the reciprocal condition number, from 0 to 1.
-    [[nodiscard]] T reciprocal_condition() const;
+    [[nodiscard]] double reciprocal_condition() const;
     /// @brief Whether no pivot is rounding of the others.
     [[nodiscard]] bool is_regular() const;
 

@@ -17,8 +17,8 @@ namespace denhartog {
 /// The sign of a mode shape: positive is the first component that has more than three eighths of the size of the largest.
 template <class T>
 struct ModalBasis {
-    std::vector<T> r_n; ///< natural frequency ratios omega_i sqrt(m_1 / k_1), ascending, N values
-    Matrix<T> phi; ///< mode shapes, mass by mode, phi^T M phi = 1, N x N; `further_rows` of the system behind them
+    std::vector<T> r_n;          ///< natural frequency ratios omega_i sqrt(m_1 / k_1), ascending, N values
+    Matrix<T> phi;               ///< mode shapes, mass by mode, phi^T M phi = 1, N x N; `further_rows` of the system behind them
     std::vector<T> zeta;         ///< modal damping ratios, N values; of a damping matrix those that its diagonal has
     Matrix<T> D{};               ///< phi^T C phi where a damping matrix counts, N x N; else empty
     T distance_from_classical{}; ///< of a damping matrix, as `set_modal_damping` measures it; 0 without one
@@ -37,8 +37,7 @@ template <class T, class Number>
 
 /// @brief The lower triangular factor of the mass matrix, M = L L^T: the roots of the masses where these are lumped.
 /// PrecisionError where rounding leaves the matrix indefinite.
-template <class T>
-[[nodiscard]] Matrix<T> mass_factor(const System<T>& s);
+[[nodiscard]] Matrix<double> mass_factor(const System<double>& s);
 
 /// @brief Whether every motion is damped: with mu = 1 two motions under the same force then come to the same velocities. Modes
 /// that are coupled are damped where the damping matrix is positive definite.
@@ -49,32 +48,28 @@ template <class T>
 ///
 /// A chain given by ratios is solved through a bidiagonal matrix: each natural frequency comes with an error of about N eps of
 /// itself, however stiff its springs. Other systems are solved through a symmetric matrix: errors of the squared frequencies are
-/// about N eps of the highest one, or, in double, of each one where the masses are very different, see `graded_modes`.
+/// about N eps of the highest one, or of each one where the masses are very different, see `graded_modes`.
 /// InputError where `check` throws, or C feeds energy into the motion. PrecisionError where the iteration does not converge, the
 /// lowest natural frequency is too low beside the highest, or a mode is beyond the range of the number type.
 /// @eq{14,15}
-template <class T>
-[[nodiscard]] ModalBasis<T> modal_basis(const System<T>& s);
+[[nodiscard]] ModalBasis<double> modal_basis(const System<double>& s);
 
 /// @brief The basis with the shapes at a few masses alone, a row for each in that order, and each mode with any sign: on a chain
 /// in O(N^2) in place of O(N^3). @eq{14,15}
-template <class T>
-[[nodiscard]] ModalBasis<T> modal_basis_at(const System<T>& s, const std::vector<Mass>& masses);
+[[nodiscard]] ModalBasis<double> modal_basis_at(const System<double>& s, const std::vector<Mass>& masses);
 
 /// @brief Number of eigenproblems (15) solved since the program started; tests gate on it.
 [[nodiscard]] inline long eigen_solves() { return work_counted.eigen_solves; }
 
 /// @brief Non-dimensional mass, damping and stiffness matrices (7), (8), (19) at a frequency ratio.
-template <class T>
 struct NonDimensionalMatrices {
-    Matrix<T> M; ///< r^2 times the mass matrix in units of m_1
-    Matrix<T> C; ///< non-dimensional damping matrix, Eq. (19), or r times the damping matrix given
-    Matrix<T> K; ///< stiffness matrix in units of k_1
+    Matrix<double> M; ///< r^2 times the mass matrix in units of m_1
+    Matrix<double> C; ///< non-dimensional damping matrix, Eq. (19), or r times the damping matrix given
+    Matrix<double> K; ///< stiffness matrix in units of k_1
 };
 
 /// @brief Matrices M, C, K of (6) at a frequency ratio; InputError where that is not positive and finite. The basis is used where
 /// damping is given by ratios. @eq{7,8,19}
-template <class T>
-[[nodiscard]] NonDimensionalMatrices<T> non_dimensional_matrices(const System<T>& s, const ModalBasis<T>& basis, const T& r);
+[[nodiscard]] NonDimensionalMatrices non_dimensional_matrices(const System<double>& s, const ModalBasis<double>& basis, double r);
 
 } // namespace denhartog

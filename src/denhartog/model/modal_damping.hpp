@@ -29,56 +29,47 @@ enum class FrequencyErrors {
 /// the distance. L is the factor of M = L L^T in units of m_1; K is in units of k_1, C in units of sqrt(k_1 m_1). InputError
 /// where C feeds energy into a motion, or gives a ratio beyond its range.
 /// @eq{18}
-template <class T>
-void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& C, double neglected, FrequencyErrors errors,
-                       ModalBasis<T>& basis);
+void set_modal_damping(const Matrix<double>& L, const Matrix<double>& K, const Matrix<double>& C, double neglected,
+                       FrequencyErrors errors, ModalBasis<double>& basis);
 
 /// @brief What rounding makes of the entries of C between modes: the rounding of the shapes, and the angle by which the solver
 /// may turn two modes towards each other. The bounds are zero on the diagonal. C is in units of sqrt(k_1 m_1), and D is
 /// \f$ \phi^T C \phi \f$. @eq{18}
-template <class T>
-[[nodiscard]] Matrix<T> rounding_between_modes(const Matrix<T>& C, const Matrix<T>& D, const NaturalModes<T>& modes,
-                                               FrequencyErrors errors);
+[[nodiscard]] Matrix<double> rounding_between_modes(const Matrix<double>& C, const Matrix<double>& D, const NaturalModes& modes,
+                                                    FrequencyErrors errors);
 
 /// @brief Whether C couples two modes by more than rounding makes of its entry between them, however small that entry is beside
 /// those of stiffer modes. @eq{18}
-template <class T>
-[[nodiscard]] bool couples_a_pair(const Matrix<T>& D, const Matrix<T>& rounding);
+[[nodiscard]] bool couples_a_pair(const Matrix<double>& D, const Matrix<double>& rounding);
 
 /// @brief Checks that a damping matrix takes energy out of every motion, else InputError; a zero eigenvalue may be below zero by
 /// rounding to double.
-template <class T>
-void check_passive(const Matrix<T>& C);
+void check_passive(const Matrix<double>& C);
 
 /// @brief How much damping couples modes: the largest \f$ |D_{ik}| / \sqrt{D_{ii} D_{kk}} \f$ of \f$ D = \phi^T C \phi \f$. It is
 /// from 0 to 1. A product of two diagonal entries below the square of `rounding`, the error of the entries, counts as that.
 /// @eq{18}
-template <class T>
-[[nodiscard]] T largest_coupling(const Matrix<T>& D, const T& rounding);
+[[nodiscard]] double largest_coupling(const Matrix<double>& D, double rounding);
 
 /// @brief What rounding may make of natural frequencies, of the entries of a modal damping matrix and of the measure by which it
 /// couples modes, beside the largest of its kind. It is some units in the last place for each mode.
-template <class T>
-[[nodiscard]] T rounding_of_modes(std::size_t N) {
-    return 8 * static_cast<int>(N) * std::numeric_limits<T>::epsilon();
+[[nodiscard]] inline double rounding_of_modes(std::size_t N) {
+    return 8 * static_cast<int>(N) * std::numeric_limits<double>::epsilon();
 }
 
 /// @brief The same of entries that are as good as rounding lets them be.
-template <class T>
-[[nodiscard]] T largest_coupling(const Matrix<T>& D) {
-    return largest_coupling(D, T(rounding_of_modes<T>(static_cast<std::size_t>(D.rows())) * D.cwiseAbs().maxCoeff()));
+[[nodiscard]] inline double largest_coupling(const Matrix<double>& D) {
+    return largest_coupling(D, rounding_of_modes(static_cast<std::size_t>(D.rows())) * D.cwiseAbs().maxCoeff());
 }
 
 /// @brief Whether the natural frequency of mode i, not the last one, coincides with the next one: differences up to `tolerance`
 /// times the highest count as none.
-template <class T>
-[[nodiscard]] bool coincides_with_next(const std::vector<T>& r_n, std::size_t i, const T& tolerance) {
+[[nodiscard]] inline bool coincides_with_next(const std::vector<double>& r_n, std::size_t i, double tolerance) {
     return r_n[i + 1] - r_n[i] <= tolerance * r_n.back();
 }
 
 /// @brief Turns the mode shapes of every group of coinciding natural frequencies to those that diagonalise C within the group.
 /// Frequencies coincide as above.
-template <class T>
-void turn_coinciding_modes(const Matrix<T>& C, const T& tolerance, const std::vector<T>& r_n, Matrix<T>& phi);
+void turn_coinciding_modes(const Matrix<double>& C, double tolerance, const std::vector<double>& r_n, Matrix<double>& phi);
 
 } // namespace denhartog

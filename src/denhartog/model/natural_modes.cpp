@@ -15,97 +15,83 @@ using std::abs;
 using std::sqrt;
 
 /// An upper bidiagonal matrix with the singular values of F; whether its columns are those of F in reverse.
-template <class T>
 struct Bidiagonal {
-    std::vector<T> d, e;
+    std::vector<double> d, e;
     bool reversed;
 };
 
 /// The last mass free: F is square and lower bidiagonal. Rows and columns are reversed to make it upper bidiagonal.
-template <class T>
-Bidiagonal<T> free_chain(const std::vector<T>& gamma, const std::vector<T>& kappa) {
+Bidiagonal free_chain(const std::vector<double>& gamma, const std::vector<double>& kappa) {
     const std::size_t N = gamma.size();
-    std::vector<T> d(N);
-    std::vector<T> e(N - 1);
+    std::vector<double> d(N);
+    std::vector<double> e(N - 1);
     for (std::size_t i = 0; i < N; ++i) {
-        d[N - 1 - i] = sqrt(T(kappa[i] / gamma[i]));
-        if (i > 0) e[N - 1 - i] = -sqrt(T(kappa[i] / gamma[i - 1]));
+        d[N - 1 - i] = sqrt(kappa[i] / gamma[i]);
+        if (i > 0) e[N - 1 - i] = -sqrt(kappa[i] / gamma[i - 1]);
     }
     return {std::move(d), std::move(e), true};
 }
 
 /// A spring to the ground at both ends: F has a row more than columns. Rotations of neighbouring rows, from the first on, make it
 /// square and upper bidiagonal; every entry of the result is a root of a sum of squares or a product.
-template <class T>
-Bidiagonal<T> fixed_chain(const std::vector<T>& gamma, const std::vector<T>& kappa) {
+Bidiagonal fixed_chain(const std::vector<double>& gamma, const std::vector<double>& kappa) {
     const std::size_t N = gamma.size();
-    std::vector<T> d(N);
-    std::vector<T> e(N - 1);
-    T left = sqrt(T(kappa[0] / gamma[0]));
+    std::vector<double> d(N);
+    std::vector<double> e(N - 1);
+    double left = sqrt(kappa[0] / gamma[0]);
     for (std::size_t i = 0; i < N; ++i) {
-        const T below = -sqrt(T(kappa[i + 1] / gamma[i]));
-        d[i] = sqrt(T(left * left + below * below));
+        const double below = -sqrt(kappa[i + 1] / gamma[i]);
+        d[i] = sqrt(left * left + below * below);
         if (i + 1 == N) break;
-        const T next = sqrt(T(kappa[i + 1] / gamma[i + 1]));
+        const double next = sqrt(kappa[i + 1] / gamma[i + 1]);
         e[i] = below / d[i] * next;
         left = left / d[i] * next;
     }
     return {std::move(d), std::move(e), false};
 }
 
-template <class T>
-Bidiagonal<T> bidiagonal_of(const std::vector<T>& gamma, const std::vector<T>& kappa) {
+Bidiagonal bidiagonal_of(const std::vector<double>& gamma, const std::vector<double>& kappa) {
     return kappa.size() == gamma.size() ? free_chain(gamma, kappa) : fixed_chain(gamma, kappa);
 }
 
 } // namespace
 
-template <class T>
-NaturalModes<T> chain_modes(const std::vector<T>& gamma, const std::vector<T>& kappa) {
-    Bidiagonal<T> F = bidiagonal_of(gamma, kappa);
-    SingularValues<T> solved = bidiagonal_singular_values(std::move(F.d), std::move(F.e));
+NaturalModes chain_modes(const std::vector<double>& gamma, const std::vector<double>& kappa) {
+    Bidiagonal F = bidiagonal_of(gamma, kappa);
+    SingularValues solved = bidiagonal_singular_values(std::move(F.d), std::move(F.e));
     if (F.reversed) solved.V = solved.V.colwise().reverse().eval();
-    for (std::size_t k = 0; k < gamma.size(); ++k) solved.V.row(static_cast<Eigen::Index>(k)) /= T(sqrt(gamma[k]));
+    for (std::size_t k = 0; k < gamma.size(); ++k) solved.V.row(static_cast<Eigen::Index>(k)) /= sqrt(gamma[k]);
     return {std::move(solved.sigma), std::move(solved.V)};
 }
 
-template <class T>
-NaturalModes<T> chain_modes(const std::vector<T>& gamma, const std::vector<T>& kappa, const std::vector<Mass>& masses) {
-    Bidiagonal<T> F = bidiagonal_of(gamma, kappa);
+NaturalModes chain_modes(const std::vector<double>& gamma, const std::vector<double>& kappa, const std::vector<Mass>& masses) {
+    Bidiagonal F = bidiagonal_of(gamma, kappa);
     std::vector<std::size_t> rows;
     for (const Mass& mass : masses) rows.push_back(F.reversed ? gamma.size() - 1 - mass.index : mass.index);
-    SingularValues<T> solved = bidiagonal_singular_values(std::move(F.d), std::move(F.e), rows);
-    for (std::size_t n = 0; n < masses.size(); ++n) solved.V.row(static_cast<Eigen::Index>(n)) /= T(sqrt(gamma[masses[n].index]));
+    SingularValues solved = bidiagonal_singular_values(std::move(F.d), std::move(F.e), rows);
+    for (std::size_t n = 0; n < masses.size(); ++n) solved.V.row(static_cast<Eigen::Index>(n)) /= sqrt(gamma[masses[n].index]);
     return {std::move(solved.sigma), std::move(solved.V)};
 }
 
-template <class T>
-NaturalModes<T> general_modes(const Matrix<T>& L, const Matrix<T>& K) {
+NaturalModes general_modes(const Matrix<double>& L, const Matrix<double>& K) {
     const Eigen::Index N = K.rows();
-    if constexpr (std::same_as<T, double>)
-        if (std::optional<NaturalModes<double>> modes = graded_modes(L, K)) return *std::move(modes);
-    const SymmetricEigenproblem<T> solved = symmetric_eigenproblem(divide_out(L, K));
-    if (!(solved.values.front() > std::numeric_limits<T>::epsilon() * static_cast<int>(N) * solved.values.back()))
+    if (std::optional<NaturalModes> modes = graded_modes(L, K)) return *std::move(modes);
+    const SymmetricEigenproblem solved = symmetric_eigenproblem(divide_out(L, K));
+    if (!(solved.values.front() > std::numeric_limits<double>::epsilon() * static_cast<int>(N) * solved.values.back()))
         throw PrecisionError("the lowest natural frequency is too low beside the highest for the number type");
-    NaturalModes<T> modes{std::vector<T>(static_cast<std::size_t>(N)), Matrix<T>(N, N)};
+    NaturalModes modes{std::vector<double>(static_cast<std::size_t>(N)), Matrix<double>(N, N)};
     for (std::size_t i = 0; i < modes.r_n.size(); ++i) modes.r_n[i] = sqrt(solved.values[i]);
     modes.phi = divided_by_transpose(L, solved.vectors);
     return modes;
 }
 
-template <class T>
-void fix_signs(Matrix<T>& phi) {
+void fix_signs(Matrix<double>& phi) {
     for (Eigen::Index i = 0; i < phi.cols(); ++i) {
-        const T size = T(3) / 8 * phi.col(i).cwiseAbs().maxCoeff();
+        const double size = 3.0 / 8 * phi.col(i).cwiseAbs().maxCoeff();
         Eigen::Index k = 0;
         while (k + 1 < phi.rows() && abs(phi(k, i)) <= size) ++k;
         if (phi(k, i) < 0) phi.col(i) = -phi.col(i);
     }
 }
-
-template NaturalModes<double> chain_modes(const std::vector<double>&, const std::vector<double>&);
-template NaturalModes<double> chain_modes(const std::vector<double>&, const std::vector<double>&, const std::vector<Mass>&);
-template NaturalModes<double> general_modes(const Matrix<double>&, const Matrix<double>&);
-template void fix_signs(Matrix<double>&);
 
 } // namespace denhartog

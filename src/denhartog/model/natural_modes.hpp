@@ -10,10 +10,9 @@
 namespace denhartog {
 
 /// @brief Natural frequency ratios and mode shapes normalised with the mass matrix in units of m_1.
-template <class T>
 struct NaturalModes {
-    std::vector<T> r_n; ///< natural frequency ratios, ascending
-    Matrix<T> phi;      ///< mode shapes, mass by mode, phi^T M phi = 1
+    std::vector<double> r_n; ///< natural frequency ratios, ascending
+    Matrix<double> phi;      ///< mode shapes, mass by mode, phi^T M phi = 1
 };
 
 /// @brief Modes of a chain: each natural frequency comes with an error of about N eps of itself, however stiff its springs.
@@ -23,20 +22,17 @@ struct NaturalModes {
 /// natural frequency ratios, come with high relative accuracy. There are N springs where the last mass is free, N + 1 where the
 /// last spring joins it to the ground. PrecisionError where the iteration does not converge.
 /// @eq{14,15}
-template <class T>
-[[nodiscard]] NaturalModes<T> chain_modes(const std::vector<T>& gamma, const std::vector<T>& kappa);
+[[nodiscard]] NaturalModes chain_modes(const std::vector<double>& gamma, const std::vector<double>& kappa);
 
 /// @brief The same with the shapes at a few masses alone, a row for each in that order, and each mode with any sign, in O(N^2) in
 /// place of O(N^3). Frequencies are as above to the last bit. @eq{14,15}
-template <class T>
-[[nodiscard]] NaturalModes<T> chain_modes(const std::vector<T>& gamma, const std::vector<T>& kappa,
-                                          const std::vector<Mass>& masses);
+[[nodiscard]] NaturalModes chain_modes(const std::vector<double>& gamma, const std::vector<double>& kappa,
+                                       const std::vector<Mass>& masses);
 
-/// @brief Modes of any system: errors of the squared frequencies are about N eps of the highest one, in double but of masses of
-/// very different size, see `graded_modes`. L is the factor of the mass matrix. PrecisionError where the digits do not tell the
+/// @brief Modes of any system: errors of the squared frequencies are about N eps of the highest one, but of masses of very
+/// different size, see `graded_modes`. L is the factor of the mass matrix. PrecisionError where the digits do not tell the
 /// lowest from zero, or the iteration does not converge. @eq{14,15}
-template <class T>
-[[nodiscard]] NaturalModes<T> general_modes(const Matrix<T>& L, const Matrix<T>& K);
+[[nodiscard]] NaturalModes general_modes(const Matrix<double>& L, const Matrix<double>& K);
 
 /// @brief Ratio of the largest mass to the least from which modes are graded, see `graded_modes`.
 inline constexpr double least_contrast_of_masses = 1024;
@@ -53,11 +49,10 @@ inline constexpr double least_contrast_of_masses = 1024;
 /// digits of each column: the error of every natural frequency is a fraction of itself, however light a mass is; see J. Demmel
 /// and K. Veselić, SIAM Journal on Matrix Analysis and Applications 13 (1992), 1204.
 /// @eq{14,15}
-[[nodiscard]] std::optional<NaturalModes<double>> graded_modes(const Matrix<double>& L, const Matrix<double>& K);
+[[nodiscard]] std::optional<NaturalModes> graded_modes(const Matrix<double>& L, const Matrix<double>& K);
 
 /// @brief Fixes the signs of mode shapes: positive is the first component that has more than three eighths of the size of the
 /// largest.
-template <class T>
-void fix_signs(Matrix<T>& phi);
+void fix_signs(Matrix<double>& phi);
 
 } // namespace denhartog

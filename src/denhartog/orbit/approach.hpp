@@ -81,11 +81,11 @@ public:
     void take(const OrbitMap& map, const OrbitCandidate& to, const State& z, bool held) {
         moved_ = moved_ || !held;
         if (maps_ >= 0 && ++half_periods_ % to.h != 0) return;
-        Column<double> apart = difference(z, to.z);
+        Column apart = difference(z, to.z);
         const double distance = map.norm(apart), rounding = 64 * to.rounding;
         const double gain = std::max(0.0, 1 - to.largest_multiplier) / 4;
         const bool as_told =
-            maps_ >= 0 && moved_ && map.norm(Column<double>(apart - to.jacobian * apart_)) <= gain * distance_ + rounding;
+            maps_ >= 0 && moved_ && map.norm(Column(apart - to.jacobian * apart_)) <= gain * distance_ + rounding;
         maps_ = as_told ? maps_ + 1 : 0;
         if (maps_ == 0) {
             first_ = distance;
@@ -114,7 +114,7 @@ private:
     int half_periods_ = 0;
     bool moved_ = false; // since the last map
     bool has_arrived_ = false;
-    Column<double> apart_;
+    Column apart_;
     double first_ = 0, distance_ = 0; // from the candidate
 };
 

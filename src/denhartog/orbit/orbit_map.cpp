@@ -9,9 +9,9 @@
 
 namespace denhartog {
 
-Column<double> difference(const State& a, const State& b) {
+Column difference(const State& a, const State& b) {
     const auto N = static_cast<Eigen::Index>(a.x.size());
-    Column<double> d(2 * N);
+    Column d(2 * N);
     for (Eigen::Index k = 0; k < N; ++k) {
         const auto n = static_cast<std::size_t>(k);
         d(k) = a.x[n] - b.x[n];
@@ -58,7 +58,7 @@ bool OrbitMap::apply(const State& z, int half_periods, bool with_jacobian) {
         difference_(N + k) = image_.x_prime[n] - z.x_prime[n];
     }
     if (!with_jacobian) return true;
-    const Column<double> energies = largest_energies();
+    const Column energies = largest_energies();
     const double units = std::numeric_limits<double>::epsilon() * static_cast<int>(motion_->phases.size());
     const double of_coupled = rounding_of_coupled_modes() * energies.sum();
     rounding_ = (errors_between_modes(units, false) * energies).array() + of_coupled;
@@ -70,9 +70,9 @@ double OrbitMap::omega(Eigen::Index i) const {
     return solver_->system().basis.r_n[static_cast<std::size_t>(i)] / solver_->excitation().r;
 }
 
-Column<double> OrbitMap::in_energy(const Column<double>& dz) const {
+Column OrbitMap::in_energy(const Column& dz) const {
     const Matrix<double>& momentum = solver_->system().momentum;
-    Column<double> modal(2 * N);
+    Column modal(2 * N);
     for (Eigen::Index i = 0; i < N; ++i) {
         double q = 0, p = 0;
         for (Eigen::Index k = 0; k < N; ++k) {
@@ -93,12 +93,12 @@ const Matrix<double>& OrbitMap::energy_jacobian() const {
 }
 
 // The largest size of each mode over the motion, in energy; between the starts of phases friction may shift it.
-Column<double> OrbitMap::largest_energies() const {
+Column OrbitMap::largest_energies() const {
     const ContactSystem& s = solver_->system();
     const auto n = static_cast<std::size_t>(N);
-    Column<double> largest = Column<double>::Zero(N);
+    Column largest = Column::Zero(N);
     for (std::size_t phase = 0; phase < motion_->phases.size(); ++phase) {
-        const Column<double> z = in_energy(Eigen::Map<const Column<double>>(&motion_->states[2 * n * phase], 2 * N));
+        const Column z = in_energy(Eigen::Map<const Column>(&motion_->states[2 * n * phase], 2 * N));
         for (Eigen::Index i = 0; i < N; ++i) largest(i) = std::max(largest(i), elementary::hypot(z(i), z(N + i)));
     }
     for (std::size_t i = 0; i < n; ++i)
@@ -157,15 +157,15 @@ double OrbitMap::rounding_of_jacobian() const {
     return sqrt(E.rowwise().sum().maxCoeff() * E.colwise().sum().maxCoeff()) + rounding_of_coupled_modes();
 }
 
-Column<double> OrbitMap::rounding_in_energy(bool of_modes) const {
-    Column<double> bound(2 * N);
+Column OrbitMap::rounding_in_energy(bool of_modes) const {
+    Column bound(2 * N);
     bound << (of_modes ? of_modes_ : rounding_), (of_modes ? of_modes_ : rounding_);
     return bound;
 }
 
-Column<double> OrbitMap::rounding(bool of_modes) const {
-    const Column<double>& of = of_modes ? of_modes_ : rounding_;
-    Column<double> bound = Column<double>::Zero(2 * N);
+Column OrbitMap::rounding(bool of_modes) const {
+    const Column& of = of_modes ? of_modes_ : rounding_;
+    Column bound = Column::Zero(2 * N);
     for (Eigen::Index k = 0; k < N; ++k)
         for (Eigen::Index i = 0; i < N; ++i) {
             const double v = std::abs(solver_->system().basis.phi(k, i)) * of(i);

@@ -10,7 +10,7 @@
 namespace denhartog {
 
 /// @brief The difference a - b of two states: displacements, then velocities.
-[[nodiscard]] Column<double> difference(const State& a, const State& b);
+[[nodiscard]] Column difference(const State& a, const State& b);
 
 /// @brief A Jacobian over displacements and velocities between modal displacements times frequencies and modal velocities, of
 /// modes with natural frequency ratios r_n: `momentum`, phi^T M, takes displacements to modes, and `shapes` takes them back.
@@ -47,16 +47,16 @@ public:
     [[nodiscard]] double rounding_of_jacobian() const;
 
     /// @brief The energy of a deviation.
-    [[nodiscard]] Column<double> in_energy(const Column<double>& dz) const;
+    [[nodiscard]] Column in_energy(const Column& dz) const;
     /// @brief Square root of twice the energy of a deviation, times 1/r: what friction with mu = 1 lets no two motions increase.
-    [[nodiscard]] double norm(const Column<double>& dz) const { return in_energy(dz).norm(); }
+    [[nodiscard]] double norm(const Column& dz) const { return in_energy(dz).norm(); }
     /// @brief The norm of a state.
     [[nodiscard]] double norm(const State& z) const { return norm(denhartog::difference(z, at_rest(z.x.size()))); }
 
     /// @brief The rounding in energy.
-    [[nodiscard]] Column<double> rounding_in_energy(bool of_modes = false) const;
+    [[nodiscard]] Column rounding_in_energy(bool of_modes = false) const;
     /// @brief The rounding mass by mass: of displacements, then velocities.
-    [[nodiscard]] Column<double> rounding(bool of_modes = false) const;
+    [[nodiscard]] Column rounding(bool of_modes = false) const;
 
     /// @brief The solver, which holds the motion of the last application.
     [[nodiscard]] ExactSolver& solver() const { return *solver_; }
@@ -65,7 +65,7 @@ public:
     /// @brief Image of the last application.
     [[nodiscard]] const State& image() const { return image_; }
     /// @brief Image less start: displacements, then velocities.
-    [[nodiscard]] const Column<double>& difference() const { return difference_; }
+    [[nodiscard]] const Column& difference() const { return difference_; }
     /// @brief Half-periods of the last application, h.
     [[nodiscard]] int half_periods() const { return h_; }
     /// @brief Half-periods of all applications.
@@ -73,18 +73,18 @@ public:
 
 private:
     [[nodiscard]] double omega(Eigen::Index i) const; // natural frequency over that of the force
-    [[nodiscard]] Column<double> largest_energies() const;
+    [[nodiscard]] Column largest_energies() const;
     [[nodiscard]] Matrix<double> errors_between_modes(double units, bool of_modes) const;
     [[nodiscard]] double rounding_of_coupled_modes() const;
 
     ExactSolver* solver_;
-    Column<double> difference_;
+    Column difference_;
     State image_;
     const ExactMotion* motion_ = nullptr;
     mutable Matrix<double> in_energy_; // of the last application, once it was asked for
     int h_ = 1;
     long half_periods_in_all_ = 0;
-    Column<double> rounding_, of_modes_; // of each mode in energy, without and with the errors of the modes
+    Column rounding_, of_modes_; // of each mode in energy, without and with the errors of the modes
 };
 
 } // namespace denhartog

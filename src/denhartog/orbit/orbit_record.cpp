@@ -110,21 +110,21 @@ double displacement_of_energy(const OrbitMap& map) {
 
 std::optional<ErrorsOfOrbit> errors_of(const OrbitMap& map) {
     const Matrix<double>& jacobian = map.energy_jacobian();
-    const LinearSystem<double> system(Matrix<double>(Matrix<double>::Identity(2 * map.N, 2 * map.N) - jacobian));
+    const LinearSystem system(Matrix<double>(Matrix<double>::Identity(2 * map.N, 2 * map.N) - jacobian));
     if (!system.is_regular()) return std::nullopt;
     const Matrix<double> inverse = system.inverse();
-    const Column<double> apart = map.in_energy(map.difference()).cwiseAbs();
+    const Column apart = map.in_energy(map.difference()).cwiseAbs();
     const double growth = map.solver().excitation().mu > 1 ? std::max(1.0, jacobian.norm()) : 1.0;
     const auto energy = [&](bool of_modes) {
-        return growth * product_of_sizes(inverse, Column<double>(apart + map.rounding_in_energy(of_modes))).norm();
+        return growth * product_of_sizes(inverse, Column(apart + map.rounding_in_energy(of_modes))).norm();
     };
     const ContactSystem& s = map.solver().system();
     const int terms = s.stuck.contact.b ? 2 : 1; // of the displacement of the contact
-    const auto displacement = [&](double by_energy, const Column<double>& rounding) {
+    const auto displacement = [&](double by_energy, const Column& rounding) {
         return displacement_of_energy(map) * by_energy + terms * rounding.head(map.N).maxCoeff();
     };
     const double with_modes = energy(true);
-    const Column<double> rounding = map.rounding(true);
+    const Column rounding = map.rounding(true);
     ErrorsOfOrbit errors{displacement(energy(false), map.rounding(false)), displacement(with_modes, rounding), {}};
     for (Eigen::Index k = 0; k < map.N; ++k)
         errors.velocity.push_back(s.basis.phi.row(k).norm() * with_modes + rounding(map.N + k));

@@ -34,7 +34,7 @@ public:
             if (held && least < 0) return false;
             const double residual = map_->norm(map_->difference());
             if (!(residual - residual == 0)) return false;
-            const double rounding = map_->rounding_in_energy().norm(); // a bound, and some way above what is seen
+            const double rounding = map_->rounding_in_energy().norm();           // a bound, and some way above what is seen
             const int above = map_->solver().system().basis.coupled() ? 128 : 8; // farther with a damping matrix
             const bool falls = !held && (least < 0 || residual < least * (1 - part / 8));
             if (falls) residual_ = residual;
@@ -66,7 +66,7 @@ private:
         from_ = z;
         image_ = map_->image();
         rests_at_0_ = contact_->of(image_.x_prime) == 0 && map_->motion().phases.back().direction == 0;
-        const LinearSystem<double> system(Matrix<double>(Matrix<double>::Identity(2 * map_->N, 2 * map_->N) - map_->jacobian()));
+        const LinearSystem system(Matrix<double>(Matrix<double>::Identity(2 * map_->N, 2 * map_->N) - map_->jacobian()));
         if (!system.is_regular()) return false;
         step_ = system.solve(map_->difference());
         ++steps_;
@@ -85,7 +85,7 @@ private:
     OrbitMap* map_;
     const Contact* contact_;
     State from_, image_; // where the step starts, and the image of that
-    Column<double> step_;
+    Column step_;
     bool rests_at_0_ = false; // the contact sticks at the end of the stretch: its velocity is zero there, without rounding
     double residual_ = -1;
     int steps_ = 0;

@@ -15,7 +15,7 @@ struct Leaving {
     double rate; // the first coefficient of its series that is not zero; 0 where there is none
 };
 
-Leaving leaving(const Jet<double>& jet, double noise) {
+Leaving leaving(const Jet& jet, double noise) {
     double factorial = 1;
     for (int order = 0; order < 4; factorial *= ++order)
         if (std::abs(jet.f[static_cast<std::size_t>(order)]) > noise * factorial)
@@ -24,15 +24,15 @@ Leaving leaving(const Jet<double>& jet, double noise) {
 }
 
 // The first zero after an instant; none where no step is short enough to see it.
-std::optional<Crossing<double>> zero_after(double from, const StepFunction& f, int order) {
+std::optional<Crossing> zero_after(double from, const StepFunction& f, int order) {
     double step = 1;
-    std::optional<Crossing<double>> zero = first_crossing(f, from, 1.0, order, step, Effort{});
+    std::optional<Crossing> zero = first_crossing(f, from, 1.0, order, step, Effort{});
     return zero && zero->open ? std::nullopt : zero;
 }
 
 } // namespace
 
-Jet<double> StepFunction::operator()(double theta) const {
+Jet StepFunction::operator()(double theta) const {
     std::array<double, 5> d{}; // derivatives of the polynomial over the factorials
     const double h_2 = h * h, swing = std::abs(cosine) + std::abs(sine);
     double size = swing;
@@ -72,7 +72,7 @@ void sign_changes(const StepFunction& f, std::vector<double>& zeros) {
     if (rate == 0 || order > 2) return;
     StepFunction side = rate > 0 ? f : 0 - f;
     for (double from = 0; zeros.size() < f.c.size();) {
-        const std::optional<Crossing<double>> zero = zero_after(from, side, order);
+        const std::optional<Crossing> zero = zero_after(from, side, order);
         if (!zero) return;
         from = zero->t;
         zeros.push_back(from);
@@ -86,7 +86,7 @@ std::optional<double> first_fall(const StepFunction& f, double noise) {
     const auto [order, rate] = starts_positive ? Leaving{0, 1} : leaving(f(0), noise);
     if (rate < 0) return 0;
     if (rate == 0 || order > 2) return std::nullopt;
-    const std::optional<Crossing<double>> zero = zero_after(0, f, order);
+    const std::optional<Crossing> zero = zero_after(0, f, order);
     return zero ? std::optional(zero->t) : std::nullopt;
 }
 

@@ -17,7 +17,7 @@ struct StepFunction {
     double h = 0;            // length of the step; radians
 
     // The function with its derivatives, and what bounds them from there on.
-    [[nodiscard]] Jet<double> operator()(double theta) const;
+    [[nodiscard]] Jet operator()(double theta) const;
 };
 
 // What Runge-Kutta's dense output knows of a quantity over a step: it is of fifth degree in theta.

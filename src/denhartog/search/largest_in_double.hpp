@@ -15,46 +15,42 @@
 namespace denhartog {
 
 /// @brief A function at one instant.
-template <class T>
 struct Sample {
-    T f;         ///< the function
-    T w;         ///< zero at every interior maximum: the derivative, or a function with its sign
-    T z;         ///< w is monotone wherever z keeps its sign
-    T slope = z; ///< the derivative of w: z times what is not negative
+    double f;         ///< the function
+    double w;         ///< zero at every interior maximum: the derivative, or a function with its sign
+    double z;         ///< w is monotone wherever z keeps its sign
+    double slope = z; ///< the derivative of w: z times what is not negative
 };
 
 /// @brief A function with what bounds it between samples.
-template <class T>
 struct Curve {
-    std::function<Sample<T>(const T& tau)> sample; ///< f, w and z at an instant
-    std::function<T(const T& a, const T& b)> rate; ///< a bound of |z'| on [a, b]
+    std::function<Sample(double tau)> sample;       ///< f, w and z at an instant
+    std::function<double(double a, double b)> rate; ///< a bound of |z'| on [a, b]
     /// how far f may rise on [a, b] above the larger of its values at a and b, given a bound of |z| there; here where z is f''
-    std::function<T(const T& a, const T& b, const T& z_bound)> rise = [](const T& a, const T& b, const T& z_bound) {
-        return T(z_bound * (b - a) * (b - a) / 8);
+    std::function<double(double a, double b, double z_bound)> rise = [](double a, double b, double z_bound) {
+        return z_bound * (b - a) * (b - a) / 8;
     };
     long cost = 1;                      ///< operations that a sample takes
     long share = default_effort(1) / 4; ///< of the question's that a search may spend, being one of several
 };
 
 /// @brief A stretch in which the function may be as large as its largest value.
-template <class T>
 struct Place {
-    T from;    ///< its left end
-    T to;      ///< its right end
-    T instant; ///< where the largest value in it was seen
-    T value;   ///< that value
-    T upper;   ///< no value in it is larger, but for the error of a sample
-    T reach;   ///< how far from there the largest value in it may be; zero where it was found as a root of w
+    double from;    ///< its left end
+    double to;      ///< its right end
+    double instant; ///< where the largest value in it was seen
+    double value;   ///< that value
+    double upper;   ///< no value in it is larger, but for the error of a sample
+    double reach;   ///< how far from there the largest value in it may be; zero where it was found as a root of w
 };
 
 /// @brief A maximum and where it lies.
-template <class T>
 struct Maximum {
-    T value;             ///< the largest value seen; the largest value is not below it by more than the error of the samples
-    T instant;           ///< where it is taken, or approached at an end of the interval
-    T upper;             ///< no value is larger
+    double value;        ///< the largest value seen; the largest value is not below it by more than the error of the samples
+    double instant;      ///< where it is taken, or approached at an end of the interval
+    double upper;        ///< no value is larger
     bool settled = true; ///< false where the effort was spent before no interval could exceed the best value
-    std::vector<Place<T>> places; ///< ascending: outside of them every value is below the largest one
+    std::vector<Place> places; ///< ascending: outside of them every value is below the largest one
 };
 
 /// @brief Largest value of f on [a, b], to the error of its samples.
@@ -64,18 +60,14 @@ struct Maximum {
 /// it exceeds all values, the result is `least` at a, without a place. `error` bounds an error of f that the search cannot
 /// lessen: a value below the largest by no more than twice that much may be the largest, and has a place. Without an effort the
 /// work allowed is that of `default_effort`, and PrecisionError says that it does not settle the maximum.
-template <class T>
-[[nodiscard]] Maximum<T> global_maximum(const Curve<T>& curve, const T& a, const T& b, const T& noise = T(0),
-                                        Effort* effort = nullptr, const T& least = std::numeric_limits<T>::lowest(),
-                                        const T& error = T(0));
+[[nodiscard]] Maximum global_maximum(const Curve& curve, double a, double b, double noise = 0, Effort* effort = nullptr,
+                                     double least = std::numeric_limits<double>::lowest(), double error = 0);
 
 /// @brief The places of one function, ascending, with those that touch made one, which reaches as far as its maxima lie apart.
-template <class T>
-[[nodiscard]] std::vector<Place<T>> joined(std::vector<Place<T>> places);
+[[nodiscard]] std::vector<Place> joined(std::vector<Place> places);
 
 /// @brief Where else than at the instant of its largest value a function may be largest that goes on at a as it ends at b; the
 /// place of that instant is among them if it has a reach. Places are ascending, and no two touch.
-template <class T>
-[[nodiscard]] std::vector<Place<T>> rivals(const std::vector<Place<T>>& places, const T& a, const T& b, const T& instant);
+[[nodiscard]] std::vector<Place> rivals(const std::vector<Place>& places, double a, double b, double instant);
 
 } // namespace denhartog

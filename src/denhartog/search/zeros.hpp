@@ -24,11 +24,10 @@
 namespace denhartog {
 
 /// @brief A function at an instant, with its slope.
-template <class T>
 struct ValueAt {
-    T t;     ///< the instant
-    T f;     ///< the function
-    T slope; ///< its derivative
+    double t;     ///< the instant
+    double f;     ///< the function
+    double slope; ///< its derivative
 };
 
 /// @brief The zero between two instants: t as a polynomial of third degree in f, through the last two instants with their slopes,
@@ -38,24 +37,24 @@ struct ValueAt {
 /// one seen in the step before; or, if this is more, the one that leaves as much as the bracket is wide if both are that far. The
 /// search starts at `now`; f has the opposite sign at `before`, or is zero at `now`. The zero is known to rounding; the function
 /// is not evaluated there.
-template <class T, class Function>
-[[nodiscard]] T bracketed_zero(const Function& at, ValueAt<T> now, ValueAt<T> before) {
+template <class Function>
+[[nodiscard]] double bracketed_zero(const Function& at, ValueAt now, ValueAt before) {
     using std::abs;
     constexpr int most_steps = 200;
     const bool rises = (now.t < before.t) == (now.f < 0);
-    T a = std::min(now.t, before.t), b = std::max(now.t, before.t), whole = b - a, step_before = 2 * whole, far_before(0);
+    double a = std::min(now.t, before.t), b = std::max(now.t, before.t), whole = b - a, step_before = 2 * whole, far_before(0);
     for (int n = 0; n < most_steps && now.f != 0; ++n) {
         (rises == (now.f > 0) ? b : a) = now.t;
-        const T span = before.f - now.f, part = -now.f / span, rest = 1 - part;
-        const T zero = now.t + part * rest * rest * (span / now.slope) +
-                       part * part * ((1 + 2 * rest) * (before.t - now.t) - rest * (span / before.slope));
-        const bool falls_off = zero > a && zero < b && 2 * abs(T(zero - now.t)) < step_before;
-        const T next = falls_off ? zero : T(a + (b - a) / 2), step = abs(T(next - now.t)),
-                far = falls_off ? T(abs(T(next - before.t))) : T(0), tiny = std::numeric_limits<T>::epsilon() * abs(next);
+        const double span = before.f - now.f, part = -now.f / span, rest = 1 - part;
+        const double zero = now.t + part * rest * rest * (span / now.slope) +
+                            part * part * ((1 + 2 * rest) * (before.t - now.t) - rest * (span / before.slope));
+        const bool falls_off = zero > a && zero < b && 2 * abs(zero - now.t) < step_before;
+        const double next = falls_off ? zero : a + (b - a) / 2, step = abs(next - now.t),
+                     far = falls_off ? abs(next - before.t) : 0.0, tiny = std::numeric_limits<double>::epsilon() * abs(next);
         const bool falls_to_nothing = falls_off && step * step * step <= tiny * far_before * far_before &&
                                       step * step * far * far <= tiny * whole * whole * whole;
         if (step <= tiny || falls_to_nothing || !(a < next && next < b)) return next;
-        step_before = falls_off ? step : T(b - a);
+        step_before = falls_off ? step : b - a;
         far_before = far;
         before = std::exchange(now, at(next));
     }
@@ -66,20 +65,18 @@ template <class T, class Function>
 inline constexpr double tangent_up_to = 0x1p-10;
 
 /// @brief A function at an instant with what bounds it ahead.
-template <class T>
 struct Jet {
-    std::array<T, 4> f; ///< the function and three derivatives
-    T bound;            ///< |f''''| is at most bound + growth h over [t, t + h]
-    T growth;           ///< see `bound`
-    T noise;            ///< rounding error of f
+    std::array<double, 4> f; ///< the function and three derivatives
+    double bound;            ///< |f''''| is at most bound + growth h over [t, t + h]
+    double growth;           ///< see `bound`
+    double noise;            ///< rounding error of f
     /// |f''| is at most this + growth h over [t, t + h]; rounding adds to it less than to `bound`
-    T second = std::numeric_limits<T>::infinity();
+    double second = std::numeric_limits<double>::infinity();
 };
 
 /// @brief A zero, or where the search had to end.
-template <class T>
 struct Crossing {
-    T t;          ///< where it is
+    double t;     ///< where it is
     bool touches; ///< the function reaches zero there to rounding, but no step is short enough to see it cross
     /// no zero, and what comes after t is not known: the effort is spent, or no step of the number type is short enough
     bool open = false;
@@ -87,34 +84,32 @@ struct Crossing {
 
 /// @brief Whether bounds prove that f > 0 on (0, h], where its first `order` derivatives, f included, two at most, are zero at
 /// the start of the step.
-template <class T>
-[[nodiscard]] bool stays_positive(const Jet<T>& jet, int order, const T& h) {
-    const std::array<T, 4>& f = jet.f;
+[[nodiscard]] inline bool stays_positive(const Jet& jet, int order, double h) {
+    const std::array<double, 4>& f = jet.f;
     if (h < tangent_up_to) {
-        const T bend = (jet.second + jet.growth * h) * h / 2;
-        if (order == 0 && std::min(f[0], T(f[0] + f[1] * h)) > bend * h) return true;
+        const double bend = (jet.second + jet.growth * h) * h / 2;
+        if (order == 0 && std::min(f[0], f[0] + f[1] * h) > bend * h) return true;
         if (order == 1 && f[1] > bend) return true;
     }
-    const T remainder = jet.bound + jet.growth * h;
-    if (order == 2) return std::min(T(f[2] / 2), T(f[2] / 2 + f[3] * h / 6)) > remainder * h * h / 24;
+    const double remainder = jet.bound + jet.growth * h;
+    if (order == 2) return std::min(f[2] / 2, f[2] / 2 + f[3] * h / 6) > remainder * h * h / 24;
     if (order == 1) {
-        const T b1 = f[1] + f[2] * h / 4;
-        const T b2 = f[1] + f[2] * h / 2 + f[3] * h * h / 6;
+        const double b1 = f[1] + f[2] * h / 4;
+        const double b2 = f[1] + f[2] * h / 2 + f[3] * h * h / 6;
         return std::min({f[1], b1, b2}) > remainder * h * h * h / 24;
     }
-    const T b1 = f[0] + f[1] * h / 3;
-    const T b2 = b1 + f[1] * h / 3 + f[2] * h * h / 6;
-    const T b3 = f[0] + h * (f[1] + h * (f[2] / 2 + f[3] * h / 6));
+    const double b1 = f[0] + f[1] * h / 3;
+    const double b2 = b1 + f[1] * h / 3 + f[2] * h * h / 6;
+    const double b3 = f[0] + h * (f[1] + h * (f[2] / 2 + f[3] * h / 6));
     return std::min({f[0], b1, b2, b3}) > remainder * h * h * h * h / 24;
 }
 
 /// @brief Whether bounds prove that f' < 0 on [0, h].
-template <class T>
-[[nodiscard]] bool falls(const Jet<T>& jet, const T& h) {
-    const std::array<T, 4>& f = jet.f;
+[[nodiscard]] inline bool falls(const Jet& jet, double h) {
+    const std::array<double, 4>& f = jet.f;
     if (h < tangent_up_to && f[1] < -(jet.second + jet.growth * h) * h) return true;
-    const T b1 = f[1] + f[2] * h / 2;
-    const T b2 = f[1] + f[2] * h + f[3] * h * h / 2;
+    const double b1 = f[1] + f[2] * h / 2;
+    const double b2 = f[1] + f[2] * h + f[3] * h * h / 2;
     return std::max({f[1], b1, b2}) < -(jet.bound + jet.growth * h) * h * h * h / 6;
 }
 
@@ -123,23 +118,23 @@ template <class T>
 /// A step is halved until its bounds decide, and no further than the digits of t go. Between two steps the effort is looked at,
 /// which the function spends: the search ends however fast the function changes. `order` is that of the zero at the start: 0
 /// where f > 0 there, 1 where f' > 0, 2 where f'' > 0. `step` is the first one tried, and is left as the last one taken.
-template <class T, class Function>
-[[nodiscard]] std::optional<Crossing<T>> first_crossing(Function& at, T t, const T& t_end, int order, T& step,
-                                                        const Effort& effort) {
-    const T shortest = 4 * std::numeric_limits<T>::epsilon() * std::max(T(1), t_end);
-    const T least((std::numeric_limits<double>::min)()); // from 0 on a wide type has steps without end below it
-    const auto value_at = [&at](const T& instant) {
-        const Jet<T> there = at(instant);
-        return ValueAt<T>{instant, there.f[0], there.f[1]};
+template <class Function>
+[[nodiscard]] std::optional<Crossing> first_crossing(Function& at, double t, double t_end, int order, double& step,
+                                                     const Effort& effort) {
+    const double shortest = 4 * std::numeric_limits<double>::epsilon() * std::max(1.0, t_end);
+    const double least((std::numeric_limits<double>::min)()); // from 0 on no step is halved below it
+    const auto value_at = [&at](double instant) {
+        const Jet there = at(instant);
+        return ValueAt{instant, there.f[0], there.f[1]};
     };
-    Jet<T> jet = at(t);
+    Jet jet = at(t);
     while (t < t_end) {
-        if (order == 0 && jet.f[0] <= 0) return Crossing<T>{t, true};
-        if (effort.exhausted()) return Crossing<T>{t, false, true};
-        T h = std::min(step, T(t_end - t));
+        if (order == 0 && jet.f[0] <= 0) return Crossing{t, true};
+        if (effort.exhausted()) return Crossing{t, false, true};
+        double h = std::min(step, t_end - t);
         for (;;) {
-            const T next = t + h < t_end ? T(t + h) : t_end;
-            if (!(next > t) || h < least) return Crossing<T>{t, false, true};
+            const double next = t + h < t_end ? t + h : t_end;
+            if (!(next > t) || h < least) return Crossing{t, false, true};
             if (stays_positive(jet, order, h)) {
                 t = next;
                 step = 2 * h;
@@ -148,18 +143,18 @@ template <class T, class Function>
                 break;
             }
             if (order == 0 && falls(jet, h)) {
-                const Jet<T> ahead = at(next);
+                const Jet ahead = at(next);
                 if (ahead.f[0] <= 0) {
-                    ValueAt<T> here{t, jet.f[0], jet.f[1]}, there{next, ahead.f[0], ahead.f[1]};
+                    ValueAt here{t, jet.f[0], jet.f[1]}, there{next, ahead.f[0], ahead.f[1]};
                     if (here.f >= -there.f) std::swap(here, there);
-                    return Crossing<T>{bracketed_zero(value_at, here, there), false};
+                    return Crossing{bracketed_zero(value_at, here, there), false};
                 }
                 t = next;
                 jet = ahead;
                 break;
             }
             h = h * 3 / 4;
-            if (h <= shortest && (order > 0 || jet.f[0] <= 8 * jet.noise)) return Crossing<T>{t, true};
+            if (h <= shortest && (order > 0 || jet.f[0] <= 8 * jet.noise)) return Crossing{t, true};
         }
     }
     return std::nullopt;

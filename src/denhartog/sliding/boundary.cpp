@@ -16,23 +16,13 @@ namespace denhartog {
 namespace {
 
 // Zero in place of a number without a digit; of one with a bound, with what it may be.
-template <class T>
-T zero_for(const T&) {
-    return T(0);
-}
-template <class T>
-Bounded<T> zero_for(const Bounded<T>& x) {
-    return {T(0), x.most()};
-}
+double zero_for(double) { return 0; }
+Bounded<double> zero_for(const Bounded<double>& x) { return {0.0, x.most()}; }
 
 // V_dj without a digit: by the size of its terms or, where there is one, by its bound.
-template <class T>
-bool unmoved(const ModeSums<T>& s) {
-    return contact_is_unmoved(s);
-}
-template <class T>
-bool unmoved(const ModeSums<Bounded<T>>& s) {
-    const Bounded<T> size = modulus(s.V[s.contact.index]);
+bool unmoved(const ModeSums<double>& s) { return contact_is_unmoved(s); }
+bool unmoved(const ModeSums<Bounded<double>>& s) {
+    const Bounded<double> size = modulus(s.V[s.contact.index]);
     return !(size.x > size.e);
 }
 
@@ -84,8 +74,7 @@ Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, std
     b.S_exact = found_by_search(sliding_demand(s, instant));
     static_cast<RegimeBoundary<T>&>(b) = regime_boundary_at(s, mu, V_dj, larger(b.S_exact, held));
     b.S_paper =
-        s.coupled ? b.S_exact
-                  : sum_of_demands(s, [&](std::size_t i) { return found_by_search(s_d_of_mode(s, i, instants[i])); });
+        s.coupled ? b.S_exact : sum_of_demands(s, [&](std::size_t i) { return found_by_search(s_d_of_mode(s, i, instants[i])); });
     b.instant = instant;
     b.instants = std::move(instants);
     b.paper = paper::friction_ratio_limit(V_dj, s.U[j], larger(b.S_paper, held));
@@ -97,28 +86,24 @@ Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, std
     return b;
 }
 
-template <class T>
-RegimeBoundary<Bounded<T>> regime_boundary(const ModeSums<Bounded<T>>& s, const Bounded<T>& mu) {
+RegimeBoundary<Bounded<double>> regime_boundary(const ModeSums<Bounded<double>>& s, const Bounded<double>& mu) {
     check_static_friction(mu);
-    const T instant = largest_at_start(s) ? T(0) : instant_of_largest_demand(values_of(s));
-    const Bounded<T> S_exact = found_by_search(sliding_demand(s, Bounded<T>(instant)));
+    const double instant = largest_at_start(s) ? 0.0 : instant_of_largest_demand(values_of(s));
+    const Bounded<double> S_exact = found_by_search(sliding_demand(s, Bounded<double>(instant)));
     return regime_boundary_at(s, mu, response_that_counts(s), larger(S_exact, static_demand(s, mu)));
 }
 
-template <class T>
-Boundary<T> boundary(const ModeSums<T>& s, const T& mu) {
+Boundary<double> boundary(const ModeSums<double>& s, double mu) {
     check_static_friction(mu);
-    FrictionMotions<T> y(s);
-    const std::vector<T> instants = instants_of_demands(y);
-    return boundary_at(s, mu, instants.front(), std::vector<T>(instants.begin() + 1, instants.end()));
+    FrictionMotions y(s);
+    const std::vector<double> instants = instants_of_demands(y);
+    return boundary_at(s, mu, instants.front(), std::vector<double>(instants.begin() + 1, instants.end()));
 }
 
 template double sliding_demand(const ModeSums<double>&, const double&);
 template Bounded<double> sliding_demand(const ModeSums<Bounded<double>>&, const Bounded<double>&);
-template RegimeBoundary<Bounded<double>> regime_boundary(const ModeSums<Bounded<double>>&, const Bounded<double>&);
 template Boundary<double> boundary_at(const ModeSums<double>&, const double&, const double&, std::vector<double>);
 template Boundary<Bounded<double>> boundary_at(const ModeSums<Bounded<double>>&, const Bounded<double>&, const Bounded<double>&,
                                                std::vector<Bounded<double>>);
-template Boundary<double> boundary(const ModeSums<double>&, const double&);
 
 } // namespace denhartog

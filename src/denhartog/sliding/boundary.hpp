@@ -40,14 +40,12 @@ struct Boundary : RegimeBoundary<T> {
 /// V_dj is below the rounding of its own terms: the load does not reach the contact. Where damping couples the modes (56) has no
 /// modes to sum over, and `paper` is `exact`. InputError where mu is below 1 or not finite.
 /// @eq{54,56,57,58,67,69,71,72}
-template <class T>
-[[nodiscard]] Boundary<T> boundary(const ModeSums<T>& sums, const T& mu);
+[[nodiscard]] Boundary<double> boundary(const ModeSums<double>& sums, double mu);
 
 /// @brief The two friction ratios alone, which is what a map asks for: the maxima of the modes by themselves are not sought, and
 /// the maximum of their sum only where `largest_at_start` does not tell it. The numbers are those of `boundary`, with bounds of
 /// their errors; PrecisionError where the maximum is not settled. @eq{54,57,58,67,69,71,72}
-template <class T>
-[[nodiscard]] RegimeBoundary<Bounded<T>> regime_boundary(const ModeSums<Bounded<T>>& sums, const Bounded<T>& mu);
+[[nodiscard]] RegimeBoundary<Bounded<double>> regime_boundary(const ModeSums<Bounded<double>>& sums, const Bounded<double>& mu);
 
 /// @brief Whether (57) of every mode is certain to be largest for tau -> 0, by `evaluation::excess_at_the_end`: so is the sum.
 /// False says nothing. @eq{57,71}
@@ -56,14 +54,13 @@ template <class T>
 
 /// @brief Where in [0, pi] the sum over the modes of (57)'s expression is largest, guaranteed by `global_maximum`; 0 stands for
 /// the limit. PrecisionError where the maximum is not settled. @eq{56,57}
-template <class T>
-[[nodiscard]] T instant_of_largest_demand(const ModeSums<T>& sums);
+[[nodiscard]] double instant_of_largest_demand(const ModeSums<double>& sums);
 
 /// @brief Number of searches for the largest demand since the program started; tests gate on it.
 [[nodiscard]] inline long demand_searches() { return work_counted.demand_searches; }
 
-/// @brief The same boundary in another number type, with the instants of the maxima known: what a check costs. `instant` is that
-/// of the sum, where 0 stands for the limit, and `instants` are those of each mode.
+/// @brief The same boundary, in double or with bounds of its errors, with the instants of the maxima known. `instant` is that of
+/// the sum, where 0 stands for the limit, and `instants` are those of each mode.
 template <class T>
 [[nodiscard]] Boundary<T> boundary_at(const ModeSums<T>& sums, const T& mu, const T& instant, std::vector<T> instants);
 
@@ -80,7 +77,6 @@ template <class T>
 /// @brief N + 1 instants in [0, pi]: where the sum over the modes of (57)'s expression is largest, and where that of each mode
 /// is; 0 stands for the limit. What `y` remembers serves the next search. PrecisionError where a maximum is not settled.
 /// @eq{56,57}
-template <class T>
-[[nodiscard]] std::vector<T> instants_of_demands(FrictionMotions<T>& y);
+[[nodiscard]] std::vector<double> instants_of_demands(FrictionMotions& y);
 
 } // namespace denhartog

@@ -20,14 +20,14 @@ namespace denhartog {
 /// @brief By how many radians the phase of a displacement may differ from that of its maximum; zero where no other instant can be
 /// that of the maximum. The places are where the displacement may be the largest, in the order of time, and no two touch. At b,
 /// the end of the stretch, the motion goes on as at a, or mirrored.
-template <class T, class Sign>
-[[nodiscard]] T spread_of_phases(const std::vector<Place<T>>& places, const T& a, const T& b, const T& instant,
-                                 const Sign& is_negative) {
-    T spread(0);
-    for (const Place<T>& rival : rivals(places, a, b, instant)) {
+template <class Sign>
+[[nodiscard]] double spread_of_phases(const std::vector<Place>& places, double a, double b, double instant,
+                                      const Sign& is_negative) {
+    double spread(0);
+    for (const Place& rival : rivals(places, a, b, instant)) {
         const bool opposite = is_negative(rival.instant) != is_negative(instant);
-        const T apart = wrapped(T(rival.instant - instant + (opposite ? pi<T>() : T(0))));
-        spread = std::max(spread, T(size_of_number(apart) + rival.reach));
+        const double apart = wrapped(rival.instant - instant + (opposite ? pi<double>() : 0.0));
+        spread = std::max(spread, size_of_number(apart) + rival.reach);
     }
     return spread;
 }
@@ -35,31 +35,29 @@ template <class T, class Sign>
 /// @brief Where a displacement is largest, and by how many radians the phase of another such instant may differ. `at` gives the
 /// motion (46) at an instant, and the curve gets the size of the displacement. `noise` is the rounding error of the displacement,
 /// and `error` bounds the error that the sums make of it.
-template <class T, class Motion>
-[[nodiscard]] std::pair<T, T> instant_and_spread(Curve<T> curve, const Motion& at, const T& noise, const T& error) {
-    curve.sample = [&](const T& tau) {
-        const evaluation::MotionOfMass<T> now = at(tau);
-        return Sample<T>{now.x < 0 ? T(-now.x) : now.x, now.x_prime, now.x_double_prime};
+template <class Motion>
+[[nodiscard]] std::pair<double, double> instant_and_spread(Curve curve, const Motion& at, double noise, double error) {
+    curve.sample = [&](double tau) {
+        const evaluation::MotionOfMass<double> now = at(tau);
+        return Sample{std::abs(now.x), now.x_prime, now.x_double_prime};
     };
-    const Maximum<T> found = global_maximum<T>(curve, T(0), pi<T>(), noise, nullptr, std::numeric_limits<T>::lowest(), error);
-    const auto is_negative = [&](const T& tau) { return at(tau).x < 0; };
-    return {found.instant, spread_of_phases(found.places, T(0), pi<T>(), found.instant, is_negative)};
+    const Maximum found = global_maximum(curve, 0.0, pi<double>(), noise, nullptr, std::numeric_limits<double>::lowest(), error);
+    const auto is_negative = [&](double tau) { return at(tau).x < 0; };
+    return {found.instant, spread_of_phases(found.places, 0.0, pi<double>(), found.instant, is_negative)};
 }
 
 /// @brief Where the displacements of the masses are largest.
-template <class T>
 struct InstantsOfMaxima {
-    std::vector<T> instants; ///< N, in [0, pi]; 0 for the contact and for masses not asked for
+    std::vector<double> instants; ///< N, in [0, pi]; 0 for the contact and for masses not asked for
     /// N, radians: how far the phase of another instant is from that of this one, where the displacement there may be the largest
     /// as well; else 0
-    std::vector<T> spreads;
+    std::vector<double> spreads;
 };
 
 /// @brief Where the displacements of the masses are largest, guaranteed by `global_maximum`. `only` is the one mass whose maximum
 /// is wanted besides that of the contact, none for all. `errors` bound what the sums make of the displacements, or are empty.
 /// What `y` remembers serves the next search. @eq{46}
-template <class T>
-[[nodiscard]] InstantsOfMaxima<T> instants_of_maxima(FrictionMotions<T>& y, const T& beta,
-                                                     std::optional<Mass> only = std::nullopt, const std::vector<T>& errors = {});
+[[nodiscard]] InstantsOfMaxima instants_of_maxima(FrictionMotions& y, double beta, std::optional<Mass> only = std::nullopt,
+                                                  const std::vector<double>& errors = {});
 
 } // namespace denhartog

@@ -7,8 +7,7 @@
 namespace denhartog {
 namespace {
 
-template <class T>
-std::string text(const T& x, const T& error = T(0)) {
+std::string text(double x, double error = 0.0) {
     return number_in_certain_digits(static_cast<double>(x), static_cast<double>(error));
 }
 
@@ -21,33 +20,21 @@ std::string explanation(BindingCondition binding) {
     return {};
 }
 
-template <class T>
-std::string why_not_sliding(const Boundary<T>& b, const T& beta, const BoundaryError<T>& error) {
+std::string why_not_sliding(const Boundary<double>& b, double beta, const BoundaryError& error) {
     return "the closed form does not hold: beta = " + text(beta) + " is not below beta_lim = " + text(b.exact, error.exact) +
            ", Eq. (69), where " + explanation(b.binding);
 }
 
-template <class T>
-bool equal_within(const T& a, const T& b, const T& error) {
-    return a - b < error && b - a < error;
-}
+bool equal_within(double a, double b, double error) { return a - b < error && b - a < error; }
 
 } // namespace
 
-template <class T>
-Regime regime_of(const RegimeBoundary<T>& b, const T& beta) {
-    if (beta < b.exact) return Regime::continuous;
-    return b.sticking && beta >= *b.sticking ? Regime::permanent_sticking : Regime::stick_slip;
-}
-
-template <class T>
-bool on_boundary(const RegimeBoundary<T>& b, const T& beta, const BoundaryError<T>& error) {
+bool on_boundary(const RegimeBoundary<double>& b, double beta, const BoundaryError& error) {
     return equal_within(beta, b.exact, error.exact) ||
            (b.sticking && beta >= b.exact && equal_within(beta, *b.sticking, error.sticking));
 }
 
-template <class T>
-RegimeAtPoint regime_at(const Boundary<T>& b, const T& beta, const BoundaryError<T>& error) {
+RegimeAtPoint regime_at(const Boundary<double>& b, double beta, const BoundaryError& error) {
     check_friction_ratio(beta);
     const bool can_rest = b.sticking && beta >= *b.sticking;
     RegimeAtPoint point;
@@ -73,20 +60,12 @@ RegimeAtPoint regime_at(const Boundary<T>& b, const T& beta, const BoundaryError
     return point;
 }
 
-template <class T>
-RegimeAtPoint regime_at(const Boundary<Bounded<T>>& bounded, const T& beta) {
-    Boundary<T> b{};
+RegimeAtPoint regime_at(const Boundary<Bounded<double>>& bounded, double beta) {
+    Boundary<double> b{};
     b.exact = bounded.exact.x;
     if (bounded.sticking) b.sticking = bounded.sticking->x;
     b.binding = bounded.binding;
-    return regime_at(b, beta, BoundaryError<T>{bounded.exact.e, bounded.sticking ? bounded.sticking->e : T(0)});
+    return regime_at(b, beta, BoundaryError{bounded.exact.e, bounded.sticking ? bounded.sticking->e : 0.0});
 }
-
-template Regime regime_of(const RegimeBoundary<double>&, const double&);
-template Regime regime_of(const RegimeBoundary<Bounded<double>>&, const Bounded<double>&);
-template bool on_boundary(const RegimeBoundary<double>&, const double&, const BoundaryError<double>&);
-template RegimeAtPoint regime_at(const Boundary<double>&, const double&, const BoundaryError<double>&);
-
-template RegimeAtPoint regime_at(const Boundary<Bounded<double>>&, const double&);
 
 } // namespace denhartog

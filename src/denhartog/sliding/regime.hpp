@@ -9,29 +9,28 @@
 namespace denhartog {
 
 /// @brief Accuracy of the two friction ratios that part the regimes; zero where one is known exactly.
-template <class T>
 struct BoundaryError {
-    T exact;    ///< absolute error of `Boundary::exact`
-    T sticking; ///< absolute error of `Boundary::sticking`
+    double exact;    ///< absolute error of `Boundary::exact`
+    double sticking; ///< absolute error of `Boundary::sticking`
 };
 
 /// @brief The regime at a friction ratio and nothing else: what a map asks for at every point. @eq{54,69}
 template <class T>
-[[nodiscard]] Regime regime_of(const RegimeBoundary<T>& boundary, const T& beta);
+[[nodiscard]] Regime regime_of(const RegimeBoundary<T>& boundary, const T& beta) {
+    if (beta < boundary.exact) return Regime::continuous;
+    return boundary.sticking && beta >= *boundary.sticking ? Regime::permanent_sticking : Regime::stick_slip;
+}
 
 /// @brief Whether a friction ratio is a boundary between two regimes, to the accuracy of the boundary.
-template <class T>
-[[nodiscard]] bool on_boundary(const RegimeBoundary<T>& boundary, const T& beta, const BoundaryError<T>& error);
+[[nodiscard]] bool on_boundary(const RegimeBoundary<double>& boundary, double beta, const BoundaryError& error);
 
 /// @brief The regime at a friction ratio: sliding below (69), permanent sticking from `sticking` on, stick-slip between.
 ///
 /// With mu > 1 the sliding regime can reach beyond `sticking`: the contact then slides if it is moving, and rests if it rests.
 /// @eq{54,69}
-template <class T>
-[[nodiscard]] RegimeAtPoint regime_at(const Boundary<T>& boundary, const T& beta, const BoundaryError<T>& error);
+[[nodiscard]] RegimeAtPoint regime_at(const Boundary<double>& boundary, double beta, const BoundaryError& error);
 
 /// @brief The same from a boundary with bounds of its errors. @eq{54,69}
-template <class T>
-[[nodiscard]] RegimeAtPoint regime_at(const Boundary<Bounded<T>>& boundary, const T& beta);
+[[nodiscard]] RegimeAtPoint regime_at(const Boundary<Bounded<double>>& boundary, double beta);
 
 } // namespace denhartog

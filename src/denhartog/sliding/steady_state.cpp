@@ -20,8 +20,7 @@ namespace {
 
 using std::floor;
 
-template <class T>
-void check_sliding(const RegimeBoundary<T>& boundary, const T& beta) {
+void check_sliding(const RegimeBoundary<double>& boundary, double beta) {
     check_friction_ratio(beta);
     if (beta < boundary.exact) return;
     throw DomainError("the contact does not slide throughout: beta = " + number_to_text(beta) +
@@ -29,14 +28,10 @@ void check_sliding(const RegimeBoundary<T>& boundary, const T& beta) {
 }
 
 // An instant that rounding may have put a little outside the half-period, in it.
-template <class T>
-T in_half_period(const T& tau) {
-    return std::clamp(tau, T(0), pi<T>());
-}
-template <class T>
-Bounded<T> in_half_period(const Bounded<T>& tau) {
-    const T inside = std::clamp(tau.x, T(0), pi<T>());
-    return {inside, T(tau.e + size_of_number(T(tau.x - inside)))};
+double in_half_period(double tau) { return std::clamp(tau, 0.0, pi<double>()); }
+Bounded<double> in_half_period(const Bounded<double>& tau) {
+    const double inside = in_half_period(tau.x);
+    return {inside, tau.e + std::abs(tau.x - inside)};
 }
 
 template <class T>
@@ -48,23 +43,21 @@ void set_maximum(MassResponse<T>& m, const T& phi_j, const T& instant, const T& 
 
 // A bound of the third derivative of a mass over a step from an instant: its terms there in size, and what the step may add to
 // them. Between stops R^2 y''^2 + y'^2 of a mode under friction falls in time.
-template <class T, class Value = typename ValueOf<T>::type>
-Value size_of_jerk(const ModeSums<T>& s, const MassInMotion<T>& mass, std::size_t k, const T& tau, const T& step,
-                   const FrictionShare<T>& share) {
+template <class T>
+double size_of_jerk(const ModeSums<T>& s, const MassInMotion<T>& mass, std::size_t k, const T& tau, const T& step,
+                    const FrictionShare<T>& share) {
     constexpr double slack = 1 + 1.0 / 1024; // more than the roundings here
     const std::vector<evaluation::FrictionMotion<T>>& y = share.of_modes;
-    Value sum(0);
+    double sum = 0;
     if (s.coupled)
-        sum = ValueOf<T>::most(T(
-            s.coupled->largest_derivative(k, 3, s.coupled->at(ValueOf<T>::of(in_half_period(step < 0 ? T(tau + step) : tau))))));
-    const Value length = ValueOf<T>::most(step);
+        sum = s.coupled->largest_derivative(k, 3, s.coupled->at(ValueOf<T>::of(in_half_period(step < 0 ? T(tau + step) : tau))));
+    const double length = ValueOf<T>::most(step);
     for (std::size_t i = 0; i < y.size(); ++i) {
-        const Value R = ValueOf<T>::most(s.R[i]), rate = 1 / ValueOf<T>::least(s.R[i]), damping = 2 * ValueOf<T>::most(s.zeta[i]),
-                    turns = length * rate;
-        const Value y_prime = ValueOf<T>::most(y[i].prime), R_y_double_prime = R * ValueOf<T>::most(y[i].double_prime);
-        const Value lost = step < 0 ? Value(damping * turns) : Value(0),
-                    growth = lost < 1 ? Value(1 + 2 * lost) : Value(exp(lost));
-        const Value added = turns * (1 + damping + damping * damping) * (y_prime + R_y_double_prime) * growth;
+        const double R = ValueOf<T>::most(s.R[i]), rate = 1 / ValueOf<T>::least(s.R[i]),
+                     damping = 2 * ValueOf<T>::most(s.zeta[i]), turns = length * rate;
+        const double y_prime = ValueOf<T>::most(y[i].prime), R_y_double_prime = R * ValueOf<T>::most(y[i].double_prime);
+        const double lost = step < 0 ? damping * turns : 0, growth = lost < 1 ? 1 + 2 * lost : exp(lost);
+        const double added = turns * (1 + damping + damping * damping) * (y_prime + R_y_double_prime) * growth;
         sum += ValueOf<T>::most(mass.weights[i]) * (damping * R_y_double_prime + y_prime + added) * rate * rate;
     }
     return (ValueOf<T>::most(mass.h.A) + ValueOf<T>::most(mass.h.B) + ValueOf<T>::most(mass.beta) * sum) * slack;
@@ -77,14 +70,8 @@ T newton_step(const evaluation::MotionOfMass<T>& at) {
 }
 
 // How far a step may lead the other way, where its error hides the direction.
-template <class T>
-T may_lead_back(const T&) {
-    return T(0);
-}
-template <class T>
-Bounded<T> may_lead_back(const Bounded<T>& step) {
-    return {std::max(T(0), T(step.e - size_of_number(step.x))), T(0)};
-}
+double may_lead_back(double) { return 0; }
+Bounded<double> may_lead_back(const Bounded<double>& step) { return {std::max(0.0, step.e - std::abs(step.x))}; }
 
 // The maximum next to an instant: one more step of Newton's method, with a bound of what the step neglects. The motion continues
 // mirrored at both ends of the half-period. A step out of it at one end is a step into it at the other, and an end from which
@@ -111,19 +98,18 @@ void settle_maximum(const ModeSums<T>& s, SteadyState<T>& state, std::size_t k, 
         }
     }
     const T largest = found_by_search(T(now.x + now.x_prime * step / 2));
-    using Value = typename ValueOf<T>::type;
-    const Value reach = ValueOf<T>::most(step);
+    const double reach = ValueOf<T>::most(step);
     if (!(reach - reach == 0)) { // rounding hides the acceleration; what it makes of the displacement hides the maximum
-        const Value hidden = 8 * std::max(ValueOf<T>::error(state.masses[k].x0), ValueOf<T>::error(state.masses[k].v0));
+        const double hidden = 8 * std::max(ValueOf<T>::error(state.masses[k].x0), ValueOf<T>::error(state.masses[k].v0));
         set_maximum(state.masses[k], state.phi_j, with_neglected(instant, pi<T>()),
                     with_neglected(found_by_search(now.x), T(hidden)));
         return;
     }
-    const Value of_acceleration = reach * size_of_jerk(s, mass, k, instant, step, share),
-                of_displacement = reach * of_acceleration, least = ValueOf<T>::least(now.x_double_prime);
+    const double of_acceleration = reach * size_of_jerk(s, mass, k, instant, step, share),
+                 of_displacement = reach * of_acceleration, least = ValueOf<T>::least(now.x_double_prime);
     // A step over which the acceleration may vanish tells nothing of the maximum.
     const bool tells = least > 0 && (of_displacement == 0 || 2 * of_acceleration < least);
-    const Value of_instant = !tells ? pi<Value>() : of_displacement == 0 ? Value(0) : Value(of_displacement / least);
+    const double of_instant = !tells ? pi<double>() : of_displacement == 0 ? 0 : of_displacement / least;
     set_maximum(state.masses[k], state.phi_j, with_neglected(T(instant + step), T(of_instant)),
                 with_neglected(largest, T(of_displacement * reach)));
 }
@@ -165,10 +151,10 @@ SteadyState<T> steady_state_without_maxima(const ModeSums<T>& s, const T& beta) 
     return state;
 }
 
-template <class T>
-SteadyState<T> steady_state(const ModeSums<T>& s, const RegimeBoundary<T>& boundary, const T& beta, std::optional<Mass> only) {
+SteadyState<double> steady_state(const ModeSums<double>& s, const RegimeBoundary<double>& boundary, double beta,
+                                 std::optional<Mass> only) {
     check_sliding(boundary, beta);
-    FrictionMotions<T> y(s);
+    FrictionMotions y(s);
     return with_maxima(s, steady_state_without_maxima(s, beta), instants_of_maxima(y, beta, only).instants, only);
 }
 
@@ -205,8 +191,6 @@ Motion<T> motion(const ModeSums<T>& s, const SteadyState<T>& state, const T& tau
 }
 
 template double wrapped(const double&);
-template SteadyState<double> steady_state(const ModeSums<double>&, const RegimeBoundary<double>&, const double&,
-                                          std::optional<Mass>);
 template Motion<double> motion(const ModeSums<double>&, const SteadyState<double>&, const double&);
 template SteadyState<Bounded<double>> with_maxima(const ModeSums<Bounded<double>>&, SteadyState<Bounded<double>>,
                                                   const std::vector<Bounded<double>>&, std::optional<Mass>);

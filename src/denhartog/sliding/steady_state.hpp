@@ -41,9 +41,8 @@ struct Motion {
 /// @brief The steady state in the sliding regime, with the global maximum of every displacement guaranteed by `global_maximum`.
 /// `only` is the one mass whose maximum is wanted besides that of the contact, none for all. InputError where beta is negative or
 /// not finite; DomainError at and beyond the boundary (69). @eq{38,39,44,45,47,52,53}
-template <class T>
-[[nodiscard]] SteadyState<T> steady_state(const ModeSums<T>& sums, const RegimeBoundary<T>& boundary, const T& beta,
-                                          std::optional<Mass> only = std::nullopt);
+[[nodiscard]] SteadyState<double> steady_state(const ModeSums<double>& sums, const RegimeBoundary<double>& boundary, double beta,
+                                               std::optional<Mass> only = std::nullopt);
 
 /// @brief What the steady state needs no search for: amplitude and phase of the mass in contact, initial values of every mass.
 /// Instant, amplitude and phase of the masses not in contact are zero. DomainError where the amplitude (38) is not a positive
@@ -51,8 +50,8 @@ template <class T>
 template <class T>
 [[nodiscard]] SteadyState<T> steady_state_without_maxima(const ModeSums<T>& sums, const T& beta);
 
-/// @brief A steady state with the maxima of the masses not in contact, whose instants are known, also in another number type.
-/// They are known to about half the digits of T, and one step of Newton's method corrects them; `only` is as above.
+/// @brief A steady state with the maxima of the masses not in contact, whose instants are known, also with bounds of its errors.
+/// They are known to about half the digits of a double, and one step of Newton's method corrects them; `only` is as above.
 template <class T>
 [[nodiscard]] SteadyState<T> with_maxima(const ModeSums<T>& sums, SteadyState<T> state, const std::vector<T>& instants,
                                          std::optional<Mass> only = std::nullopt);

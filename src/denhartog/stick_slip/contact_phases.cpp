@@ -49,7 +49,7 @@ void ContactPhases::set_mode(LinearMotion& m, std::size_t i, double r_n, double 
 }
 
 void ContactPhases::set_sticking(double r2) {
-    const StuckConfiguration<double>& s = system->stuck;
+    const StuckConfiguration& s = system->stuck;
     k_j = s.phi.transpose() * column(s.k_j);
     c_j = s.phi.transpose() * column(s.c_j) * e.r;
     m_j = s.phi.transpose() * column(s.m_j) * r2;
@@ -120,10 +120,10 @@ evaluation::LinearSum ContactPhases::motion_of_masses(int direction, double tau)
     return sum;
 }
 
-Jet<double> ContactPhases::velocity(int direction, double t) {
+Jet ContactPhases::velocity(int direction, double t) {
     effort->spend(sliding.cost());
     sliding.differentiate_at(t);
-    Jet<double> jet{{}, 0, 0, 0, 0};
+    Jet jet{{}, 0, 0, 0, 0};
     for (std::size_t i = 0; i < N; ++i) {
         const double phi = direction * system->contact_shape(i);
         for (int m = 0; m < 4; ++m) jet.f[m] += phi * sliding.q[m + 1][i];
@@ -144,16 +144,16 @@ Jet<double> ContactPhases::velocity(int direction, double t) {
     return jet;
 }
 
-Jet<double> ContactPhases::load(double t) {
+Jet ContactPhases::load(double t) {
     effort->spend(sticking.cost());
     sticking.differentiate_at(t);
     const double c = sticking.cos_tau(), s = sticking.sin_tau();
     const double pull = system->stuck.k_jj * rest;
-    Jet<double> jet{{direct * c - pull, -direct * s, -direct * c, direct * s},
-                    std::abs(direct),
-                    0.0,
-                    std::abs(pull) + std::abs(direct),
-                    std::abs(direct)};
+    Jet jet{{direct * c - pull, -direct * s, -direct * c, direct * s},
+            std::abs(direct),
+            0.0,
+            std::abs(pull) + std::abs(direct),
+            std::abs(direct)};
     for (std::size_t i = 0; i + 1 < N; ++i) {
         for (int m = 0; m < 4; ++m)
             jet.f[m] -= k_j[i] * sticking.q[m][i] + c_j[i] * sticking.q[m + 1][i] + m_j[i] * sticking.q[m + 2][i];
@@ -171,10 +171,10 @@ Jet<double> ContactPhases::load(double t) {
 
 Event ContactPhases::end_of_sliding(int direction, double length, int order) {
     auto at = [&](double t) { return velocity(direction, t); };
-    const std::optional<Crossing<double>> zero = first_crossing(at, 0., length, order, step, *effort);
+    const std::optional<Crossing> zero = first_crossing(at, 0., length, order, step, *effort);
     if (!zero) return {length, direction, 0, 0, false};
     if (zero->open) return {zero->t, direction, 0, 0, false, true};
-    const Jet<double> jet = velocity(direction, zero->t);
+    const Jet jet = velocity(direction, zero->t);
     touching += zero->touches;
     const double along = e.beta + inertia * jet.f[1]; // load on the contact along the motion
     if (zero->touches && e.mu == 1 && jet.f[2] > 0 && order == 0)
@@ -201,10 +201,10 @@ Event ContactPhases::end_of_sticking_alone(double tau, double length) {
 Event ContactPhases::end_of_sticking(double length) {
     const double holds = e.mu * e.beta;
     Event event{length, 0, 0, 0, false};
-    const Jet<double> at_start = load(0);
+    const Jet at_start = load(0);
     for (const int side : {1, -1}) {
         auto at = [&](double t) {
-            Jet<double> jet = t == 0 ? at_start : load(t);
+            Jet jet = t == 0 ? at_start : load(t);
             for (double& f : jet.f) f = -side * f;
             jet.f[0] += holds;
             return jet;
@@ -212,11 +212,11 @@ Event ContactPhases::end_of_sticking(double length) {
         double from = 0;
         int order = 0;
         for (int tangencies = 0; from < event.t;) {
-            const std::optional<Crossing<double>> zero = first_crossing(at, from, event.t, order, step, *effort);
+            const std::optional<Crossing> zero = first_crossing(at, from, event.t, order, step, *effort);
             if (!zero) break;
             if (!zero->open && zero->touches) {
                 ++touching;
-                const Jet<double> jet = at(zero->t);
+                const Jet jet = at(zero->t);
                 const bool turns_back = jet.f[2] > 0 && zero->t > from, recedes = jet.f[1] > 0;
                 if ((turns_back || recedes) && ++tangencies < most_tangencies) {
                     from = zero->t; // the load reaches what friction holds and draws back: the contact stays
@@ -236,7 +236,7 @@ std::pair<int, int> ContactPhases::first_direction(double tau) {
     const double v_j = system->stuck.contact.of(v);
     if (v_j != 0) return {v_j > 0 ? 1 : -1, 0};
     start_phase(0, tau);
-    const Jet<double> Q = load(0);
+    const Jet Q = load(0);
     const double holds = e.mu * e.beta;
     for (const int side : {1, -1})
         if (side * Q.f[0] > holds) return {side, 1};

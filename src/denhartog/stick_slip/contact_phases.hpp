@@ -24,12 +24,12 @@ struct ContactPhases {
     std::size_t N;               ///< number of masses
     LinearMotion sliding;        ///< the motion while the contact slides
     LinearMotion sticking;       ///< the motion while it sticks
-    Column<double> w;            ///< M^-1 w / r^2: accelerations that a unit force on the contact makes
+    Column w;                    ///< M^-1 w / r^2: accelerations that a unit force on the contact makes
     double inertia;              ///< of the contact, r^2 / (w^T M^-1 w)
     double rest = 0;             ///< where the contact rests in a phase of sticking
-    Column<double> k_j;          ///< stiffness that the stuck modes bring to the contact
-    Column<double> c_j;          ///< damping that they bring
-    Column<double> m_j;          ///< inertia that they bring
+    Column k_j;                  ///< stiffness that the stuck modes bring to the contact
+    Column c_j;                  ///< damping that they bring
+    Column m_j;                  ///< inertia that they bring
     double load_per_energy;      ///< bound of a derivative of the load on the contact over the energy norm of that order
     double load_rest;            ///< what the inertia of the others adds to that bound
     double load_growth;          ///< how fast the bound grows
@@ -56,9 +56,9 @@ struct ContactPhases {
     [[nodiscard]] evaluation::LinearSum motion_of_masses(int direction, double tau) const;
 
     /// @brief Velocity of the contact in the direction of the phase, at a time from its start.
-    Jet<double> velocity(int direction, double t);
+    Jet velocity(int direction, double t);
     /// @brief What the contact carries while it sticks, everything but friction, at a time from the start of the phase.
-    Jet<double> load(double t);
+    Jet load(double t);
 
     /// @brief Where a sliding phase ends: its velocity is zero. `length` of the stretch is left; the zero at its start is of
     /// `order`.
@@ -96,7 +96,7 @@ private:
     Matrix<double> dq, dp; // of modal coordinates and velocities
 
     void carry_stuck(ContactPhases& phases, const Event& event);
-    void shift(const Column<double>& w, double jump, const Matrix<double>& d_tau);
+    void shift(const Column& w, double jump, const Matrix<double>& d_tau);
 };
 
 /// @brief What the solver computes with.

@@ -10,7 +10,7 @@ namespace {
 
 // What is left out of the damping of the stuck modes, in the modes of sliding.
 void add_left_out_of_stuck_modes(ContactSystem& c) {
-    const StuckConfiguration<double>& stuck = c.stuck;
+    const StuckConfiguration& stuck = c.stuck;
     if (stuck.left_out.size() == 0 || !(stuck.left_out.maxCoeff() > 0)) return;
     const Matrix<double> shares = product(stuck.momentum, c.basis.phi).cwiseAbs();
     const Matrix<double> left_out = in_coordinates(shares, stuck.left_out);
@@ -40,8 +40,7 @@ Matrix<double> error_of_damping(const System<double>& s, const ModalBasis<double
 
 ContactSystem contact_system(const System<double>& s) { return contact_system(s, with_errors(s, modal_basis(s))); }
 
-ContactSystem contact_system(const System<double>& s, const ModalBasis<Bounded<double>>& modes,
-                             const RoundedModes<double>* held) {
+ContactSystem contact_system(const System<double>& s, const ModalBasis<Bounded<double>>& modes, const RoundedModes* held) {
     ContactSystem out;
     out.contact = contact_row(s);
     out.load = load_row(s);

@@ -25,7 +25,7 @@ void Deviations::start(const ContactPhases& phases, int direction) {
     dv = Matrix<double>::Zero(N, 2 * N);
     for (std::size_t k = 0; k < N; ++k) dx(k, k) = dv(k, N + k) = 1;
     if (direction != 0) return;
-    const StuckConfiguration<double>& stuck = phases.system->stuck;
+    const StuckConfiguration& stuck = phases.system->stuck;
     if (stuck.contact.b || std::ranges::any_of(stuck.m_j, [](double tie) { return tie != 0; }))
         dv -= phases.inertia * phases.w * stuck.contact.row_of(dv);
     stuck.contact.hold(dv);
@@ -54,7 +54,7 @@ void Deviations::carry(ContactPhases& phases, int direction, const Event& event)
     }
     if (N > 1) carry_stuck(phases, event);
     if (!event.found || phases.e.mu == 1) return;
-    const Jet<double> Q = phases.load(event.t);
+    const Jet Q = phases.load(event.t);
     const Matrix<double> d_rest = contact.row_of(dx);
     Matrix<double> dQ = -phases.system->stuck.k_jj * d_rest;
     const double r2 = phases.e.r * phases.e.r;
@@ -73,7 +73,7 @@ void Deviations::carry(ContactPhases& phases, int direction, const Event& event)
 }
 
 void Deviations::carry_stuck(ContactPhases& phases, const Event& event) {
-    const StuckConfiguration<double>& s = phases.system->stuck;
+    const StuckConfiguration& s = phases.system->stuck;
     const Matrix<double> d_rest = s.contact.row_of(dx);
     dq = product(s.momentum, dx);
     dp = product(s.momentum, dv);
@@ -90,7 +90,7 @@ void Deviations::carry_stuck(ContactPhases& phases, const Event& event) {
 }
 
 // The acceleration before the event exceeds that after it by jump times w; the event comes d_tau later.
-void Deviations::shift(const Column<double>& w, double jump, const Matrix<double>& d_tau) {
+void Deviations::shift(const Column& w, double jump, const Matrix<double>& d_tau) {
     if (jump != 0) dv += jump * w * d_tau;
 }
 
@@ -220,7 +220,7 @@ EndOfPhase ExactSolver::end_of(std::size_t phase) {
     const Phase& p = work.motion.phases[phase];
     work.stand_at(phase);
     const double length = p.end - p.start;
-    const Jet<double> jet = p.direction != 0 ? work.velocity(p.direction, length) : work.load(length);
+    const Jet jet = p.direction != 0 ? work.velocity(p.direction, length) : work.load(length);
     return {std::abs(jet.f[1]), jet.second, jet.noise};
 }
 
@@ -235,7 +235,7 @@ double highest_over_force(const ExactSolver& solver) {
 
 double error_at_ends(const ExactSolver& solver, bool slides, double displacement, const std::vector<double>& velocity) {
     if (slides) return velocity[solver.system().contact.index];
-    const StuckConfiguration<double>& stuck = solver.system().stuck;
+    const StuckConfiguration& stuck = solver.system().stuck;
     const double r = solver.excitation().r, fastest = highest_over_force(solver);
     double of_load = std::abs(stuck.k_jj) * displacement;
     for (std::size_t n = 0; n < stuck.masses.size(); ++n)

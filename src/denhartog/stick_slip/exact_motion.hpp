@@ -39,14 +39,14 @@ struct ContactSystem {
     Mass load;                        ///< the row of the load
     ModalBasis<double> basis;         ///< modes while the contact slides
     Matrix<double> momentum;          ///< phi^T M in units of m_1: modal coordinates of a state, mode by mass
-    StuckConfiguration<double> stuck; ///< modes while the contact sticks
+    StuckConfiguration stuck;         ///< modes while the contact sticks
     std::vector<double> modal_load{}; ///< phi^T p, what the load brings to each mode
     std::vector<double> stuck_load{}; ///< the same of the stuck modes
     std::vector<double> detuned{};    ///< by what part of itself each natural frequency may be off
     Matrix<double> damping_error{};   ///< bounds of what rounding makes of phi^T C phi and what is left out of it, N x N, or none
-    Column<double> contact_shape{};    ///< w^T phi: what each mode of sliding moves the contact by
-    bool damping_fixes_modes{};        ///< a damping matrix was given: modes of one frequency are those that it does not couple
-    std::string rounded_because{};     ///< why double has no modes of its own, where these are those of the reference; else empty
+    Column contact_shape{};           ///< w^T phi: what each mode of sliding moves the contact by
+    bool damping_fixes_modes{};       ///< a damping matrix was given: modes of one frequency are those that it does not couple
+    std::string rounded_because{};    ///< why double has no modes of its own, where these are those of the reference; else empty
 };
 
 /// @brief Prepares a system for the exact solver, its modes sliding and stuck. InputError and PrecisionError as `modal_basis` and
@@ -55,7 +55,7 @@ struct ContactSystem {
 
 /// @brief The same with the modal basis known; `held` is what more digits have found beside it, where it comes from them too.
 [[nodiscard]] ContactSystem contact_system(const System<double>& s, const ModalBasis<Bounded<double>>& modes,
-                                           const RoundedModes<double>* held = nullptr);
+                                           const RoundedModes* held = nullptr);
 
 /// @brief The load on the contact and the friction there, at one frequency.
 struct Excitation {

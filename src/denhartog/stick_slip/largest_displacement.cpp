@@ -20,8 +20,8 @@ class Displacements {
 public:
     Displacements(LinearMotion& motion, const Matrix<double>& phi, Effort& effort)
         : motion_(motion), phi_(phi), effort_(effort), sizes_(phi.cwiseAbs()), norms_(phi.cols()) {
-        const Column<double> F = column(motion_.F);
-        growth_ = motion_.coupled() ? Column<double>(phi_.rowwise().norm() * F.norm()) : Column<double>(sizes_ * F.cwiseAbs());
+        const Column F = column(motion_.F);
+        growth_ = motion_.coupled() ? Column(phi_.rowwise().norm() * F.norm()) : Column(sizes_ * F.cwiseAbs());
     }
 
     // Adds what masses have of a contact that rests, a part each.
@@ -37,12 +37,12 @@ public:
     }
 
     // The size of the displacement as a curve, which refers to this object.
-    [[nodiscard]] Curve<double> size_of(Eigen::Index row) {
-        Curve<double> curve;
+    [[nodiscard]] Curve size_of(Eigen::Index row) {
+        Curve curve;
         curve.cost = 0; // the effort is spent where an instant is new
         curve.sample = [this, row](double t) {
             const Known x = at(t);
-            return Sample<double>{std::abs(x(row, 0)), x(row, 1), x(row, 2)};
+            return Sample{std::abs(x(row, 0)), x(row, 1), x(row, 2)};
         };
         // The third derivative by its energy norm, or by a Taylor polynomial and the energy norm of the fifth.
         curve.rate = [this, row](double a, double b) {
@@ -82,9 +82,9 @@ private:
     const Matrix<double>& phi_;
     Effort& effort_;
     Matrix<double> sizes_;
-    Column<double> growth_;
-    Column<double> carried_; // empty while the contact slides
-    Column<double> norms_;
+    Column growth_;
+    Column carried_; // empty while the contact slides
+    Column norms_;
     std::pmr::monotonic_buffer_resource memory_; // of what is known: an instant costs no allocation of its own
     std::pmr::map<double, std::pmr::vector<double>> known_{&memory_};
 };
@@ -99,7 +99,7 @@ std::vector<Extremum> ExactSolver::largest_displacements(double error) {
     const std::size_t j = system.contact.index, count = std::max(work.N, j + 1);
     const double start = work.motion.phases.empty() ? 0 : work.motion.phases.front().start; // a mass at rest is there as ever
     std::vector<Extremum> largest(count, Extremum{0, start});
-    std::vector<std::vector<Place<double>>> places(count);
+    std::vector<std::vector<Place>> places(count);
     const auto take = [&](std::size_t k, double x, double tau) {
         const double size = std::abs(x);
         if (size >= std::abs(largest[k].x) - 2 * error) places[k].push_back({tau, tau, tau, size, size, 0});
@@ -128,10 +128,10 @@ std::vector<Extremum> ExactSolver::largest_displacements(double error) {
         for (std::size_t k = 0; k < count; ++k) {
             if (k == j || !(length > 0)) continue;
             const auto row = static_cast<Eigen::Index>(k);
-            const Maximum<double> found = global_maximum(displacements.size_of(row), 0., length, displacements.noise(row, 0),
-                                                         work.effort, std::abs(largest[k].x) - 2 * error, error);
+            const Maximum found = global_maximum(displacements.size_of(row), 0., length, displacements.noise(row, 0), work.effort,
+                                                 std::abs(largest[k].x) - 2 * error, error);
             const auto in_orbit = [&](double tau) { return tau < length ? p.start + tau : p.end; };
-            for (const Place<double>& place : found.places)
+            for (const Place& place : found.places)
                 places[k].push_back(
                     {in_orbit(place.from), in_orbit(place.to), in_orbit(place.instant), place.value, place.upper, place.reach});
             if (found.value > std::abs(largest[k].x)) take(k, displacements.of(row, found.instant), p.start + found.instant);
@@ -147,7 +147,7 @@ std::vector<Extremum> ExactSolver::largest_displacements(double error) {
     };
     for (std::size_t k = 0; k < count; ++k) {
         if (k == j || places[k].empty()) continue;
-        std::erase_if(places[k], [&](const Place<double>& place) { return place.upper < std::abs(largest[k].x) - 2 * error; });
+        std::erase_if(places[k], [&](const Place& place) { return place.upper < std::abs(largest[k].x) - 2 * error; });
         largest[k].spread =
             spread_of_phases(joined(std::move(places[k])), work.motion.phases.front().start, work.motion.phases.back().end,
                              largest[k].instant, [&](double tau) { return is_negative(k, tau); });

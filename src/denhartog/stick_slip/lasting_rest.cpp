@@ -11,7 +11,7 @@ namespace denhartog {
 
 LastingRest::LastingRest(const ContactSystem& system, const Excitation& excitation)
     : system_(&system), e_(excitation), weight_(0), terms_(std::abs(direct_load(system.stuck, system.load))) {
-    const StuckConfiguration<double>& s = system.stuck;
+    const StuckConfiguration& s = system.stuck;
     try {
         response_ = stuck_response(s, system.load, e_.r);
     } catch (const DomainError&) {
@@ -23,8 +23,8 @@ LastingRest::LastingRest(const ContactSystem& system, const Excitation& excitati
                   response_->masses[s.masses[a].index].amplitude;
     follows_ = s.carried;
     double stiffness = 0, fastest = 0;
-    const Column<double> k = s.phi.transpose() * column(s.k_j), c = s.phi.transpose() * column(s.c_j),
-                         m = s.phi.transpose() * column(s.m_j);
+    const Column k = s.phi.transpose() * column(s.k_j), c = s.phi.transpose() * column(s.c_j),
+                 m = s.phi.transpose() * column(s.m_j);
     for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t a = 0; a <= n; ++a) follows_[a] -= s.shapes(a, i) * k(i) / (s.r_n[i] * s.r_n[i]);
         stiffness += k(i) * k(i) / (s.r_n[i] * s.r_n[i]);
@@ -45,7 +45,7 @@ State LastingRest::steady_state(double x_j) const {
 
 double LastingRest::reach() const {
     if (!response_) return -1;
-    const StuckConfiguration<double>& s = system_->stuck;
+    const StuckConfiguration& s = system_->stuck;
     const double holds = e_.mu * e_.beta, amplitude = modulus(response_->contact_load);
     const double rounding = 64 * static_cast<int>(s.masses.size() + 1) * std::numeric_limits<double>::epsilon() *
                             (holds + terms_) * std::max(1.0, s.k_jj / s.k_contact);
@@ -62,7 +62,7 @@ MassMotion LastingRest::motion(std::size_t k, double x_j) const {
 
 LastingRest::Verdict LastingRest::verdict(const State& z) const {
     if (!response_) return Verdict::open;
-    const StuckConfiguration<double>& s = system_->stuck;
+    const StuckConfiguration& s = system_->stuck;
     const double x_j = s.contact.of(z.x);
     const double holds = e_.mu * e_.beta;
     const double amplitude = modulus(response_->contact_load), constant = std::abs(s.k_contact * x_j);
@@ -71,8 +71,7 @@ LastingRest::Verdict LastingRest::verdict(const State& z) const {
                             (holds + terms_ + constant + std::abs(s.k_jj * x_j));
     if (margin < -rounding) return Verdict::open;
     const State steady = steady_state(x_j);
-    const Column<double> q = s.momentum * (column(z.x) - column(steady.x)),
-                         p = s.momentum * (column(z.x_prime) - column(steady.x_prime));
+    const Column q = s.momentum * (column(z.x) - column(steady.x)), p = s.momentum * (column(z.x_prime) - column(steady.x_prime));
     double energy = 0;
     for (std::size_t i = 0; i < s.masses.size(); ++i) energy += s.r_n[i] * s.r_n[i] * q(i) * q(i) + e_.r * e_.r * p(i) * p(i);
     const double free = weight_ * sqrt(energy);

@@ -36,7 +36,7 @@ void LinearMotion::prepare_coupled() {
     A(2 * n, 2 * n + 1) = -1;
     A(2 * n + 1, 2 * n) = 1;
     rate += largest_row_sum(D);
-    together_ = CoupledMotion<double>(A, rate, CoupledMotion<double>::Asked::many_starts, effort);
+    together_ = CoupledMotion(A, rate, CoupledMotion::Asked::many_starts, effort);
 }
 
 void LinearMotion::start(double tau) {
@@ -49,7 +49,7 @@ void LinearMotion::start(double tau) {
         starts_[i] = {evaluation::free_start(now, at_rest_[i], coordinates_[i].X, cos_0, sin_0), at_rest_[i], cos_0, sin_0};
     }
     if (!coupled()) return;
-    Column<double> z(rows());
+    Column z(rows());
     z << column(q[0]) - column(at_rest_), column(q[1]), cos_0, sin_0;
     together_.start(std::move(z));
 }
@@ -58,7 +58,7 @@ void LinearMotion::move_to(double t) {
     differentiated_ = false;
     now_ = sine_cosine(tau_0_ + t);
     if (coupled()) {
-        const Column<double> z = together_.at(t);
+        const Column z = together_.at(t);
         const auto n = static_cast<Eigen::Index>(size());
         column(q[0]) = column(at_rest_) + z.head(n);
         column(q[1]) = z.segment(n, n);

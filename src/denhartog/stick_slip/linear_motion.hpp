@@ -22,8 +22,7 @@ namespace denhartog {
 /// @brief A view of numbers as a column, to be read or written.
 template <class Values>
 [[nodiscard]] auto column(Values& values) {
-    using Numbers = Column<typename Values::value_type>;
-    return Eigen::Map<std::conditional_t<std::is_const_v<Values>, const Numbers, Numbers>>(
+    return Eigen::Map<std::conditional_t<std::is_const_v<Values>, const Column, Column>>(
         values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
@@ -100,7 +99,7 @@ private:
     OfCoordinates<evaluation::DrivenStart<double>> starts_;           // the last start
     OfCoordinates<evaluation::FreeMotion<double>> free_;              // the free motions at free_at_, whatever the start
     double free_at_ = -1;
-    CoupledMotion<double> together_; // all coordinates where D couples them
+    CoupledMotion together_; // all coordinates where D couples them
 };
 
 } // namespace denhartog

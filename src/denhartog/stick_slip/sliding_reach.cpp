@@ -15,8 +15,8 @@ namespace {
 // Largest change of the load on the contact at a turning point, for a unit of distance, in units of P.
 double load_of_distance(const ContactPhases& c) {
     const auto n = static_cast<Eigen::Index>(c.N);
-    const Column<double>& phi_j = c.system->contact_shape;
-    Column<double> weights(2 * n);
+    const Column& phi_j = c.system->contact_shape;
+    Column weights(2 * n);
     weights.head(n) = phi_j.cwiseProduct(column(c.sliding.omega_0));
     if (c.sliding.coupled())
         weights.tail(n) = c.sliding.D.transpose() * phi_j;
@@ -27,22 +27,22 @@ double load_of_distance(const ContactPhases& c) {
 
 // Whether bounds prove that no motion within a distance of the sliding one ever sticks, over the half-period from a turning point,
 // where its velocity is `start`; with a load beyond `needed` the contact cannot stick, within the distance.
-bool slides_within(ContactPhases& c, int direction, const Jet<double>& start, double needed, double distance) {
+bool slides_within(ContactPhases& c, int direction, const Jet& start, double needed, double distance) {
     const double speed = c.system->contact_shape.norm() * distance;
     const double half = pi<double>();
     // The load that drives the contact on, after the turning point, and before that at the end, which is its mirror image.
-    const auto load = [&](const Jet<double>& jet, int end) { return end * (c.e.beta + c.inertia * jet.f[1]); };
-    const auto rate = [&](const Jet<double>& jet, double length) { return c.inertia * (jet.second + jet.growth * length); };
+    const auto load = [&](const Jet& jet, int end) { return end * (c.e.beta + c.inertia * jet.f[1]); };
+    const auto rate = [&](const Jet& jet, double length) { return c.inertia * (jet.second + jet.growth * length); };
     const double margin = load(start, 1) - needed;
     if (!(margin > 0)) return false;
     const double room = margin / c.inertia;
     double t = std::min(half / 8, room / (start.second + sqrt(start.second * start.second + 4 * start.growth * room)));
-    Jet<double> before = c.velocity(direction, half - t);
+    Jet before = c.velocity(direction, half - t);
     if (!(rate(before, t) * t < margin)) return false;
-    Jet<double> after = c.velocity(direction, t);
+    Jet after = c.velocity(direction, t);
     while (!(after.f[0] > speed && before.f[0] > speed)) { // the contact may be at rest there: the load has to last longer
         if (t > half / 8) return false;
-        const Jet<double> later = c.velocity(direction, 2 * t), earlier = c.velocity(direction, half - 2 * t);
+        const Jet later = c.velocity(direction, 2 * t), earlier = c.velocity(direction, half - 2 * t);
         if (!(load(after, 1) + load(later, 1) - rate(after, t) * t > 2 * needed)) return false;
         if (!(load(before, -1) + load(earlier, -1) - rate(earlier, t) * t > 2 * needed)) return false;
         after = later;
@@ -50,7 +50,7 @@ bool slides_within(ContactPhases& c, int direction, const Jet<double>& start, do
         t = 2 * t;
     }
     auto above = [&](double at) {
-        Jet<double> jet = c.velocity(direction, at);
+        Jet jet = c.velocity(direction, at);
         jet.f[0] -= speed;
         return jet;
     };
@@ -65,7 +65,7 @@ double ExactSolver::sliding_reach(std::size_t phase) {
     work_->stand_at(phase);
     ContactPhases& c = *work_;
     const int direction = work_->motion.phases[phase].direction;
-    const Jet<double> start = c.velocity(direction, 0);
+    const Jet start = c.velocity(direction, 0);
     const double holds = c.e.mu * c.e.beta, unit = load_of_distance(c);
     double distance = (c.e.beta + c.inertia * start.f[1] - holds) / unit;
     for (int n = 0; n < most_halvings; ++n) {

@@ -40,7 +40,7 @@ Complex<double> mode_amplitude(double p, double r_n, double D, double r, double 
 }
 
 /// Amplitudes of coupled modes: the complex system as a real one of twice the size, its rows and columns scaled.
-std::vector<Complex<double>> coupled_amplitudes(const StuckConfiguration<double>& stuck, const std::vector<double>& p, double r) {
+std::vector<Complex<double>> coupled_amplitudes(const StuckConfiguration& stuck, const std::vector<double>& p, double r) {
     const auto n = static_cast<Eigen::Index>(p.size());
     Matrix<double> A = Matrix<double>::Zero(2 * n, 2 * n);
     Eigen::Matrix<double, Eigen::Dynamic, 1> scale(2 * n), force = Eigen::Matrix<double, Eigen::Dynamic, 1>::Zero(2 * n);
@@ -53,7 +53,7 @@ std::vector<Complex<double>> coupled_amplitudes(const StuckConfiguration<double>
     A.topRightCorner(n, n) = -r * stuck.damping;
     A.bottomLeftCorner(n, n) = r * stuck.damping;
     A = scale.asDiagonal() * A * scale.asDiagonal();
-    const LinearSystem<double> system(A);
+    const LinearSystem system(A);
     if (!(system.reciprocal_condition() > rounding(p.size()))) resonates();
     force = scale.cwiseProduct(system.solve(scale.cwiseProduct(force)));
     std::vector<Complex<double>> q;
@@ -61,7 +61,7 @@ std::vector<Complex<double>> coupled_amplitudes(const StuckConfiguration<double>
     return q;
 }
 
-std::vector<Complex<double>> mode_amplitudes(const StuckConfiguration<double>& stuck, const std::vector<double>& p, double r) {
+std::vector<Complex<double>> mode_amplitudes(const StuckConfiguration& stuck, const std::vector<double>& p, double r) {
     if (!stuck.modes_diagonalise_damping) return coupled_amplitudes(stuck, p, r);
     std::vector<Complex<double>> q;
     for (std::size_t i = 0; i < p.size(); ++i) {
@@ -80,7 +80,7 @@ StuckMass motion_of(const Complex<double>& X) {
     return mass;
 }
 
-StuckResponse stuck_response(const StuckConfiguration<double>& stuck, Mass load, double r) {
+StuckResponse stuck_response(const StuckConfiguration& stuck, Mass load, double r) {
     check_frequency_ratio(r);
     const std::size_t n = stuck.masses.size();
     if (load.index > n && stuck.load.empty())
@@ -114,7 +114,7 @@ StuckResponse stuck_response(const StuckConfiguration<double>& stuck, Mass load,
     return response;
 }
 
-std::optional<StuckChain> stuck_chain(const System<double>& s, const StuckConfiguration<double>& stuck) {
+std::optional<StuckChain> stuck_chain(const System<double>& s, const StuckConfiguration& stuck) {
     const Mass load = load_row(s);
     if (!is_chain(s) || s.contact_with || load.index >= number_of_masses(s)) return std::nullopt;
     StuckChain chain;
@@ -125,8 +125,8 @@ std::optional<StuckChain> stuck_chain(const System<double>& s, const StuckConfig
     const std::ptrdiff_t first = before ? 0 : j + 1, last = before ? j : N; // masses; in the stuck configuration one less after j
     const auto gamma = s.mass_ratios.begin(), kappa = s.stiffness_ratios.begin();
     if (last - first > 1) ++work_counted.eigen_solves;
-    NaturalModes<double> modes = chain_modes(std::vector<double>(gamma + first, gamma + last),
-                                             std::vector<double>(kappa + first, before ? kappa + last + 1 : kappa + last));
+    NaturalModes modes = chain_modes(std::vector<double>(gamma + first, gamma + last),
+                                     std::vector<double>(kappa + first, before ? kappa + last + 1 : kappa + last));
     const Matrix<double> C = stuck.C.block(before ? 0 : j, before ? 0 : j, last - first, last - first);
     for (std::ptrdiff_t k = first; k < last; ++k) chain.masses.push_back(Mass{static_cast<std::size_t>(k)});
     for (std::size_t i = 0; i < modes.r_n.size(); ++i) {

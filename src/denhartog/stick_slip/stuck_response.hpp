@@ -35,7 +35,7 @@ struct StuckResponse {
 /// Where the stuck modes diagonalise their damping, (88)'s modal superposition; else a linear system over all of them. `load` is
 /// the loaded mass, l; none of them where the load acts on several, which the stuck configuration then has. InputError where r or
 /// l breaks its rule; DomainError where the load excites the resonance of an undamped stuck mode. @eq{88}
-[[nodiscard]] StuckResponse stuck_response(const StuckConfiguration<double>& stuck, Mass load, double r);
+[[nodiscard]] StuckResponse stuck_response(const StuckConfiguration& stuck, Mass load, double r);
 
 /// @brief The masses of a chain that move by (88) while the contact is held: those on the load's side of it.
 struct StuckChain {
@@ -48,7 +48,7 @@ struct StuckChain {
 
 /// @brief Modes of the masses that move by (88); one more eigenproblem (15) for two masses or more. None where the system is not
 /// given as a chain. @eq{88}
-[[nodiscard]] std::optional<StuckChain> stuck_chain(const System<double>& s, const StuckConfiguration<double>& stuck);
+[[nodiscard]] std::optional<StuckChain> stuck_chain(const System<double>& s, const StuckConfiguration& stuck);
 
 /// @brief Complex amplitude of a mode under a force p cos tau: \f$ p / (a + \mathrm{i}b) \f$ with its stiffness less inertia,
 /// \f$ a = r_n^2 - r^2 \f$, and its damping, \f$ b = 2\zeta r_n r \f$. @eq{88}

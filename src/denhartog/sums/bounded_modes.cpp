@@ -67,7 +67,7 @@ ModalBasis<Bounded<double>> bounded(const System<double>& system, const ModalBas
     bounded.zeta.reserve(N);
     const std::vector<double> reach = reach_of_masses(system, basis, masses);
     const double of_matrix = unit * highest * highest * condition_of_masses(system, reach);
-    Column<double> sizes, errors(basis.phi.rows());
+    Column sizes, errors(basis.phi.rows());
     for (std::size_t i = 0; i < N; ++i) {
         const double r_n = basis.r_n[i];
         const double of_square = chain ? 2 * unit * of_springs * r_n * r_n : of_matrix; // error of the squared frequency
@@ -90,7 +90,7 @@ ModalBasis<Bounded<double>> bounded(const System<double>& system, const ModalBas
         double of_zeta = of_input * basis.zeta[i];
         if (system.damping_matrix.size() > 0) { // the ratios are computed from it, whether it counts itself or not
             const auto n = static_cast<Eigen::Index>(N);
-            const Column<double> damping = product_of_sizes(system.damping_matrix, Column<double>((sizes + errors).head(n)));
+            const Column damping = product_of_sizes(system.damping_matrix, Column((sizes + errors).head(n)));
             of_zeta = (errors.head(n).dot(damping) + unit * sizes.head(n).dot(damping)) / r_n +
                       (turn + unit) * basis.zeta[i] * (1 + of_square / (r_n * r_n));
         }

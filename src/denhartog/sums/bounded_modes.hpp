@@ -9,6 +9,8 @@
 /// quotient is.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -53,8 +55,7 @@ template <class T>
     return a < b ? b : a;
 }
 /// @brief The same with bounds: the larger value with the larger bound.
-template <class T>
-[[nodiscard]] Bounded<T> larger(const Bounded<T>& a, const Bounded<T>& b) {
+[[nodiscard]] inline Bounded<double> larger(const Bounded<double>& a, const Bounded<double>& b) {
     return {std::max(a.x, b.x), std::max(a.e, b.e)};
 }
 
@@ -65,17 +66,15 @@ template <class T>
 }
 /// @brief The same with a bound. The search compares rounded values: the true maximum exceeds what it found by no more than the
 /// error where that lies, which is taken to be at most half again of the error where the search ended, and a unit or two.
-template <class T>
-[[nodiscard]] Bounded<T> found_by_search(const Bounded<T>& value) {
-    return Bounded<T>::rounded(value.x, T(value.e + value.e / 2), 2);
+[[nodiscard]] inline Bounded<double> found_by_search(const Bounded<double>& value) {
+    return Bounded<double>::rounded(value.x, value.e + value.e / 2, 2);
 }
 
 /// @brief The angle, at most 1, by which errors of two natural frequencies may turn their modes towards each other: that of the
 /// squares over their distance. The modes of a chain keep their digits however far they are apart; those of other systems do not.
-template <class T>
-[[nodiscard]] T angle_of_turn(const Bounded<T>& r_i, const Bounded<T>& r_k) {
-    const T of_squares = std::min(T(r_k.x * r_i.e + r_i.x * r_k.e), T(r_i.x * r_i.e + r_k.x * r_k.e)); // the first of chains
-    return of_squares / std::max(of_squares, T(size_of_number(T(r_i.x - r_k.x)) * (r_i.x + r_k.x)));
+[[nodiscard]] inline double angle_of_turn(const Bounded<double>& r_i, const Bounded<double>& r_k) {
+    const double of_squares = std::min(r_k.x * r_i.e + r_i.x * r_k.e, r_i.x * r_i.e + r_k.x * r_k.e); // the first of chains
+    return of_squares / std::max(of_squares, std::abs(r_i.x - r_k.x) * (r_i.x + r_k.x));
 }
 
 } // namespace denhartog

@@ -27,71 +27,69 @@
 namespace denhartog {
 
 /// @brief \f$ e^{\mathbf{A}\tau}\mathbf{c} \f$ at an instant, and its first three derivatives.
-template <class T>
-using CoupledState = std::array<Column<T>, 4>;
+using CoupledState = std::array<Column, 4>;
 
 /// @brief Friction's share of the motion at one frequency ratio, where damping couples the modes. Not for two threads at once.
-template <class T>
 class CoupledFriction {
 public:
     /// @brief Of a system with a damping matrix, at a frequency ratio. DomainError at a pole, which is a
     /// motion without damping that mirrors itself every half-period; PrecisionError where the number type does not have the
     /// digits of its coordinates.
-    CoupledFriction(const System<T>& system, const T& r);
+    CoupledFriction(const System<double>& system, double r);
 
     /// @brief Number of coordinates.
     [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(A_.rows() / 2); }
     /// @brief Operations that an instant costs.
     [[nodiscard]] long cost() const { return motion_.cost() + 10; }
     /// @brief The static compliance between a displacement and the contact: its movement under a unit force on the contact.
-    [[nodiscard]] Bounded<T> compliance(std::size_t k) const { return along(displacement_, k, rest_, error_of_rest_); }
+    [[nodiscard]] Bounded<double> compliance(std::size_t k) const { return along(displacement_, k, rest_, error_of_rest_); }
     /// @brief \f$ \mathbf{w}^T\mathbf{M}^{-1}\mathbf{w}/r^2 \f$, which (65) is at the contact.
-    [[nodiscard]] Bounded<T> inverse_inertia() const { return inverse_inertia_; }
+    [[nodiscard]] Bounded<double> inverse_inertia() const { return inverse_inertia_; }
 
     /// @brief The free part of the motion at an instant in [0, pi], valid until the next call.
-    [[nodiscard]] const CoupledState<T>& at(const T& tau) const;
+    [[nodiscard]] const CoupledState& at(double tau) const;
     /// @brief A derivative, of order 1 to 3, of a displacement over the half-period, with the free part at the instant.
-    [[nodiscard]] T derivative(std::size_t k, int order, const CoupledState<T>& s) const;
+    [[nodiscard]] double derivative(std::size_t k, int order, const CoupledState& s) const;
     /// @brief What a derivative, of order 1 to 3, of a displacement does not exceed from the instant of the free part on.
-    [[nodiscard]] T largest_derivative(std::size_t k, int order, const CoupledState<T>& s) const;
+    [[nodiscard]] double largest_derivative(std::size_t k, int order, const CoupledState& s) const;
     /// @brief How fast the sum of the third and the first derivative of a displacement changes at most from an instant on.
-    [[nodiscard]] T rate_of_demand(std::size_t k, const CoupledState<T>& s) const;
+    [[nodiscard]] double rate_of_demand(std::size_t k, const CoupledState& s) const;
 
     /// @brief Displacement, velocity and acceleration of a mass under the friction force alone, at an instant in [0, pi]; they
     /// have the place of the sum over modes of the braces of (40).
-    [[nodiscard]] evaluation::FrictionMotion<T> motion(std::size_t k, const T& tau) const;
+    [[nodiscard]] evaluation::FrictionMotion<double> motion(std::size_t k, double tau) const;
     /// @brief The same with bounds.
-    [[nodiscard]] evaluation::FrictionMotion<Bounded<T>> motion(std::size_t k, const Bounded<T>& tau) const;
+    [[nodiscard]] evaluation::FrictionMotion<Bounded<double>> motion(std::size_t k, const Bounded<double>& tau) const;
 
 private:
     // What tells displacements or velocities from half of the energy coordinates, a column a displacement, with its errors.
     struct Rows {
-        Matrix<T> value, error;
+        Matrix<double> value, error;
     };
 
-    void set_coordinates(const System<T>& system, const T& r);
+    void set_coordinates(const System<double>& system, double r);
     void set_start();
-    [[nodiscard]] T error_at(const T& tau) const;
-    [[nodiscard]] Bounded<T> along(const Rows& rows, std::size_t k, const Column<T>& half, const T& error) const;
+    [[nodiscard]] double error_at(double tau) const;
+    [[nodiscard]] Bounded<double> along(const Rows& rows, std::size_t k, const Column& half, double error) const;
 
-    Matrix<T> A_;         // of the energy coordinates
-    T size_of_A_;         // its Frobenius norm
-    T error_of_A_;        // of its entries, in the same norm
-    Rows displacement_;   // from the first half
-    Rows velocity_;       // from the second
-    Column<T> rest_;      // first half of s_0
-    T error_of_rest_;     // in size
-    Column<T> c_;         // as above
-    T error_of_c_ = T(0); // in size
-    Bounded<T> inverse_inertia_;
-    mutable CoupledMotion<T> motion_;
-    mutable std::map<T, CoupledState<T>> known_;
+    Matrix<double> A_;        // of the energy coordinates
+    double size_of_A_;        // its Frobenius norm
+    double error_of_A_;       // of its entries, in the same norm
+    Rows displacement_;       // from the first half
+    Rows velocity_;           // from the second
+    Column rest_;             // first half of s_0
+    double error_of_rest_;    // in size
+    Column c_;                // as above
+    double error_of_c_ = 0.0; // in size
+    Bounded<double> inverse_inertia_;
+    mutable CoupledMotion motion_;
+    mutable std::map<double, CoupledState> known_;
 };
 
 /// @brief (57)'s expression summed over the contact, where damping couples the modes: what of X_j + beta G_j friction demands.
 /// The limits at both ends of [0, pi] are included. @eq{56,57,71}
-template <class T, class Number>
-[[nodiscard]] Number coupled_demand(const CoupledFriction<T>& friction, Mass contact, const Number& tau) {
+template <class Number>
+[[nodiscard]] Number coupled_demand(const CoupledFriction& friction, Mass contact, const Number& tau) {
     const evaluation::FrictionMotion<Number> now = friction.motion(contact.index, tau);
     if (!(tau > Number(0))) return now.double_prime;
     if (!(tau < pi<Number>())) return -now.double_prime;

@@ -9,35 +9,32 @@
 namespace denhartog {
 
 /// @brief A linear system whose solutions have bounds of their errors, by what they leave over.
-template <class T>
 class BoundedSystem {
 public:
     /// @brief Of a matrix whose entries are off by no more than `error`, and by rounding.
-    BoundedSystem(const Matrix<T>& A, const Matrix<T>& error);
+    BoundedSystem(const Matrix<double>& A, const Matrix<double>& error);
     /// @brief Whether no pivot is rounding of the others.
     [[nodiscard]] bool is_regular() const { return is_regular_; }
     /// @brief The solution of \f$ Ax=b \f$.
-    [[nodiscard]] std::vector<Bounded<T>> solved(const Column<T>& b) const;
+    [[nodiscard]] std::vector<Bounded<double>> solved(const Column& b) const;
 
 private:
-    Matrix<T> A_, error_, inverse_;
+    Matrix<double> A_, error_, inverse_;
     bool is_regular_;
 };
 
 /// @brief \f$ \mathbf K - r^2\mathbf M + \mathrm ir\mathbf C \f$ as a real system of twice the size; C is off by no more than
 /// `error_of_C`.
-template <class T>
-[[nodiscard]] BoundedSystem<T> harmonic_system(const Matrix<T>& M, const Matrix<T>& C, const Matrix<T>& K,
-                                               const Matrix<T>& error_of_C, const Bounded<T>& r);
+[[nodiscard]] BoundedSystem harmonic_system(const Matrix<double>& M, const Matrix<double>& C, const Matrix<double>& K,
+                                            const Matrix<double>& error_of_C, const Bounded<double>& r);
 
 /// @brief Complex responses of such a system to harmonic forces.
-template <class T>
-[[nodiscard]] std::vector<Complex<Bounded<T>>> harmonic_responses(const BoundedSystem<T>& system, const std::vector<T>& forces);
+[[nodiscard]] std::vector<Complex<Bounded<double>>> harmonic_responses(const BoundedSystem& system,
+                                                                       const std::vector<double>& forces);
 
 /// @brief V, U, G, Y_jj, H_j of a system whose damping couples the modes; it has no modes, and their lists are empty.
 /// @eq{33,34,35,64,65}
-template <class T>
-[[nodiscard]] ModeSums<Bounded<T>> coupled_sums(const System<T>& system, const Bounded<T>& r);
+[[nodiscard]] ModeSums<Bounded<double>> coupled_sums(const System<double>& system, const Bounded<double>& r);
 
 /// @brief The sums over modes with bounds of their errors, or what has their place where damping couples the modes. DomainError
 /// at a pole of a mode without damping. @eq{33,34,35,64,65}

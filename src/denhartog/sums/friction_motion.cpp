@@ -26,22 +26,20 @@ std::vector<evaluation::FrictionMotion<T>> friction_motions(const ModeSums<T>& s
     return y;
 }
 
-template <class T>
-FrictionMotions<T>::FrictionMotions(const ModeSums<T>& sums) : sums_(sums), first(0), last(sums.R.size()) {
+FrictionMotions::FrictionMotions(const ModeSums<double>& sums) : sums_(sums), first(0), last(sums.R.size()) {
     c.reserve(last);
     for (std::size_t i = first; i < last; ++i) {
         // What bounds an overdamped mode does not come from two amplitudes, which are infinite at zeta = 1.
-        c.push_back(sums.zeta[i] >= 1 ? T(0) : amplitude_of_brace(sums, i));
+        c.push_back(sums.zeta[i] >= 1 ? 0.0 : amplitude_of_brace(sums, i));
     }
 }
 
-template <class T>
-FrictionMotions<T>::FrictionMotions(const FrictionMotions& all_, std::size_t mode)
+FrictionMotions::FrictionMotions(const FrictionMotions& all_, std::size_t mode)
     : sums_(all_.sums_), all(&all_), first(mode), last(mode + 1), c{all_.c[mode]} {}
 
-template <class T>
-FrictionMotionsAt<T> FrictionMotions<T>::evaluated(const T& tau) {
-    FrictionMotionsAt<T> at{T(0), T(0), std::pmr::vector<evaluation::FrictionMotion<T>>(&memory), std::pmr::vector<T>(&memory)};
+FrictionMotionsAt FrictionMotions::evaluated(double tau) {
+    FrictionMotionsAt at{0.0, 0.0, std::pmr::vector<evaluation::FrictionMotion<double>>(&memory),
+                         std::pmr::vector<double>(&memory)};
     if (all != nullptr) {
         if (const auto seen = all->known.find(tau); seen != all->known.end()) {
             at.cosine = seen->second.cosine;
@@ -50,24 +48,22 @@ FrictionMotionsAt<T> FrictionMotions<T>::evaluated(const T& tau) {
             return at;
         }
     }
-    const SineCosine<T> turned = sine_cosine(tau);
+    const SineCosine<double> turned = sine_cosine(tau);
     at.cosine = turned.c;
     at.sine = turned.s;
     add_friction_motions(sums_, tau, first, last, at.y);
     return at;
 }
 
-template <class T>
-T FrictionMotions<T>::size_of(const evaluation::FrictionMotion<T>& y, std::size_t i, const T& tau) const {
-    const T &R = sums_.R[i], &zeta = sums_.zeta[i];
-    if (zeta < 1) return c[i - first] * exp(T(-zeta * tau / R));
-    const T y_1 = R * y.prime, y_2 = R * R * y.double_prime;
-    const T y_3 = -(2 * zeta * y_2 + y_1), y_4 = -(2 * zeta * y_3 + y_2);
-    return std::max(modulus(Complex<T>{y_2, y_3}), modulus(Complex<T>{y_3, y_4}));
+double FrictionMotions::size_of(const evaluation::FrictionMotion<double>& y, std::size_t i, double tau) const {
+    const double &R = sums_.R[i], &zeta = sums_.zeta[i];
+    if (zeta < 1) return c[i - first] * exp(-zeta * tau / R);
+    const double y_1 = R * y.prime, y_2 = R * R * y.double_prime;
+    const double y_3 = -(2 * zeta * y_2 + y_1), y_4 = -(2 * zeta * y_3 + y_2);
+    return std::max(modulus(Complex<double>{y_2, y_3}), modulus(Complex<double>{y_3, y_4}));
 }
 
-template <class T>
-const FrictionMotionsAt<T>& FrictionMotions<T>::at(const T& tau, bool sizes) {
+const FrictionMotionsAt& FrictionMotions::at(double tau, bool sizes) {
     auto place = known.lower_bound(tau);
     if (place == known.end() || place->first != tau) {
         if (remembered() >= most_remembered) {
@@ -77,14 +73,13 @@ const FrictionMotionsAt<T>& FrictionMotions<T>::at(const T& tau, bool sizes) {
         }
         place = known.emplace_hint(place, tau, evaluated(tau));
     }
-    FrictionMotionsAt<T>& now = place->second;
+    FrictionMotionsAt& now = place->second;
     if (!sizes || !now.size.empty()) return now;
     now.size.reserve(last - first);
     for (std::size_t i = first; i < last; ++i) now.size.push_back(size_of(now.y[i - first], i, tau));
     return now;
 }
 
-template class FrictionMotions<double>;
 template std::vector<evaluation::FrictionMotion<double>> friction_motions(const ModeSums<double>&, const double&);
 template std::vector<evaluation::FrictionMotion<Bounded<double>>> friction_motions(const ModeSums<Bounded<double>>&,
                                                                                    const Bounded<double>&);

@@ -19,46 +19,44 @@
 namespace denhartog {
 
 /// @brief The braces of (40) at an instant, and what bounds their derivatives from there on.
-template <class T>
 struct FrictionMotionsAt {
-    T cosine;                                          ///< of the instant
-    T sine;                                            ///< of the instant
-    std::pmr::vector<evaluation::FrictionMotion<T>> y; ///< braces and derivatives, one entry a mode of the range
-    std::pmr::vector<T>
+    double cosine;                                          ///< of the instant
+    double sine;                                            ///< of the instant
+    std::pmr::vector<evaluation::FrictionMotion<double>> y; ///< braces and derivatives, one entry a mode of the range
+    std::pmr::vector<double>
         size; ///< over R_i^n it bounds the n-th derivative from there on, n = 2, 3, 4; empty until it is asked for
 };
 
 /// @brief Braces of (40) at instants of the half-period, remembered: the masses of a system share their instants.
-template <class T>
 class FrictionMotions {
 public:
     /// @brief Of all modes; the sums must outlive the object.
-    explicit FrictionMotions(const ModeSums<T>& sums);
+    explicit FrictionMotions(const ModeSums<double>& sums);
 
     /// @brief Of one mode, which is not evaluated again at instants that are remembered of `all`; that must outlive the object.
     FrictionMotions(const FrictionMotions& all, std::size_t mode);
 
     /// @brief Braces and derivatives of each mode of the range at an instant in [0, pi], valid until the next call; with `sizes`
     /// also bounds of the derivatives from there on.
-    const FrictionMotionsAt<T>& at(const T& tau, bool sizes = false);
+    const FrictionMotionsAt& at(double tau, bool sizes = false);
 
     /// @brief The modes.
-    [[nodiscard]] const ModeSums<T>& sums() const { return sums_; }
+    [[nodiscard]] const ModeSums<double>& sums() const { return sums_; }
 
     /// @brief Number of modes times number of instants that are remembered.
     [[nodiscard]] std::size_t remembered() const { return known.size() * c.size(); }
 
 private:
-    const ModeSums<T>& sums_;
+    const ModeSums<double>& sums_;
     const FrictionMotions* all = nullptr; // where the range is one mode of these
     std::size_t first, last;
-    std::vector<T> c;
+    std::vector<double> c;
     std::array<std::byte, 16384> first_memory; // holds what a search over a few modes asks for
     std::pmr::monotonic_buffer_resource memory{first_memory.data(), first_memory.size()};
-    std::pmr::map<T, FrictionMotionsAt<T>> known{&memory};
+    std::pmr::map<double, FrictionMotionsAt> known{&memory};
 
-    [[nodiscard]] FrictionMotionsAt<T> evaluated(const T& tau);
-    [[nodiscard]] T size_of(const evaluation::FrictionMotion<T>& y, std::size_t i, const T& tau) const;
+    [[nodiscard]] FrictionMotionsAt evaluated(double tau);
+    [[nodiscard]] double size_of(const evaluation::FrictionMotion<double>& y, std::size_t i, double tau) const;
 };
 
 /// @brief Braces of (40) of every mode and their derivatives at an instant. @eq{40}

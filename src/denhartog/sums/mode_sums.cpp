@@ -128,7 +128,6 @@ template ModeSums<Bounded<double>> mode_sums(const ModalBasis<Bounded<double>>&,
 template std::vector<evaluation::ModeFunctions<Bounded<double>>> mode_functions_at(const ModalBasis<Bounded<double>>&,
                                                                                    const Bounded<double>&);
 template bool contact_is_unmoved(const ModeSums<double>&);
-template bool contact_is_unmoved(const ModeSums<Bounded<double>>&);
 template bool stuck_system_resonates(const ModeSums<double>&);
 template bool stuck_system_resonates(const ModeSums<Bounded<double>>&);
 

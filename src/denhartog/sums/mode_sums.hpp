@@ -17,7 +17,6 @@
 
 namespace denhartog {
 
-template <class T>
 class CoupledFriction;
 
 /// @brief Modes and sums over modes at one frequency ratio.
@@ -41,7 +40,7 @@ struct ModeSums {
     Complex<T> Y_jj;           ///< (33) with the load on the contact: its response to a unit force there, without friction
     T H_j;                     ///< Eq. (64)
     T sum_of_squares;          ///< sum of psi_ji^2, Eq. (65); 1 / (gamma_j r^2) where the mass matrix is diagonal
-    std::shared_ptr<const CoupledFriction<typename ValueOf<T>::type>> coupled{}; ///< where damping couples the modes; else null
+    std::shared_ptr<const CoupledFriction> coupled{}; ///< where damping couples the modes; else null
 };
 
 /// @brief \f$ |c_i| \f$ of a mode with \f$ \zeta_i < 1 \f$, whose brace in (40) is \f$ 1 - \mathrm{Re}\{c_ie^{\rho_i\tau}\} \f$.

@@ -9,7 +9,7 @@
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/speed_accuracy/peers/closed_form_peers.hpp"
-#include "tests/support/multiprecision.hpp"
+#include "tests/support/closed_form.hpp"
 
 namespace denhartog::tests {
 namespace {

@@ -1,6 +1,6 @@
 #include "denhartog/answer/scene_source.hpp"
 #include "tests/speed_accuracy/peers/closed_form_peers.hpp"
-#include "tests/support/multiprecision.hpp"
+#include "tests/support/closed_form.hpp"
 
 namespace denhartog::tests {
 namespace {

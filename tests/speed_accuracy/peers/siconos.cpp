@@ -19,7 +19,7 @@ std::vector<double> entries(const Matrix<double>& A) {
 
 PeerAnswer answer_at(const System<double>& system, const ModalBasis<double>& basis, double decay, const ChartPoint& point,
                      int steps_a_period) {
-    const NonDimensionalMatrices<double> m = non_dimensional_matrices(system, basis, point.r);
+    const NonDimensionalMatrices m = non_dimensional_matrices(system, basis, point.r);
     const std::size_t N = number_of_masses(system), j = system.contact.index;
     const double step = 2 * std::numbers::pi / steps_a_period;
     SiconosSteps stepping(entries(m.M), entries(m.C), entries(m.K), static_cast<unsigned>(j),

@@ -23,7 +23,7 @@ Json bound_of(const Complex<Bounded<double>>& z, const NumberWriter& write) {
 // The sum of the modes' maxima, (56), each taken where the search in double finds it.
 Bounded<double> sum_of_maxima(const ModeSums<Bounded<double>>& s, double mu) {
     const ModeSums<double> values = values_of(s);
-    FrictionMotions<double> y(values);
+    FrictionMotions y(values);
     const std::vector<double> instants = instants_of_demands(y);
     return boundary_at(s, as_input(mu), Bounded<double>(instants.front()),
                        std::vector<Bounded<double>>(instants.begin() + 1, instants.end()))

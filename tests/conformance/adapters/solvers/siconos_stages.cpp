@@ -82,7 +82,7 @@ PeriodRecord siconos_period(const Rows& rows, const Scene<double>& scene, int st
 
 // Steps a period from coarse to fine, so that transients are gone before steps are many; about as many steps at each.
 std::vector<Stage> siconos_stages(const Scene<double>& scene, int most_steps) {
-    const NonDimensionalMatrices<double> m = contact_problem(scene).matrices;
+    const NonDimensionalMatrices m = contact_problem(scene).matrices;
     const Rows rows{rows_of(m.M), rows_of(m.C), rows_of(m.K)};
     std::vector<Stage> all;
     constexpr std::array<std::pair<int, int>, 4> steps_and_periods = {{{256, 500}, {1024, 100}, {4096, 30}, {16384, 14}}};
