@@ -74,12 +74,13 @@ AnswerOrNone answer_by_reference(const PreparedSystem& p, const SolvePoint& at, 
     const SceneSource source = source_at(p, at);
     const Scene<double>& scene = source->in_double();
     PreparedSystem prepared = p; // the modes in double are found once
+    std::string not_from_rest;   // what is said of it where the guesses were needed
     const auto guesses = [&] {
         if (!prepared.bounded) {
             const ModesInDouble modes = modes_in_double(source);
             if (modes.rounded_because.empty()) prepared.bounded = modes.basis;
         }
-        return guesses_at(prepared, source);
+        return guesses_at(prepared, source, &not_from_rest);
     };
     const auto proof_of = [&](std::optional<Regime> met) {
         const int digits = question.digits.value_or(digits_by_default);
@@ -117,13 +118,18 @@ AnswerOrNone answer_by_reference(const PreparedSystem& p, const SolvePoint& at, 
     Solution& s = answer.solution;
     if (rest) {
         if (s.regime.regime == rest->solution.regime.regime && !rest->open) s.regime = rest->solution.regime;
-        s.method.why = "the start from rest was followed without a proof; " + s.method.why;
+        s.method.why = (rest->solution.not_from_rest.empty() ? "the start from rest was followed without a proof; "
+                                                             : "the start from rest is not known to lead here; ") +
+                       s.method.why;
     }
+    if (rest || (s.regime.regime == Regime::stick_slip && !not_from_rest.empty()))
+        s.not_from_rest = rest ? rest->solution.not_from_rest : not_from_rest;
     const double mu = s.mu.value == 1 && s.mu.error > 0 ? 2 : scene.mu; // a text may be above 1 by less than double tells
-    say_whether_unique(prepared.bounded ? *prepared.bounded
-                       : p.contact      ? *p.contact->basis
-                                        : *modes_in_double(source).basis,
-                       mu, s);
+    if (!prepared.bounded && !p.contact) prepared.bounded = modes_in_double(source).basis;
+    if (prepared.bounded)
+        say_whether_unique(*prepared.bounded, contact_row(scene.system), scene, mu, s);
+    else
+        say_whether_unique(*p.contact->basis, p.contact->contact, scene, mu, s);
     if (question.all) {
         Question others = question;
         others.digits.reset();
@@ -136,7 +142,7 @@ AnswerOrNone answer_by_reference(const PreparedSystem& p, const SolvePoint& at, 
 
 } // namespace
 
-std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source) {
+std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source, std::string* not_from_rest) {
     const Scene<double>& scene = source->in_double();
     std::vector<OrbitGuess> all;
     // Rounding of modes that double does not have itself would keep it from any motion that repeats itself.
@@ -149,6 +155,7 @@ std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& s
     how.with_stability = false;
     PeriodicOrbit orbit = periodic_orbit(solver, at_rest(moving->basis.r_n.size()), how);
     if (orbit.status == OrbitStatus::permanently_stuck) return all;
+    if (not_from_rest != nullptr && !is_from_start(orbit)) *not_from_rest = orbit.reason;
     if (orbit.status == OrbitStatus::not_converged)
         orbit.symmetric = true; // rounding may be why; where the motion was last is near
     SearchEffort of_guesses(default_effort(moving->basis.r_n.size()));
