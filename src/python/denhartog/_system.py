@@ -393,7 +393,7 @@ class System:
 
     def _circular(self, omega: Optional[ArrayLike], hz: Optional[ArrayLike]) -> np.ndarray:
         if (omega is None) == (hz is None):
-            raise InputError.of("omega", "must be given, or hz in its place", "nothing" if omega is None else "given with hz")
+            raise InputError.of("omega", "must be given, or hz in its place", "" if omega is None else "given with hz")
         return _batch.numbers("omega", omega) if hz is None else 2 * np.pi * _batch.numbers("hz", hz)
 
     def friction_ratio(self, friction: ArrayLike, force: ArrayLike) -> Real:
@@ -417,7 +417,7 @@ class System:
         X = _batch.numbers("displacement", displacement)
         base = self._scene.get("base_motion")
         if base is None:
-            raise InputError.of("base_motion", "must be given for a base to have a force", "nothing")
+            raise InputError.of("base_motion", "must be given for a base to have a force", "")
         if base == "alone":
             return like(self.k_1 * X)
         circular = self._circular(omega, hz)

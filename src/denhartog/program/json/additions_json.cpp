@@ -25,6 +25,10 @@ Json dimensional_json(const Solution& s, const Units& units) {
     };
     all["force"] = write(P);
     if (s.beta) all["friction"] = write(P * s.beta->value);
+    if (s.beta && s.mu.value > 1) {
+        all["static_friction"] = write(P * s.beta->value * s.mu.value);
+        all["static_over_kinetic_friction"] = write(s.mu.value);
+    }
     if (s.limits) {
         all["friction_limit"] = {{"exact", write(P * s.limits->exact.value)}};
         if (s.limits->sticking) all["friction_limit"]["sticking"] = write(P * s.limits->sticking->value);
@@ -86,7 +90,9 @@ std::string dimensional_table(const Json& answer) {
     for (const auto& [key, name] : {std::pair{"frequency", "frequency, radians per unit of time"},
                                     {"frequency_hz", "frequency, periods per unit of time"},
                                     {"force", "force P"},
-                                    {"friction", "friction F"}})
+                                    {"friction", "friction F"},
+                                    {"static_friction", "static friction"},
+                                    {"static_over_kinetic_friction", "mu, static over kinetic friction"}})
         if (a.contains(key)) rows.push_back({name, cell(a, key)});
     if (a.contains("friction_limit")) rows.push_back({"slides throughout below F", cell(a.at("friction_limit"), "exact")});
     std::string text = "in the units of the scene:\n" + aligned(rows);
