@@ -293,6 +293,7 @@ Scene<T> scene_from_json(const json& object) {
     names.one_zeta = object.contains("damping_ratios") && !object.at("damping_ratios").is_array();
     read_contact(object, scene.system);
     read_load(object, scene.system);
+    scene.base_moves = object.contains("base_motion") && object.at("base_motion") == "with_wall";
     if (object.contains("mu")) scene.mu = read_number<T>(item(object, "mu"));
     if constexpr (!is_ball<T>) check_under_names(scene, names); // of balls the scene in double was checked
     return scene;

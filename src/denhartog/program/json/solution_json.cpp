@@ -246,8 +246,7 @@ std::string solution_table(const Json& a) {
         if (b.contains(key)) rows.push_back({name, cell(b, key)});
     text += aligned(rows);
     if (a.contains("masses"))
-        text += masses_table(a.at("masses")) + contact_in_words(a.at("contact")) +
-                "; displacements in units of P / k_1, phases in radians behind the force\n" + rest_of_motion(a);
+        text += masses_table(a.at("masses")) + contact_in_words(a.at("contact")) + units_in_words(a) + rest_of_motion(a);
     text +=
         std::string("unique: ") + (a.at("unique").get<bool>() ? "yes, " : "") + a.at("unique_because").get<std::string>() + "\n";
     if (a.contains("from_rest")) text += "from rest: not known, " + a.at("from_rest_because").get<std::string>() + "\n";
