@@ -145,12 +145,14 @@ static dh_points fields_of_points(mxArray* result, size_t count, size_t N) {
 static mxArray* solve_point(double r, double beta, double mu, int digits, int proved, size_t N) {
     dh_summary motion = {.size = sizeof motion};
     size_t k;
+    int from_rest;
     double* ends;
     mxArray* result = empty_struct();
     const dh_points point = fields_of_points(result, 1, N);
     need((proved ? dh_solve_proved : dh_solve)(held_system, r, beta, mu, digits, &held_solution));
     need(dh_solution_summary(held_solution, &motion));
     need(dh_solution_is_proved(held_solution, &proved));
+    need(dh_solution_is_from_rest(held_solution, &from_rest));
     *point.status = motion.on_boundary ? DH_POINT_ON_BOUNDARY : DH_POINT_ANSWERED;
     *point.regime = (signed char)motion.regime;
     *point.stops = (int)motion.stops;
@@ -176,6 +178,7 @@ static mxArray* solve_point(double r, double beta, double mu, int digits, int pr
     *doubles(result, "relative_error", 1, 1) = motion.relative_error;
     mxSetFieldByNumber(result, 0, mxAddField(result, "unique"), mxCreateLogicalScalar(motion.unique != 0));
     mxSetFieldByNumber(result, 0, mxAddField(result, "symmetric"), mxCreateLogicalScalar(motion.symmetric != 0));
+    mxSetFieldByNumber(result, 0, mxAddField(result, "from_rest"), mxCreateLogicalScalar(from_rest != 0));
     mxSetFieldByNumber(result, 0, mxAddField(result, "proved"), mxCreateLogicalScalar(proved != 0));
     return result;
 }

@@ -27,6 +27,7 @@ function solution = denhartog_solve(scene, r, beta, digits, proved)
 %     rest_error            bound of the error of both; 0 where there is none
 %     relative_error        the largest error of the amplitudes, relative, and of the phases
 %     unique                true where the velocities are known not to depend on the start
+%     from_rest             false where the motion is a steady one, and the start from rest is not known to lead to it
 %     symmetric             true where the motion mirrors itself after half its period, Eq. (25)
 %     proved                true where every number and every bound is proved; else the bounds are estimates
 %     dimensional           of a dimensional scene at its own point: frequency, frequency_hz, force, friction,

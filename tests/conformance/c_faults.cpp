@@ -158,6 +158,8 @@ TEST_CASE("null pointers and wrong lengths are refused, and nothing is written",
     int proved = 99;
     f.fails(dh_solution_is_proved(nullptr, &proved), DH_ERROR_NULL, "solution");
     f.fails(dh_solution_is_proved(x, nullptr), DH_ERROR_NULL, "proved");
+    f.fails(dh_solution_is_from_rest(nullptr, &proved), DH_ERROR_NULL, "solution");
+    f.fails(dh_solution_is_from_rest(x, nullptr), DH_ERROR_NULL, "from_rest");
     CHECK(proved == 99);
     f.fails(dh_solution_stops(nullptr, 0, a, b), DH_ERROR_NULL, "solution");
     f.fails(dh_solution_stops(x, 1, a, b), DH_ERROR_SIZE, "count must be 0, but is 1");

@@ -234,6 +234,7 @@ void ask_solution(Choices& c, const dh_system* system, std::size_t N) {
         answered(status, {DH_ERROR_NULL, DH_ERROR_INPUT, DH_ERROR_DOMAIN, DH_ERROR_PRECISION, DH_ERROR_MEMORY}, "solve");
     const SolutionHandle solution = taken<SolutionHandle>(ok, made);
     int proved = 2;
+    claim(!ok || dh_solution_is_from_rest(solution.get(), &proved) == DH_OK, "a solution says whether it is that from rest");
     claim(!ok || dh_solution_is_proved(solution.get(), &proved) == DH_OK, "a solution says whether it is proved");
     claim(ok ? proved == 1 || (proved == 0 && how == dh_solve) : proved == 2, "what had to be proved is proved");
     look_at(c, c.rarely() ? nullptr : solution.get(), N);

@@ -15,6 +15,8 @@ SOURCE = Path(sys.argv.pop())
 PROGRAM = sys.argv.pop()
 SCHEMA = json.loads((SOURCE / "docs/scene.schema.json").read_text())
 CHAIN = json.loads((SOURCE / "docs/example.json").read_text())
+COEFFICIENTS = {"masses": [1, 2], "stiffnesses": [2, 1], "damping_ratios": 0.01, "contact": 1, "load": 2, "frequency_hz": 0.2,
+                "force": 1, "normal_force": 0.5, "friction_coefficient": 0.2, "static_friction_coefficient": 0.25}
 # What the schema refuses has to be refused by the program too.
 BROKEN = [
     {**CHAIN, "mu": 0.5},
@@ -25,12 +27,18 @@ BROKEN = [
     {**CHAIN, "damping_tolerance": 3, "damping_matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]},
     {**CHAIN, "friction": 1},
     {**CHAIN, "no_such_key": 1},
+    {**CHAIN, "normal_force": 1, "friction_coefficient": 1},
+    {**COEFFICIENTS, "friction": 0.1},
+    {**COEFFICIENTS, "mu": 1.2},
+    {key: value for key, value in COEFFICIENTS.items() if key != "normal_force"},
+    {key: value for key, value in COEFFICIENTS.items() if key != "friction_coefficient"},
     {key: value for key, value in CHAIN.items() if key != "mass_ratios"},
 ]
 SOUND = [
     {**CHAIN, "comment": "a scene"},
     {**CHAIN, "r": "0.1"},
     {**CHAIN, "contact": [2, 3], "load": [1, 0.5, 0]},
+    COEFFICIENTS,
     {"masses": [1, 2], "stiffnesses": [[3, -1], [-1, 1]], "damping_matrix": [[0.2, 0], [0, 0]], "damping_tolerance": 0.01, "contact": 1,
      "load": 2, "frequency_hz": 0.2, "force": 1, "friction": 0.1},
 ]

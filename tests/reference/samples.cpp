@@ -248,7 +248,8 @@ TEST_CASE("samples of a recurrence are those of the reference", "[reference][sam
         const long steps = precision_steps();
         const SampledSolution fast = sampled_solution(source, s, 90 + static_cast<std::size_t>(scene % 2));
         CHECK(precision_steps() == steps);
-        const auto guesses = [&] { return guesses_at(PreparedSystem{source}, source); };
+        std::optional<PeriodicOrbit> followed;
+        const auto guesses = [&] { return guesses_at(PreparedSystem{source}, source, followed); };
         CHECK(apart(fast, {fast.tau, samples_by_reference(source, s, fast.tau, 1e-9, guesses)}, s) < (s.start ? 1e-8 : 1e-10));
     }
     CHECK(slides >= 40);

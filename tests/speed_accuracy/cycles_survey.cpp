@@ -32,7 +32,7 @@ CyclesSurvey survey_cycles(const std::string& name, const System<double>& system
         solver.set({each, beta, 1});
         const PeriodicOrbit orbit = periodic_orbit(solver, start);
         survey.stuck += orbit.status == OrbitStatus::permanently_stuck;
-        survey.unanswered += orbit.status == OrbitStatus::not_converged;
+        survey.unanswered += !is_from_start(orbit);
         if (orbit.status != OrbitStatus::periodic) continue;
         start = orbit.start;
         const std::vector<double> last = amplitudes_in_last_cycle(solver, N, cycles);

@@ -44,7 +44,7 @@ public:
             if (formula == Regime::stick_slip && !orbit.symmetric) return Comparison::asymmetric;
         }
         if (near(limits_.exact) || (limits_.sticking && near(*limits_.sticking))) return Comparison::on_boundary;
-        if (orbit.status == OrbitStatus::not_converged) return not_converged(formula);
+        if (!is_from_start(orbit)) return not_converged(formula);
         return !unique() && formula_motion_exists(formula) ? Comparison::several_motions : Comparison::unexplained;
     }
 

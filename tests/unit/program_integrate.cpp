@@ -1,5 +1,6 @@
 // `denhartog integrate`: both methods, their agreement, samples, bad input, what cannot be finished.
 #include <cmath>
+#include <sstream>
 
 #include "tests/catch.hpp"
 #include "tests/unit/program_runs.hpp"
@@ -49,6 +50,39 @@ TEST_CASE("integrate prints the same fields by both methods, and the numbers agr
         for (const char* key : {"start", "end", "x"})
             CHECK(std::abs(a["stops"][n][key].get<double>() - b["stops"][n][key].get<double>()) <= 3e-5);
     CHECK(std::abs(a["contact"]["amplitude"].get<double>() - b["contact"]["amplitude"].get<double>()) <= 1e-5);
+}
+
+TEST_CASE("integrate speaks in the units of a scene of masses, of its start and its samples too", "[program][paper-algorithm]") {
+    const std::string scene = R"({"masses": [2, 1], "stiffnesses": [800, 200], "damping_ratios": [0.05, 0.05], "contact": 1,
+                                  "load": 2, "force": 40, "friction": 6, "mu": 1.25, "frequency": 12})";
+    const double length = 40.0 / 800, omega = 12;
+    const Run in_ratios = run_program("integrate --json --method exact --cycles 2 --start 2,1,0.5,0", scene);
+    const json ratios = json::parse(in_ratios.output), units = ratios["dimensional"];
+    CHECK(units["force"] == 40);
+    CHECK(units["friction"].get<double>() == Approx(6).epsilon(1e-15));
+    CHECK(units["static_friction"].get<double>() == Approx(7.5).epsilon(1e-15));
+    CHECK(units["static_over_kinetic_friction"] == 1.25);
+    for (std::size_t k = 0; k < 2; ++k)
+        CHECK(units["masses"][k]["amplitude"].get<double>() ==
+              Approx(length * ratios["masses"][k]["amplitude"].get<double>()).epsilon(1e-15));
+    // The same start in metres and metres per second.
+    const std::string start = " --start 0.1,0.05,0.3,0 --units scene";
+    const json same = json::parse(run_program("integrate --json --method exact --cycles 2" + start, scene).output);
+    CHECK(same["masses"][0]["amplitude"].get<double>() == Approx(ratios["masses"][0]["amplitude"].get<double>()).epsilon(1e-13));
+    const std::string samples = "integrate --samples 2 --method exact --cycles 2";
+    const std::vector<std::string> csv = lines_of(run_program(samples + start, scene).output),
+                                   plain = lines_of(run_program(samples + " --start 2,1,0.5,0", scene).output);
+    CHECK(csv[0].substr(0, 5) == "t,x_1");
+    const auto second = [](const std::string& line, int column) {
+        std::istringstream cells(line);
+        std::string cell;
+        for (int n = 0; n <= column; ++n) std::getline(cells, cell, ',');
+        return std::stod(cell);
+    };
+    CHECK(second(csv[2], 0) == Approx(second(plain[2], 0) / omega).epsilon(1e-14));
+    CHECK(second(csv[2], 1) == Approx(length * second(plain[2], 1)).epsilon(1e-12));
+    CHECK(second(csv[2], 3) == Approx(length * omega * second(plain[2], 3)).epsilon(1e-12));
+    CHECK(run_program("integrate --units scene", one_mass("1", "0.55", "2")).status == 2);
 }
 
 TEST_CASE("integrate starts where it is told to", "[program][paper-algorithm]") {

@@ -213,6 +213,18 @@ TEST_CASE("the motion is a table of one period that mirrors itself", "[program]"
     CHECK(run_program("motion", with_beta("0.125") + "\n" + with_beta("0.25")).status == 2);
 }
 
+TEST_CASE("displacements above a moving base are said to be relative to it", "[program][response][solve]") {
+    for (const bool with_wall : {true, false}) {
+        const std::string scene = R"({"mass_ratios": [1, 1], "stiffness_ratios": [1, 1], "contact": 1, "r": 0.3, "beta": 0.1,
+            "damping_ratios": 0, "base_motion": ")" + std::string(with_wall ? "with_wall" : "alone") + "\"}";
+        for (const std::string command : {"response", "solve", "integrate --cycles 3"}) {
+            CHECK(json::parse(run_program(command + " --json", scene).output).contains("relative_to") == with_wall);
+            const bool said = run_program(command, scene).output.find("relative to base and wall") != std::string::npos;
+            CHECK(said == with_wall);
+        }
+    }
+}
+
 TEST_CASE("how far damping couples the modes is told of a scene of which double has no modes", "[program][response][eq:18]") {
     const Run run = run_program("response --json", R"({"masses": [[27, 0], [0, 3e-9]],
         "stiffnesses": [[546451, -511864], [-511864, 661600]], "damping_matrix": [[300, -200], [-200, 400]], "contact": 1,

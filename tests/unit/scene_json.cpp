@@ -174,6 +174,56 @@ TEST_CASE("a key that a scene does not have is refused", "[scene][json][bad-inpu
     REQUIRE(says(after([](json& s) { s["qq"] = 1; }), "qq", "The keys are mass_ratios, stiffness_ratios,", "", "/qq"));
 }
 
+TEST_CASE("a word for what a scene has under another name is answered with that name", "[scene][json][bad-input]") {
+    for (const auto& [word, meant] : {std::pair{"mass", "masses, or mass_ratios"},
+                                      {"k", "stiffnesses, or stiffness_ratios"},
+                                      {"c", "damping_matrix"},
+                                      {"damping", "damping_ratios, or damping_matrix"},
+                                      {"omega", "frequency, or r"},
+                                      {"mu_s", "static_friction_coefficient, with friction_coefficient and normal_force"}})
+        REQUIRE(says(after([word = word](json& s) { s[word] = 1; }), word, "did you mean " + std::string(meant) + "?", "",
+                     "/" + std::string(word)));
+    REQUIRE(says(after([](json& s) { s["mu"] = 0.12; }), "mu", "A coefficient of friction is friction_coefficient", "0.12", "/mu"));
+}
+
+TEST_CASE("friction by its coefficients is the normal force times the kinetic one, and mu their ratio", "[scene][json][eq:3][eq:11]") {
+    const auto changed = [](const json& friction) {
+        json scene = dimensional();
+        scene.erase("friction");
+        scene.erase("mu");
+        scene.update(friction);
+        return scene;
+    };
+    const double P = dimensional().at("force").get<double>();
+    const Scene<double> kinetic = read_scene<double>(changed({{"normal_force", 8}, {"friction_coefficient", 0.25}}).dump());
+    REQUIRE(kinetic.beta == 2 / P);
+    REQUIRE(kinetic.mu == 1);
+    const json both{{"normal_force", 8}, {"friction_coefficient", 0.25}, {"static_friction_coefficient", 0.375}};
+    REQUIRE(read_scene<double>(changed(both).dump()).mu == 1.5);
+    REQUIRE(read_scene<Real50>(changed({{"normal_force", "0.1"}, {"friction_coefficient", "0.1"}}).dump()).beta.value() ==
+            Real50("0.1") * Real50("0.1") / P);
+    const auto with = [&](const char* key, const json& value) {
+        json all = both;
+        all[key] = value;
+        return after([](json&) {}, changed(all));
+    };
+    const auto without = [&](const char* key) {
+        json all = both;
+        all.erase(key);
+        return after([](json&) {}, changed(all));
+    };
+    REQUIRE(says(with("friction", 2), "friction", "must not be given together with normal_force", "2", "/friction"));
+    REQUIRE(says(with("mu", 1.5), "mu", "must not be given together with static_friction_coefficient", "1.5", "/mu"));
+    REQUIRE(says(with("normal_force", -1), "normal_force", "must not be negative", "-1", "/normal_force"));
+    REQUIRE(says(with("friction_coefficient", 0), "friction_coefficient", "must be positive, if static_friction_coefficient", "0",
+                 "/friction_coefficient"));
+    REQUIRE(says(with("static_friction_coefficient", 0.125), "static_friction_coefficient", "must not be below friction_coefficient",
+                 "0.125", "/static_friction_coefficient"));
+    REQUIRE(says(without("normal_force"), "normal_force", "must be given", "", ""));
+    REQUIRE(says(without("friction_coefficient"), "friction_coefficient", "must be given", "", ""));
+    REQUIRE(says(after([](json& s) { s["normal_force"] = 1; }), "mass_ratios", "together with normal_force", "", "/mass_ratios"));
+}
+
 TEST_CASE("the values of a single mass may stand without their brackets, as Octave writes them", "[scene][json]") {
     json one = good();
     for (const char* key : {"mass_ratios", "stiffness_ratios"}) one[key] = 1;

@@ -311,6 +311,69 @@ TEST_CASE("with mu above 1 the answer is that of the start from rest and is not 
     CHECK(t.masses[0].amplitude.value == Approx(response(below).steady_state->X_j).epsilon(1e-14));
 }
 
+namespace {
+
+// The contact is at a node of the second mode, which nothing else damps, and the load is not.
+Scene<double> with_a_node() {
+    Scene<double> scene = with_beta(chain({1, 1, 1}, {1, 1, 1}, {0.03125, 0, 0.03125}, 2, 1, 1, 0.3125), 0.0625);
+    scene.system.stiffness_ratios.clear();
+    scene.system.stiffness_matrix.resize(3, 3);
+    scene.system.stiffness_matrix << 2, -1, 0, -1, 2, -1, 0, -1, 2;
+    return scene;
+}
+
+} // namespace
+
+TEST_CASE("a steady motion that is certain is the answer where that from rest is not known, and says so", "[solve][eq:69][eq:88]") {
+    struct Case {
+        Scene<double> scene;
+        Regime regime;
+        const char* model;
+    };
+    const std::vector<Case> cases{
+        {with_beta(chain({1, 0.631}, {1, 1.56}, {0, 0}, 1, 2, 3, 1.41), 0.2401), Regime::continuous, "closed form"},
+        {with_beta(chain({1, 1.434}, {1, 0.374}, {1e-6, 1e-6}, 2, 1, 1.7, 1 / 3.0), 0.2718), Regime::permanent_sticking,
+         "stuck response"},
+        {with_beta(chain({1}, {1}, {0.001}, 1, 1, 3, 0.328), 0.0866), Regime::stick_slip, "exact solver"},
+        {with_a_node(), Regime::stick_slip, "exact solver"}};
+    for (const Case& c : cases) {
+        INFO(c.model << ", mu = " << c.scene.mu);
+        const Solution s = asking(c.scene, Asked::motion);
+        CHECK(s.regime.regime == c.regime);
+        CHECK(s.method.model == c.model);
+        CHECK_FALSE(s.unique);
+        CHECK(s.not_from_rest.find("the motion comes to no periodic motion within") != std::string::npos);
+        CHECK(std::string(s.unique_because).find("the one from rest is not known to lead here") != std::string::npos);
+        if (c.scene.mu > 1) CHECK(asking(c.scene, Asked::regime).not_from_rest == s.not_from_rest); // else nothing is followed
+        CHECK(asking(c.scene, Asked::regime).regime.regime == c.regime);
+        Question question;
+        question.proved = true;
+        const Solution proved = solve(scene_source(c.scene), question);
+        CHECK(proved.method.proved);
+        CHECK_FALSE(proved.not_from_rest.empty());
+        for (std::size_t k = 0; k < s.masses.size(); ++k) {
+            const Certified &a = s.masses[k].amplitude, &truth = proved.masses[k].amplitude;
+            CHECK(std::abs(a.value - truth.value) <= a.error + truth.error);
+        }
+        // The state repeats itself.
+        if (!s.start) continue;
+        State start;
+        for (const Certified& x : s.start->x) start.x.push_back(x.value);
+        for (const Certified& v : s.start->x_prime) start.x_prime.push_back(v.value);
+        const ContactSystem system = contact_system(c.scene.system);
+        ExactSolver solver(system, {*c.scene.r, *c.scene.beta, c.scene.mu});
+        const State end = solver.run(start, 0.0, 2 * pi<double>() * s.periods).end;
+        CHECK(std::abs(end.x[0] - start.x[0]) <= 1e-9);
+    }
+    // A map shows the motion from its start, and has no numbers where that is not known.
+    const std::atomic<bool> stop{false};
+    MapRequest request;
+    request.r = {0.328};
+    request.beta = {0.0866};
+    request.masses = {Mass{0}};
+    CHECK(regime_map(cases[2].scene, request, stop).points.front().status == PointStatus::not_converged);
+}
+
 TEST_CASE("where the motion from rest has come to the sliding motion, the closed form has its numbers", "[solve][eq:38]") {
     // What a slow mode loses in a period is a small part of it, and its residual far less than its error.
     Scene<double> scene = oscillator(0.01, 250, 1.5);

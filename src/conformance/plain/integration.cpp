@@ -85,7 +85,7 @@ std::optional<Value> answer_of_steady_motion(const ProtocolQuestion& q) {
     how.most_periods = 4000;
     const PeriodicOrbit orbit = periodic_orbit(solver, at_rest(q.mass_ratios.size()), how);
     if (orbit.status == OrbitStatus::permanently_stuck) return answer_of_stuck_motion(q, scene);
-    if (orbit.status == OrbitStatus::not_converged || orbit.periods != 1) return std::nullopt;
+    if (orbit.status != OrbitStatus::periodic || orbit.periods != 1) return std::nullopt;
     if (q.quantity == "stops_per_period") return Value{{static_cast<double>(orbit.stops.size())}, ""};
     if (q.quantity == "stop_durations") return Value{durations(orbit.stops), ""};
     return read_off(solver, solver.run(orbit.start, 0.0, period), q);

@@ -92,7 +92,7 @@ private:
             const double left = 1 - static_cast<double>(n) / sweep_steps;
             solver.set(at(*scene.r * (1 + r_away * left), *scene.beta * (1 + beta_away * left)));
             const PeriodicOrbit orbit = periodic_orbit(solver, *z, search(true));
-            if (orbit.status == OrbitStatus::not_converged) break;
+            if (!is_from_start(orbit)) break;
             z = orbit.start;
         }
         solver.set(at(*scene.r, *scene.beta));
@@ -114,7 +114,7 @@ private:
 
     void follow(const State& start, const std::string& found) {
         const PeriodicOrbit orbit = periodic_orbit(solver, start, search(true));
-        if (orbit.status != OrbitStatus::not_converged) add(orbit, start, found);
+        if (is_from_start(orbit)) add(orbit, start, found);
     }
 
     void add(const PeriodicOrbit& orbit, const State& from, const std::string& found) {

@@ -6,6 +6,7 @@
 #include "denhartog/answer/printed.hpp"
 #include "denhartog/answer/sliding_point.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/scene/scene_rules.hpp"
 
 namespace denhartog {
 
@@ -36,7 +37,7 @@ SceneInBalls by_themselves(SceneInBalls s, const ModesInBalls& m, BallMatrix D) 
 // Rules of a scene that double may be too coarse to see broken.
 void check_in_balls(const SceneInBalls& s) {
     if (s.mu < Ball(1))
-        throw InputError("mu", "must be at least 1 (static friction is not below kinetic friction)", printed(s.mu, 40).decimal);
+        throw InputError("mu", rule_of_mu, printed(s.mu, 40).decimal);
     for (const auto& [name, A] :
          {std::pair<const char*, const BallMatrix&>{"mass_matrix", s.M}, {"stiffness_matrix", s.K}, {"damping_matrix", s.C}})
         for (slong i = 0; i < A.rows(); ++i)

@@ -109,6 +109,13 @@ struct Stability {
                                         ///< infinite, where an event only just happens
 };
 
+/// @brief A mode without damping of which the sliding motion may keep any share: it has a whole number of periods in half a period
+/// of the force, so that friction does no work on it.
+struct KeptMode {
+    std::size_t mode;          ///< the mode, counted from 0
+    Certified contact_at_most; ///< amplitude of the contact with the largest share; units of P / k_1. Without any it is the answer's
+};
+
 /// @brief What an answer cost.
 struct Work {
     long eigen_solves = 0;      ///< number of eigenproblems (15) solved
@@ -154,6 +161,8 @@ struct Solution {
     bool digits_reached = true;                ///< whether they have the digits asked for, or aimed at
     bool unique = false;                       ///< whether the steady velocities are known not to depend on the start
     std::string_view unique_because;           ///< the reason, or why it is not known
+    std::optional<KeptMode> kept_mode;         ///< if the closed form is one of a continuum of steady motions: what they differ by
+    std::string not_from_rest;                 ///< why the start from rest is not known to lead to this motion; empty if it does
     int periods = 1;                           ///< period of the motion, in periods of the force
     bool symmetric = true;                     ///< whether the motion mirrors itself after half its period, Eq. (25)
     std::optional<Stability> stability;        ///< stability of the motion, if the exact solver followed it

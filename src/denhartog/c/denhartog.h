@@ -388,6 +388,12 @@ DH_EXPORT int dh_solution_summary(const dh_solution* solution, dh_summary* summa
 /// @return          #DH_OK, #DH_ERROR_NULL
 DH_EXPORT int dh_solution_is_proved(const dh_solution* solution, int* proved) DH_NOEXCEPT;
 
+/// @brief Whether a solution is known to be the motion that the start from rest leads to.
+/// @param solution   a solution
+/// @param from_rest  receives 1, or 0 where the motion is a steady one, and the start from rest is not known to lead to it
+/// @return           #DH_OK, #DH_ERROR_NULL
+DH_EXPORT int dh_solution_is_from_rest(const dh_solution* solution, int* from_rest) DH_NOEXCEPT;
+
 /// @brief Amplitude and phase of a mass with their errors.
 /// @param solution  a solution
 /// @param mass      k, from 1 to N

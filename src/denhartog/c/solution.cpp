@@ -110,6 +110,14 @@ int dh_solution_is_proved(const dh_solution* solution, int* proved) noexcept {
     });
 }
 
+int dh_solution_is_from_rest(const dh_solution* solution, int* from_rest) noexcept {
+    return guarded([&] {
+        need(solution, "solution");
+        need(from_rest, "from_rest");
+        *from_rest = solution->solution.not_from_rest.empty();
+    });
+}
+
 int dh_solution_mass(const dh_solution* solution, size_t mass, dh_mass* result) noexcept {
     return guarded([&] {
         need(solution, "solution");

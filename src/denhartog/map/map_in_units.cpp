@@ -62,7 +62,7 @@ FrequenciesInUnits frequencies_in_units(const Scene<double>& scene, const std::v
         if (!(each > 0)) throw InputError("frequency_hz", "must be positive", number_to_text(each));
         const double omega = 2 * pi<double>() * each;
         const std::optional<double> P = scene.units->force_at(omega);
-        if (!P) throw InputError("force", "must be given (or base_displacement in its place)", "nothing");
+        if (!P) throw InputError("force", "must be given (or base_displacement in its place)", "");
         if (!(*P > 0) || !std::isfinite(*P))
             throw InputError("frequency_hz", "must leave the force of the base within the range of a double",
                              number_to_text(each));

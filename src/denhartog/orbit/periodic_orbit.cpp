@@ -253,6 +253,10 @@ private:
               << map_.norm(difference(recent_.states.back(), candidate_.z)) / size
               << " of its size away from it, and it is not known to lead there";
         orbit_.reason = s.str();
+        if (candidate_.h == 0 || effort.exhausted() || !map_.apply(candidate_.z, candidate_.h, true)) return;
+        if (!answer(orbit_of(map_, candidate_.z, search_))) return; // which is certain, though not known to be that of the start
+        orbit_.status = OrbitStatus::not_from_start;
+        orbit_.reason = s.str();
     }
 
     OrbitSearch search_;

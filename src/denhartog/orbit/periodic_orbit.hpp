@@ -21,7 +21,8 @@ namespace denhartog {
 enum class OrbitStatus : std::uint8_t {
     periodic,          ///< a periodic orbit, with its error bounded
     permanently_stuck, ///< the contact came to rest for ever
-    not_converged      ///< neither: `reason` says what was seen; no number is an answer
+    not_from_start,    ///< a periodic orbit, with its error bounded, to which the start is not known to lead: see `reason`
+    not_converged      ///< none of these: `reason` says what was seen; no number is an answer
 };
 
 /// @brief How far to search, and what is asked of the orbit.
@@ -54,6 +55,11 @@ struct PeriodicOrbit {
     int periods_propagated = 0;          ///< periods propagated in all
     long effort_spent = 0;               ///< operations that the search took
 };
+
+/// @brief Whether an orbit is the steady motion that the start leads to.
+[[nodiscard]] inline bool is_from_start(const PeriodicOrbit& orbit) {
+    return orbit.status == OrbitStatus::periodic || orbit.status == OrbitStatus::permanently_stuck;
+}
 
 /// @brief The steady motion that a start, the state at tau = 0, leads to; or why there is none. InputError where the start breaks
 /// a rule.

@@ -46,16 +46,16 @@ void check_static_friction(const T& mu) {
 // The frequency ratio and the friction ratio of a scene. InputError where they are missing.
 template <class T>
 [[nodiscard]] const T& frequency_ratio_of(const Scene<T>& scene) {
-    if (!scene.r) throw InputError(scene.units ? "frequency" : "r", "must be given", "nothing");
+    if (!scene.r) throw InputError(scene.units ? "frequency" : "r", "must be given", "");
     return *scene.r;
 }
 
 template <class T>
 [[nodiscard]] const T& friction_ratio_of(const Scene<T>& scene) {
     if (scene.beta) return *scene.beta;
-    if (scene.units && (scene.units->force || scene.units->base)) throw InputError("friction", "must be given", "nothing");
-    if (scene.units) throw InputError("force", "must be given, and friction with it", "nothing");
-    throw InputError("beta", "must be given", "nothing");
+    if (scene.units && (scene.units->force || scene.units->base)) throw InputError("friction", "must be given", "");
+    if (scene.units) throw InputError("force", "must be given, and friction with it", "");
+    throw InputError("beta", "must be given", "");
 }
 
 // Angular frequency omega = r sqrt(k_1 / m_1), Eq. (10) solved for it.

@@ -163,7 +163,7 @@ void check_system(const System<T>& s, const SceneNames& names) {
 template <class T>
 void check_under_names(const Scene<T>& scene, const SceneNames& names) {
     check_system(scene.system, names);
-    check_number(names, "mu", scene.mu, !(scene.mu < 1), "must be at least 1 (static friction is not below kinetic friction)");
+    check_number(names, "mu", scene.mu, !(scene.mu < 1), rule_of_mu);
     if (scene.r) check_number(names, names("r"), *scene.r, *scene.r > 0, "must be positive");
     if (scene.beta) check_number(names, names("beta"), *scene.beta, !(*scene.beta < 0), "must not be negative");
 }

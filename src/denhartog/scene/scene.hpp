@@ -67,6 +67,7 @@ struct Scene {
     std::optional<T> r;           ///< frequency ratio, Eq. (10); positive
     std::optional<T> beta;        ///< friction ratio, Eq. (11); zero or positive
     std::optional<Units> units{}; ///< if the scene was in physical units: the units to convert answers back
+    bool base_moves = false;      ///< whether base and wall move together, and displacements are relative to them
 };
 
 /// @brief Number of masses N. @param s a system @return N

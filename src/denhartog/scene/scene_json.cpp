@@ -149,6 +149,36 @@ std::optional<T> read_force(const json& object, const T& m_1, const T& k_1, cons
     return T(m_1 * *omega * *omega * displacement);
 }
 
+template <class T>
+T read_not_negative(const SceneItem& x) {
+    const T number = read_number<T>(x);
+    if (number < 0) x.fail("must not be negative");
+    return number;
+}
+
+/// Kinetic friction, if it is given: the force, or its coefficient times the normal force. Static over kinetic friction is then the
+/// ratio of the coefficients.
+template <class T>
+std::optional<T> read_friction(const json& object, Scene<T>& scene) {
+    constexpr const char *normal = "normal_force", *kinetic = "friction_coefficient", *at_rest = "static_friction_coefficient";
+    if (object.contains(at_rest)) require(object, kinetic);
+    if (object.contains(kinetic)) require(object, normal);
+    if (!object.contains(normal))
+        return object.contains("friction") ? std::optional(read_not_negative<T>(item(object, "friction"))) : std::nullopt;
+    require(object, kinetic);
+    if (object.contains("friction")) item(object, "friction").fail(std::string("must not be given together with ") + normal);
+    const T coefficient = read_not_negative<T>(item(object, kinetic));
+    if (object.contains(at_rest)) {
+        const SceneItem of_rest = item(object, at_rest);
+        const T largest = read_positive<T>(of_rest);
+        if (object.contains("mu")) item(object, "mu").fail(std::string("must not be given together with ") + at_rest);
+        if (!(coefficient > 0)) item(object, kinetic).fail(std::string("must be positive, if ") + at_rest + " is given");
+        if (largest < coefficient) of_rest.fail(std::string("must not be below ") + kinetic);
+        scene.mu = largest / coefficient;
+    }
+    return coefficient * read_not_negative<T>(item(object, normal));
+}
+
 /// What damping in dimensional units is divided by.
 template <class T>
 T read_dimensional(const json& object, Scene<T>& scene) {
@@ -166,15 +196,11 @@ T read_dimensional(const json& object, Scene<T>& scene) {
     scene.units = Units{static_cast<double>(m_1), static_cast<double>(k_1), {}, {}};
     const std::optional<T> P = read_force(object, m_1, k_1, omega, *scene.units);
     if (P) scene.units->force = static_cast<double>(*P);
-    if (object.contains("friction")) {
+    if (const std::optional<T> friction = read_friction(object, scene)) {
         if (scene.units->base && !omega)
-            throw InputError("frequency", "must be given, as the force of a base that moves with the wall depends on it",
-                             "nothing");
+            throw InputError("frequency", "must be given, as the force of a base that moves with the wall depends on it", "");
         if (!P) require(object, "force");
-        const SceneItem F = item(object, "friction");
-        const T friction = read_number<T>(F);
-        if (friction < 0) F.fail("must not be negative");
-        scene.beta = paper::friction_ratio(friction, *P);
+        scene.beta = paper::friction_ratio(*friction, *P);
     }
     return sqrt(k_1) * sqrt(m_1);
 }
@@ -267,6 +293,7 @@ Scene<T> scene_from_json(const json& object) {
     names.one_zeta = object.contains("damping_ratios") && !object.at("damping_ratios").is_array();
     read_contact(object, scene.system);
     read_load(object, scene.system);
+    scene.base_moves = object.contains("base_motion") && object.at("base_motion") == "with_wall";
     if (object.contains("mu")) scene.mu = read_number<T>(item(object, "mu"));
     if constexpr (!is_ball<T>) check_under_names(scene, names); // of balls the scene in double was checked
     return scene;

@@ -33,6 +33,9 @@ constexpr auto keys = std::to_array<std::string_view>({"mass_ratios",
                                                        "stiffnesses",
                                                        "force",
                                                        "friction",
+                                                       "normal_force",
+                                                       "friction_coefficient",
+                                                       "static_friction_coefficient",
                                                        "frequency",
                                                        "frequency_hz",
                                                        "base_motion",
@@ -40,7 +43,29 @@ constexpr auto keys = std::to_array<std::string_view>({"mass_ratios",
                                                        "damping_tolerance",
                                                        "comment"});
 constexpr auto dimensional_keys =
-    std::to_array<const char*>({"masses", "stiffnesses", "force", "friction", "frequency", "frequency_hz", "base_displacement"});
+    std::to_array<const char*>({"masses", "stiffnesses", "force", "friction", "normal_force", "friction_coefficient",
+                                "static_friction_coefficient", "frequency", "frequency_hz", "base_displacement"});
+// Words for what a scene has under other names, and these.
+constexpr auto other_words = std::to_array<std::pair<std::string_view, std::string_view>>(
+    {{"mass", "masses, or mass_ratios"},
+     {"m", "masses, or mass_ratios"},
+     {"stiffness", "stiffnesses, or stiffness_ratios"},
+     {"k", "stiffnesses, or stiffness_ratios"},
+     {"damping", "damping_ratios, or damping_matrix"},
+     {"zeta", "damping_ratios"},
+     {"c", "damping_matrix"},
+     {"dampings", "damping_matrix"},
+     {"omega", "frequency, or r"},
+     {"w", "frequency, or r"},
+     {"f", "frequency_hz"},
+     {"F", "friction"},
+     {"P", "force"},
+     {"N", "normal_force"},
+     {"amplitude", "force, or base_displacement"},
+     {"mu_k", "friction_coefficient, with normal_force"},
+     {"mu_s", "static_friction_coefficient, with friction_coefficient and normal_force"},
+     {"coefficient_of_friction", "friction_coefficient, with normal_force"},
+     {"mu_static", "static_friction_coefficient, with friction_coefficient and normal_force"}});
 // Keys of a scene in ratios, each with its name in a dimensional scene.
 constexpr auto ratio_keys = std::to_array<std::pair<const char*, const char*>>({{"mass_ratios", "masses"},
                                                                                 {"stiffness_ratios", "stiffnesses"},
@@ -69,6 +94,8 @@ std::size_t letters_apart(std::string_view a, std::string_view b) {
 std::string did_you_mean(std::string_view unknown) {
     constexpr std::size_t longest = 64; // of a word that may be a key misspelt
     if (unknown.size() > longest) return {};
+    const auto word = std::ranges::find(other_words, unknown, [](const auto& each) { return each.first; });
+    if (word != other_words.end()) return "; did you mean " + std::string(word->second) + "?";
     const auto apart = [unknown](std::string_view key) { return letters_apart(unknown, key); };
     const std::string_view nearest = *std::ranges::min_element(keys, {}, apart);
     return apart(nearest) <= nearest.size() / 2 ? "; did you mean " + std::string(nearest) + "?" : "";

@@ -78,12 +78,13 @@ AnswerOrNone answer_by_reference(const PreparedSystem& p, const SolvePoint& at, 
     PreparedSystem prepared = p; // the modes in double are found once
     // The motion that is meant where the friction ratio does not tell: with mu above 1, or at a pole, the one from rest.
     std::optional<AnswerInDouble> rest;
+    std::optional<PeriodicOrbit> followed = seen.orbit; // the motion from rest
     const auto guesses = [&] {
         if (!prepared.bounded) {
             const ModesInDouble modes = modes_in_double(source);
             if (modes.rounded_because.empty()) prepared.bounded = modes.basis;
         }
-        return guesses_at(prepared, source, rest ? rest->orbit : seen.orbit);
+        return guesses_at(prepared, source, followed);
     };
     const auto proof_of = [&](std::optional<Regime> met) {
         const int digits = question.digits.value_or(digits_by_default);
@@ -95,6 +96,7 @@ AnswerOrNone answer_by_reference(const PreparedSystem& p, const SolvePoint& at, 
     if (scene.mu > 1) {
         rest = seen.is_answered() ? seen : fast(of_regime);
         if (!rest->is_answered()) return *std::move(rest);
+        followed = rest->orbit;
         const RegimeAtPoint& met = rest->solution.regime;
         const bool may_hide_a_stop = rest->open && rest->solution.limits && met.regime == Regime::continuous;
         answer = proof_of(may_hide_a_stop ? Regime::stick_slip : met.regime);
@@ -109,23 +111,32 @@ AnswerOrNone answer_by_reference(const PreparedSystem& p, const SolvePoint& at, 
         if (answer.outcome == Outcome::not_certain || answer.outcome == Outcome::regime_disproved) {
             rest = fast(of_regime);
             if (rest->outcome == Outcome::at_a_pole) return *std::move(rest);
-            if (rest->is_answered() && !rest->solution.limits)
-                answer = proof_of(rest->solution.regime.regime); // a pole
-            else
+            if (rest->is_answered() && !rest->solution.limits) { // a pole
+                followed = rest->orbit;
+                answer = proof_of(rest->solution.regime.regime);
+            } else {
                 rest.reset();
+            }
         }
     }
     if (!answer.is_answered()) return answer;
     Solution& s = answer.solution;
     if (rest) {
         if (s.regime.regime == rest->solution.regime.regime && !rest->open) s.regime = rest->solution.regime;
-        s.method.why = "the start from rest was followed without a proof; " + s.method.why;
+        s.method.why = (rest->solution.not_from_rest.empty() ? "the start from rest was followed without a proof; "
+                                                             : "the start from rest is not known to lead here; ") +
+                       s.method.why;
     }
+    if (rest)
+        s.not_from_rest = rest->solution.not_from_rest;
+    else if (s.regime.regime == Regime::stick_slip && followed && !is_from_start(*followed))
+        s.not_from_rest = followed->reason;
     const double mu = s.mu.value == 1 && s.mu.error > 0 ? 2 : scene.mu; // a text may be above 1 by less than double tells
-    say_whether_unique(prepared.bounded ? *prepared.bounded
-                       : p.contact      ? *p.contact->basis
-                                        : *modes_in_double(source).basis,
-                       mu, s);
+    if (!prepared.bounded && !p.contact) prepared.bounded = modes_in_double(source).basis;
+    if (prepared.bounded)
+        say_whether_unique(*prepared.bounded, contact_row(scene.system), scene, mu, s);
+    else
+        say_whether_unique(*p.contact->basis, p.contact->contact, scene, mu, s);
     if (question.all) {
         Question others = question;
         others.digits.reset();
@@ -138,8 +149,7 @@ AnswerOrNone answer_by_reference(const PreparedSystem& p, const SolvePoint& at, 
 
 } // namespace
 
-std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source,
-                                   const std::optional<PeriodicOrbit>& followed) {
+std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source, std::optional<PeriodicOrbit>& followed) {
     const Scene<double>& scene = source->in_double();
     std::vector<OrbitGuess> all;
     // Rounding of modes that double does not have itself would keep it from any motion that repeats itself.
@@ -150,7 +160,8 @@ std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& s
     ExactSolver solver(*moving, {*scene.r, *scene.beta, scene.mu});
     OrbitSearch how;
     how.with_stability = false;
-    PeriodicOrbit orbit = followed ? *followed : periodic_orbit(solver, at_rest(moving->basis.r_n.size()), how);
+    if (!followed) followed = periodic_orbit(solver, at_rest(moving->basis.r_n.size()), how);
+    PeriodicOrbit orbit = *followed;
     if (orbit.status == OrbitStatus::permanently_stuck) return all;
     if (orbit.status == OrbitStatus::not_converged)
         orbit.symmetric = true; // rounding may be why; where the motion was last is near

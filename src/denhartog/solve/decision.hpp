@@ -55,8 +55,15 @@ struct SolveTask {
 /// followed.
 void answer_by_stuck_response(const SolveTask& task, const std::optional<Certified>& rests_at, Solution& s);
 
-/// @brief Says whether the velocities are known not to depend on the start, and why.
-void say_whether_unique(const ModalBasis<Bounded<double>>& basis, double mu, Solution& s);
+/// @brief Says whether the velocities are known not to depend on the start, and why; and what is steady besides where a mode
+/// without damping keeps any share of the sliding motion. `contact` is the row of the contact in the shapes of the basis.
+///
+/// With mu = 1 no two motions move apart, and their distance stays the same only if friction and dampers do no work on their
+/// difference. That is then a free motion of modes without damping, which lets the contact turn at the same instants: at multiples
+/// of pi. Of modes whose phases over pi are told from 0, from pi and from each other's it is zero. A mode with a whole number of
+/// periods in half a period of the force may keep any share. Of one mass that stops, two motions at the same distance rest and break
+/// away together, and so from the same place.
+void say_whether_unique(const ModalBasis<Bounded<double>>& basis, Mass contact, const Scene<double>& scene, double mu, Solution& s);
 
 /// @brief Whether the boundaries tell that a motion that is not at rest has stops, seen or not: beyond that of sliding where
 /// mu = 1 or every motion is damped.
@@ -79,9 +86,9 @@ void answer_by_orbit(const SolveTask& task, ExactSolver& solver, const PeriodicO
 [[nodiscard]] std::vector<OrbitGuess> with_other_stops(const OrbitGuess& guess);
 
 /// @brief Motions near the one from rest, as double sees them, the likeliest first: what a proof starts from. What the system has
-/// prepared is used, and the motion itself where it was followed before.
+/// prepared is used, and so is the motion from rest if it was followed before; else it is followed here.
 [[nodiscard]] std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source,
-                                                 const std::optional<PeriodicOrbit>& followed = std::nullopt);
+                                                 std::optional<PeriodicOrbit>& followed);
 
 /// @brief What double makes of a question.
 struct AnswerInDouble : AnswerOrNone {

@@ -65,8 +65,10 @@ State start_of(const Solution& solution) {
 
 void sample_by_reference(const SceneSource& source, const Solution& solution, SampledSolution& all) {
     try {
-        const std::vector<State> states = samples_by_reference(source, solution, all.tau, error_of_samples,
-                                                               [&] { return guesses_at(PreparedSystem{source}, source); });
+        std::optional<PeriodicOrbit> followed;
+        const std::vector<State> states = samples_by_reference(source, solution, all.tau, error_of_samples, [&] {
+            return guesses_at(PreparedSystem{source}, source, followed);
+        });
         all = SampledSolution(std::move(all.tau), states);
     } catch (const PrecisionError& e) {
         throw PrecisionError(std::string("the samples of the motion are not certain to 6 digits: ") + e.what());

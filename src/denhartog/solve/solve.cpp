@@ -78,12 +78,23 @@ std::string cost_of_fast_mode(const ExactSolver& solver, const PeriodicOrbit& no
                          ". This much is certain: " + s.regime.reason);
 }
 
+// The steady motion of a regime that the boundaries tell, where the one from rest is not known.
+void answer_by_regime(SolveTask& task, Solution& s) {
+    if (task.question.asked == Asked::regime) return answer_by_boundaries(task, "boundaries", s);
+    if (s.regime.regime == Regime::permanent_sticking) answer_by_stuck_response(task, std::nullopt, s);
+}
+
 // The motion from rest by the exact solver; the closed form or the stuck response give the numbers where it leads there. With
 // mu = 1 and damping it leads where the motion in double was going; with mu above 1 mostly to the sliding motion if there is one.
 void answer_from_rest(SolveTask& task, Solution& s) {
     if (!task.moving) task.moving = moving_in_double(task.source, task.known);
     const ContactSystem& system = *task.moving;
-    if (!system.rounded_because.empty()) fail_from_rest(task, system.rounded_because, s);
+    const bool told = !task.unknown && !s.regime.on_boundary, sticks = s.regime.regime == Regime::stick_slip;
+    if (!system.rounded_because.empty()) {
+        if (!told || sticks) fail_from_rest(task, system.rounded_because, s);
+        s.not_from_rest = system.rounded_because;
+        return answer_by_regime(task, s);
+    }
     const bool regime_alone = task.question.asked == Asked::regime;
     ExactSolver solver(system, {*task.scene.r, *task.scene.beta, task.scene.mu});
     OrbitSearch how;
@@ -96,7 +107,13 @@ void answer_from_rest(SolveTask& task, Solution& s) {
         how.guess = &near;
     }
     const PeriodicOrbit& orbit = task.orbit.emplace(periodic_orbit(solver, at_rest(system.basis.r_n.size()), how));
-    if (orbit.status == OrbitStatus::not_converged) fail_from_rest(task, orbit.reason + cost_of_fast_mode(solver, orbit), s);
+    if (!is_from_start(orbit)) {
+        const bool found = orbit.status == OrbitStatus::not_from_start;
+        s.not_from_rest = orbit.reason + cost_of_fast_mode(solver, orbit);
+        const bool by_regime = told && (s.regime.regime == Regime::continuous || !(found || sticks));
+        if (by_regime && !QuestionEffort::exhausted()) return answer_by_regime(task, s);
+        if (!found) fail_from_rest(task, s.not_from_rest, s);
+    }
     const bool rests = orbit.status == OrbitStatus::permanently_stuck;
     // With mu = 1 the boundaries tell that it never rests for ever: only rounding does not see it move.
     if (rests && task.scene.mu == 1 && !task.unknown && s.regime.regime == Regime::stick_slip && !s.regime.on_boundary)
@@ -118,7 +135,7 @@ void answer_from_rest(SolveTask& task, Solution& s) {
         set_regime_by_stops(task, orbit, open, s);
         task.open = task.open || open;
         if (!regime_alone) {
-            if (!orbit.reason.empty()) s.regime.reason += "; " + orbit.reason;
+            if (!orbit.reason.empty() && s.not_from_rest.empty()) s.regime.reason += "; " + orbit.reason;
             return;
         }
     }
@@ -135,7 +152,6 @@ void answer(SolveTask& task, Solution& s) {
         Solution sliding =
             sliding_solution(task.source, {task.question.asked, task.question.digits, task.question.mass, task.known.basis});
         sliding.unique = s.unique;
-        sliding.unique_because = std::move(s.unique_because);
         s = std::move(sliding);
     } catch (const DomainError& e) {
         task.unknown = e.what();
@@ -149,7 +165,9 @@ void answer(SolveTask& task, Solution& s) {
     const bool sticks = s.regime.regime == Regime::stick_slip;
     if (follows || (sticks && task.question.asked != Asked::regime)) {
         answer_from_rest(task, s);
-        if (follows || !s.unique) s.method.why = "the start from rest was followed; " + s.method.why;
+        const char* followed =
+            s.not_from_rest.empty() ? "the start from rest was followed; " : "the start from rest is not known to lead here; ";
+        if (follows || !s.unique) s.method.why = followed + s.method.why;
     } else if (task.question.asked == Asked::regime) {
         answer_by_boundaries(task, "boundaries", s);
     } else if (s.regime.regime == Regime::permanent_sticking) {
@@ -178,16 +196,17 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
     Solution& s = found.solution;
     s.asked = question.asked;
     if (answer_by_contact(p, at, question, s)) {
-        say_whether_unique(*p.contact->basis, p.scene().mu, s);
+        say_whether_unique(*p.contact->basis, p.contact->contact, p.scene(), p.scene().mu, s);
     } else {
         const SceneSource source = source_at(p, at);
         SolveTask task{source, question, source->in_double(), aim_of(question.digits), {p.bounded}, p.moving};
         if (!task.known.basis) task.known = modes_in_double(source);
-        say_whether_unique(*task.known.basis, p.scene().mu, s);
+        s.unique = task.scene.mu == 1 && every_motion_is_damped(*task.known.basis);
         s.r = exactly(at.r);
         s.beta = exactly(at.beta);
         s.contact = p.scene().system.contact;
         answer(task, s);
+        say_whether_unique(*task.known.basis, contact_row(task.scene.system), task.scene, task.scene.mu, s);
         s.asked = question.asked;
         s.digits_reached = s.relative_error <= task.aim.tolerance;
         found.open = task.open || task.unknown;
@@ -206,22 +225,6 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
 }
 
 } // namespace
-
-void say_whether_unique(const ModalBasis<Bounded<double>>& basis, double mu, Solution& s) {
-    s.unique = mu == 1 && every_motion_is_damped(basis);
-    if (s.unique)
-        s.unique_because =
-            basis.coupled()
-                ? "mu = 1 and the damping matrix is positive definite: the velocities of any two motions under the same "
-                  "force become the same"
-                : "mu = 1 and every mode is damped: the velocities of any two motions under the same force become the same";
-    else if (mu > 1)
-        s.unique_because = "not known: with mu > 1 the motion may depend on the start; this motion is the one from rest";
-    else if (basis.coupled())
-        s.unique_because = "not known: the damping matrix is not positive definite, and the motion may depend on the start";
-    else
-        s.unique_because = "not known: a mode has no damping, and the motion may depend on the start";
-}
 
 AnswerOrNone decide(const PreparedSystem& p, const SolvePoint& at, const Question& question) {
     const std::size_t N = number_of_masses(p.scene().system);

@@ -38,7 +38,7 @@ class InputError(Error, ValueError):
     @classmethod
     def of(cls, quantity: str, rule: str, value: object) -> "InputError":
         """An error with the message that the library would write."""
-        return cls(f"{quantity} {rule}, but is {value}")
+        return cls(f"{quantity} {rule}" + (f", but is {value}" if value != "" else ""))
 
 
 class DomainError(Error):

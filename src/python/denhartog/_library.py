@@ -53,7 +53,7 @@ Points = _struct("dh_points", "ptrdiff_t step; void* status, regime, stops, peri
 _LETTERS = {"p": c_void_p, "n": c_size_t, "i": c_int, "d": c_double}
 _FUNCTIONS = {  # by their arguments
     "p": "dh_system_destroy dh_solution_destroy",
-    "pp": "dh_solution_is_proved dh_solution_summary dh_solution_contact dh_solve_systems",
+    "pp": "dh_solution_is_proved dh_solution_is_from_rest dh_solution_summary dh_solution_contact dh_solve_systems",
     "ppp": "dh_map dh_solve_points",
     "pppp": "dh_system_masses",
     "pnp": "dh_system_from_json dh_solution_mass",

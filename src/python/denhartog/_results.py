@@ -96,7 +96,10 @@ class Solution:
     on_boundary : bool
         True where beta equals a boundary as far as it is known, and the regime could be the neighbour.
     unique : bool
-        True where the steady velocities are known not to depend on the start. Else this is the motion from rest.
+        True where the steady velocities are known not to depend on the start. Else see `from_rest`.
+    from_rest : bool
+        True where this is the motion that the start from rest leads to. Else it is a steady motion, and the start is not known
+        to lead to it.
     symmetric : bool
         True where the motion mirrors itself after half its period, Eq. (25).
     periods : int
@@ -132,6 +135,7 @@ class Solution:
     regime: str
     on_boundary: bool
     unique: bool
+    from_rest: bool
     symmetric: bool
     periods: int
     stops: np.ndarray

@@ -368,7 +368,7 @@ def _forces(system: System, hertz: np.ndarray) -> np.ndarray:
     scene = system.scene
     if "base_displacement" in scene:
         return np.broadcast_to(system.base_force(float(scene["base_displacement"]), hz=hertz), hertz.shape)
-    must("force" in scene, "force", "must be given (or base_displacement in its place)", "nothing")
+    must("force" in scene, "force", "must be given (or base_displacement in its place)", "")
     return np.full(hertz.shape, float(scene["force"]))
 
 

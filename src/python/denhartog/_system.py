@@ -217,9 +217,10 @@ class System:
         """The steady motion at a point; 0 digits aim at 6."""
         handle = _library.handle("dh_solve_proved" if proved else "dh_solve", "dh_solution_destroy", self._handle, r, beta, mu,
                                  digits)
-        found, is_proved = _library.Summary(), c_int()
+        found, is_proved, from_rest = _library.Summary(), c_int(), c_int()
         _library.call("dh_solution_summary", handle, byref(found))
         _library.call("dh_solution_is_proved", handle, byref(is_proved))
+        _library.call("dh_solution_is_from_rest", handle, byref(from_rest))
 
         def numbers(name: str, *mass: int) -> list[float]:
             of = _library.Mass()
@@ -238,7 +239,7 @@ class System:
         return Solution(
             r=r, beta=beta, mu=mu, regime=REGIMES[found.regime], periods=found.periods, stops=stops, stop_errors=stop_errors,
             rest_interval=rest_interval, rest_error=found.rest_error, masses=masses.astype(int),
-            relative_error=found.relative_error, proved=bool(is_proved), _handle=handle, _N=self.N, **whether, **of_contact,
+            relative_error=found.relative_error, proved=bool(is_proved), from_rest=bool(from_rest), _handle=handle, _N=self.N, **whether, **of_contact,
             **dict(zip(kinds, of_masses)))
 
     def _static(self, mu: Optional[float]) -> float:
@@ -392,7 +393,7 @@ class System:
 
     def _circular(self, omega: Optional[ArrayLike], hz: Optional[ArrayLike]) -> np.ndarray:
         if (omega is None) == (hz is None):
-            raise InputError.of("omega", "must be given, or hz in its place", "nothing" if omega is None else "given with hz")
+            raise InputError.of("omega", "must be given, or hz in its place", "" if omega is None else "given with hz")
         return _batch.numbers("omega", omega) if hz is None else 2 * np.pi * _batch.numbers("hz", hz)
 
     def friction_ratio(self, friction: ArrayLike, force: ArrayLike) -> Real:
@@ -416,7 +417,7 @@ class System:
         X = _batch.numbers("displacement", displacement)
         base = self._scene.get("base_motion")
         if base is None:
-            raise InputError.of("base_motion", "must be given for a base to have a force", "nothing")
+            raise InputError.of("base_motion", "must be given for a base to have a force", "")
         if base == "alone":
             return like(self.k_1 * X)
         circular = self._circular(omega, hz)

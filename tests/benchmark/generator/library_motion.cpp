@@ -101,7 +101,7 @@ Motion library_motion(const Scene<double>& scene) {
     const ContactSystem system = contact_system(scene.system);
     ExactSolver solver(system, {*scene.r, *scene.beta, scene.mu});
     const PeriodicOrbit orbit = periodic_orbit(solver, at_rest(N), {.contact_only = true, .with_stability = false});
-    if (orbit.status == OrbitStatus::not_converged || orbit.periods != 1 || orbit.touching > 0)
+    if (!is_from_start(orbit) || orbit.periods != 1 || orbit.touching > 0)
         throw DomainError("no motion of one period from rest: " + orbit.reason);
     const SceneSource source = scene_source(scene);
     if (orbit.status == OrbitStatus::permanently_stuck) {

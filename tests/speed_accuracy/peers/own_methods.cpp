@@ -133,7 +133,7 @@ Peer exact_solver_peer() {
                     PeerAnswer answer;
                     answer.evaluations = phases_propagated() - before;
                     answer.sticks = orbit.status == OrbitStatus::permanently_stuck || !orbit.stops.empty();
-                    if (orbit.status == OrbitStatus::not_converged)
+                    if (!is_from_start(orbit))
                         answer.ending = Ending::did_not_finish;
                     else if (orbit.status == OrbitStatus::periodic)
                         set_amplitude(answer, orbit.contact.amplitude);

@@ -12,6 +12,7 @@
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/json/solution_json.hpp"
 #include "denhartog/program/output/result_files.hpp"
+#include "denhartog/scene/point_rules.hpp"
 
 namespace denhartog::program {
 namespace {
@@ -19,6 +20,7 @@ namespace {
 struct IntegrateOptions : SceneOptions {
     std::string method = "paper";
     std::string start;
+    std::string units{in_ratios};
     PaperSettings settings;
 };
 
@@ -31,6 +33,20 @@ Json mass_json(std::size_t k, const PaperMassMotion& m) {
     const NumberWriter write;
     Json all{{"mass", k + 1}, {"amplitude", write(m.amplitude)}};
     if (m.phase) all["phase"] = write(*m.phase);
+    return all;
+}
+
+// A motion in the units of a scene in physical ones. Its errors are not known.
+Json dimensional_json(const PaperMotion& m, const Scene<double>& scene) {
+    const NumberWriter write;
+    Json all = units_json(*scene.units, *scene.r, scene.beta, scene.mu);
+    const double omega = angular_frequency(*scene.units, *scene.r), length = displacement_unit(*scene.units, *scene.units->force);
+    all["displacement_unit"] = write(length);
+    for (std::size_t k = 0; k < m.masses.size(); ++k)
+        all["masses"].push_back({{"mass", k + 1}, {"amplitude", write(length * m.masses[k].amplitude)}});
+    for (const Stop& stop : m.stops)
+        all["stops"].push_back(
+            {{"start", write(stop.start / omega)}, {"end", write(stop.end / omega)}, {"x", write(length * stop.x)}});
     return all;
 }
 
@@ -63,6 +79,8 @@ Json motion_json(const PaperMotion& m, const Scene<double>& scene, const Integra
             for (const Stop& stop : m.stops)
                 all["stops"].push_back({{"start", write(stop.start)}, {"end", write(stop.end)}, {"x", write(stop.x)}});
         }
+        if (scene.base_moves) all["relative_to"] = "base and wall";
+        if (scene.units && scene.units->force) all["dimensional"] = dimensional_json(m, scene);
     }
     Json counters = Json::object();
     if (paper) counters = {{"steps", m.steps}, {"rejected_steps", m.rejected_steps}, {"right_hand_sides", m.right_hand_sides}};
@@ -76,7 +94,7 @@ std::string as_table(const Json& a) {
     if (a.contains("masses")) {
         text += "regime over the last period: " + cell(a, "regime") + "\n";
         text += aligned({"mass", "amplitude", "phase"}, a.at("masses"), {"mass", "amplitude", "phase"});
-        text += contact_in_words(a.at("contact")) + "; displacements in units of P / k_1, phases in radians behind the force\n";
+        text += contact_in_words(a.at("contact")) + units_in_words(a);
         if (a.contains("stops") && !a.at("stops").empty())
             text += "stops in the last period, tau from a maximum of the force:\n" +
                     aligned({"start", "end", "x"}, a.at("stops"), {"start", "end", "x"});
@@ -84,7 +102,8 @@ std::string as_table(const Json& a) {
     std::string counters;
     for (const auto& item : a.at("counters").items())
         counters += (counters.empty() ? "" : ", ") + item.key() + " " + in_table(item.value());
-    return text + "method: " + cell(a, "method") + ", " + cell(a, "cycles") + " cycles; " + counters + "\n\n";
+    return text + "method: " + cell(a, "method") + ", " + cell(a, "cycles") + " cycles; " + counters + "\n" + dimensional_table(a) +
+           "\n";
 }
 
 State start_from(const std::string& text, std::size_t N) {
@@ -106,7 +125,12 @@ std::string integrated(const SceneText& part, const IntegrateOptions& options, E
     const SceneSource source = source_of(part, options.damping);
     const Scene<double>& scene = source->in_double();
     PaperSettings settings = options.settings;
+    const std::optional<MotionUnits> units = motion_units(scene, options.units);
     if (!options.start.empty()) settings.start = start_from(options.start, number_of_masses(scene.system));
+    if (units && settings.start) {
+        for (double& x : settings.start->x) x /= units->length;
+        for (double& v : settings.start->x_prime) v /= units->length * units->omega;
+    }
     const PaperMotion motion = options.method == "paper" ? paper_algorithm(scene, settings) : exact_cycles(source, settings);
     if (motion.status != IntegrationStatus::complete) {
         status.digits_missing = true;
@@ -114,7 +138,7 @@ std::string integrated(const SceneText& part, const IntegrateOptions& options, E
     }
     if (settings.samples > 0)
         return motion.status == IntegrationStatus::complete
-                   ? motion_csv(SampledSolution(motion.sample_times, motion.samples), {})
+                   ? motion_csv(SampledSolution(motion.sample_times, motion.samples), units)
                    : "";
     const Json json = motion_json(motion, scene, options);
     return options.json ? json.dump() + "\n" : as_table(json);
@@ -154,13 +178,17 @@ void add_integrate_command(CLI::App& app, ExitStatus& status) {
         ->capture_default_str();
     command->add_option("--relative-tolerance", settings.relative_tolerance, "relative tolerance; by default the absolute one");
     command->add_option("--start", options->start,
-                        "N displacements, then N velocities, separated by commas; by default rest at zero");
+                        "N displacements, then N velocities, separated by commas, in the units of --units; by default rest at "
+                        "zero");
+    add_units_option(*command, options->units);
     command->add_option("--samples", settings.samples,
                         "print this many instants of the last period as CSV: tau, x_1..x_N, v_1..v_N");
     command->footer(
         "Amplitudes are the largest |x_k| over the last period. The phase is the instant of the largest displacement after a\n"
         "maximum of the force, if the contact does not stop. Stops are those that end in the last period. The exact method\n"
-        "has no tolerances. If the final time is not reached, the exit status is 3, and the answer has status and reason.");
+        "has no tolerances. dimensional: the same in the units of a scene that was given by masses and stiffnesses; only with\n"
+        "--units scene are the start and the samples in these, and not in P / k_1 and radians of the force. If the final time\n"
+        "is not reached, the exit status is 3, and the answer has status and reason.");
     command->callback([options, &status] { answer(*options, status); });
 }
 

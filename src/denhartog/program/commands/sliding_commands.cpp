@@ -27,7 +27,7 @@ std::string response_table(const Json& a) {
         text +=
             aligned({"mass", "amplitude", "phase", "monoharmonic", "phase", "x0", "v0", "error bound"}, a.at("masses"),
                     {"mass", "amplitude", "phase", "amplitude_monoharmonic", "phase_monoharmonic", "x0", "v0", "error_bound"}) +
-            contact_in_words(a.at("contact")) + "; displacements in units of P / k_1, phases in radians behind the force\n";
+            contact_in_words(a.at("contact")) + units_in_words(a);
     return text + damping_line(a) + method_in_words(a.at("method")) + "\n";
 }
 

@@ -13,7 +13,8 @@ namespace {
 Json dimensional_json(const Solution& s, const Units& units) {
     const NumberWriter write;
     const double omega = angular_frequency(units, s.r.value);
-    Json all{{"frequency", write(omega)}, {"frequency_hz", write(omega / (2 * std::numbers::pi))}};
+    const std::optional<double> beta = s.beta ? std::optional(s.beta->value) : std::nullopt;
+    Json all = units_json(units, s.r.value, beta, s.mu.value);
     if (!units.force) return all;
     const double P = *units.force, length = displacement_unit(units, P);
     // The numbers are converted in double: units and products are rounded a few times.
@@ -23,8 +24,6 @@ Json dimensional_json(const Solution& s, const Units& units) {
         const Certified largest{m.amplitude.value, error_of_displacements(m)};
         return Json{{"amplitude", write(length * m.amplitude.value)}, {"error_bound", bound(length, largest)}};
     };
-    all["force"] = write(P);
-    if (s.beta) all["friction"] = write(P * s.beta->value);
     if (s.limits) {
         all["friction_limit"] = {{"exact", write(P * s.limits->exact.value)}};
         if (s.limits->sticking) all["friction_limit"]["sticking"] = write(P * s.limits->sticking->value);
@@ -54,6 +53,21 @@ Json dimensional_json(const Solution& s, const Units& units) {
 
 } // namespace
 
+Json units_json(const Units& units, double r, const std::optional<double>& beta, double mu) {
+    const NumberWriter write;
+    const double omega = angular_frequency(units, r);
+    Json all{{"frequency", write(omega)}, {"frequency_hz", write(omega / (2 * std::numbers::pi))}};
+    if (!units.force) return all;
+    const double P = *units.force;
+    all["force"] = write(P);
+    if (!beta) return all;
+    all["friction"] = write(P * *beta);
+    if (!(mu > 1)) return all;
+    all["static_friction"] = write(P * *beta * mu);
+    all["static_over_kinetic_friction"] = write(mu);
+    return all;
+}
+
 void add_damping(Json& answer, const SceneSource& source) {
     const std::optional<CoupledDamping> damping = coupled_damping(source);
     if (!damping) return;
@@ -76,7 +90,14 @@ std::string damping_line(const Json& answer) {
 }
 
 void add_dimensional(Json& answer, const SceneSource& source, const Solution& solution) {
+    if (source->in_double().base_moves) answer["relative_to"] = "base and wall";
     if (const std::optional<Units> units = source->in_double().units) answer["dimensional"] = dimensional_json(solution, *units);
+}
+
+std::string units_in_words(const Json& answer) {
+    return std::string("; displacements in units of P / k_1") +
+           (answer.contains("relative_to") ? ", relative to " + cell(answer, "relative_to") : "") +
+           ", phases in radians behind the force\n";
 }
 
 std::string dimensional_table(const Json& answer) {
@@ -86,14 +107,17 @@ std::string dimensional_table(const Json& answer) {
     for (const auto& [key, name] : {std::pair{"frequency", "frequency, radians per unit of time"},
                                     {"frequency_hz", "frequency, periods per unit of time"},
                                     {"force", "force P"},
-                                    {"friction", "friction F"}})
+                                    {"friction", "friction F"},
+                                    {"static_friction", "static friction"},
+                                    {"static_over_kinetic_friction", "mu, static over kinetic friction"}})
         if (a.contains(key)) rows.push_back({name, cell(a, key)});
     if (a.contains("friction_limit")) rows.push_back({"slides throughout below F", cell(a.at("friction_limit"), "exact")});
     std::string text = "in the units of the scene:\n" + aligned(rows);
     rows.clear();
     if (a.contains("masses"))
         for (const Json& m : a.at("masses"))
-            rows.push_back({"mass " + in_table(m.at("mass")), cell(m, "amplitude"), "+- " + cell(m, "error_bound")});
+            rows.push_back({"mass " + in_table(m.at("mass")), cell(m, "amplitude"),
+                            m.contains("error_bound") ? "+- " + cell(m, "error_bound") : ""});
     if (a.contains("contact"))
         rows.push_back({contact_in_words({{"between", a.at("contact").at("between")}}), cell(a.at("contact"), "amplitude"),
                         "+- " + cell(a.at("contact"), "error_bound")});

@@ -188,6 +188,14 @@ Json solution_json(const Solution& s, const NumberWriter& write) {
     all["method"] = method_json(s.method);
     all["unique"] = s.unique;
     all["unique_because"] = s.unique_because;
+    if (!s.not_from_rest.empty()) {
+        all["from_rest"] = "not known";
+        all["from_rest_because"] = s.not_from_rest;
+    }
+    if (s.kept_mode)
+        all["kept_mode"] = {{"mode", s.kept_mode->mode + 1},
+                            {"contact_at_most", write(s.kept_mode->contact_at_most)},
+                            {"error_bound", write.bound(s.kept_mode->contact_at_most.error)}};
     all["contact"] = contact_json(s, write);
     if (!s.masses.empty()) {
         all["masses"] = masses_json(s.masses, s.only, write);
@@ -238,10 +246,10 @@ std::string solution_table(const Json& a) {
         if (b.contains(key)) rows.push_back({name, cell(b, key)});
     text += aligned(rows);
     if (a.contains("masses"))
-        text += masses_table(a.at("masses")) + contact_in_words(a.at("contact")) +
-                "; displacements in units of P / k_1, phases in radians behind the force\n" + rest_of_motion(a);
+        text += masses_table(a.at("masses")) + contact_in_words(a.at("contact")) + units_in_words(a) + rest_of_motion(a);
     text +=
         std::string("unique: ") + (a.at("unique").get<bool>() ? "yes, " : "") + a.at("unique_because").get<std::string>() + "\n";
+    if (a.contains("from_rest")) text += "from rest: not known, " + a.at("from_rest_because").get<std::string>() + "\n";
     text += method_in_words(a.at("method"));
     if (a.contains("motions"))
         for (const Json& motion : a.at("motions"))

@@ -29,8 +29,15 @@ namespace denhartog::program {
 void add_damping(Json& answer, const SceneSource& source);
 [[nodiscard]] std::string damping_line(const Json& answer);
 
+// What the ratios of a scene in physical units are in these: frequency, force, friction.
+[[nodiscard]] Json units_json(const Units& units, double r, const std::optional<double>& beta, double mu);
+
+// What displacements and phases of an answer are in, behind the contact in words.
+[[nodiscard]] std::string units_in_words(const Json& answer);
+
 // Adds `dimensional` to the answer to a scene in physical units: frequencies, forces, displacements and times in these units, in
-// double. Without its force no displacement and no force is known. And the same as lines, empty where there is none.
+// double. Without its force no displacement and no force is known. And the same as lines, empty where there is none. Where base and
+// wall move, adds what displacements are relative to.
 void add_dimensional(Json& answer, const SceneSource& source, const Solution& solution);
 [[nodiscard]] std::string dimensional_table(const Json& answer);
 

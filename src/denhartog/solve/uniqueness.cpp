@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <limits>
+
+#include "denhartog/model/contact_and_load.hpp"
+#include "denhartog/number/number_text.hpp"
+#include "denhartog/sliding/mass_in_motion.hpp"
+#include "denhartog/solve/decision.hpp"
+#include "denhartog/sums/coupled_sums.hpp"
+#include "elementary/elementary.hpp"
+
+namespace denhartog {
+namespace {
+
+using Number = Bounded<double>;
+
+// Whether a number may be an even integer.
+bool may_be_even(const Number& n) {
+    const double nearest = 2 * std::round(n.x / 2);
+    return std::abs(n.x - nearest) <= n.e + unit_of<double>() * std::abs(n.x);
+}
+
+// What keeps friction from damping the modes that nothing else damps.
+struct FreeModes {
+    bool settle = true;                // nothing
+    std::optional<std::size_t> kept{}; // one mode that has a whole number of periods in half a period of the force, and nothing else
+};
+
+FreeModes free_modes(const ModalBasis<Number>& basis, Mass contact, const Number& r) {
+    FreeModes found;
+    std::vector<Number> periods; // of the modes without damping, in a period of the force
+    bool others_settle = true;
+    for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
+        if (basis.zeta[i].x > basis.zeta[i].e) continue;
+        const Number& shape = basis.phi(static_cast<Eigen::Index>(contact.index), static_cast<Eigen::Index>(i));
+        const Number n = basis.r_n[i] / r;
+        if (may_be_even(n) && !found.kept && std::abs(shape.x) > shape.e)
+            found.kept = i;
+        else if (may_be_even(n) || may_be_even(n + Number(1)) || !(std::abs(shape.x) > shape.e))
+            others_settle = false;
+        for (const Number& other : periods)
+            if (may_be_even(n - other) || may_be_even(n + other)) others_settle = false;
+        periods.push_back(n);
+    }
+    found.settle = others_settle && !found.kept;
+    if (!others_settle) found.kept.reset();
+    return found;
+}
+
+// Says that mode i may keep any share of the sliding motion, and how far the contact then moves at most: until its velocity over the
+// half-period would change its sign.
+void say_what_is_kept(std::size_t i, const Scene<double>& scene, Solution& s) {
+    const auto basis = modes_with_errors(scene.system);
+    const ModeSums<double> sums = values_of(bounded_sums(scene.system, *basis, as_input(*scene.r)));
+    const std::size_t j = sums.contact.index;
+    const MassInMotion<double> contact(sums, j, *scene.beta);
+    const auto at = [&](double tau) { return motion_with(contact, friction_share(sums, j, tau)); };
+    const double n = std::round(basis->r_n[i].x / *scene.r);
+    const auto share = [&](double tau) { // as a displacement of the contact
+        const double rate = std::abs(n * elementary::sin(n * tau));
+        return rate > 0 ? std::abs(at(tau).x_prime) / rate : std::numeric_limits<double>::max();
+    };
+    double least = std::min(std::abs(at(0).x_double_prime), std::abs(at(pi<double>()).x_double_prime)) / (n * n); // at both ends
+    constexpr int looks = 16, bits = 26; // in each half-turn of the mode; half the bits of a double for the instant
+    const int pieces = looks * static_cast<int>(n);
+    const double step = pi<double>() / pieces;
+    for (int k = 1; k + 1 < pieces; ++k)
+        if (share(k * step) <= std::min(share((k - 1) * step), share((k + 1) * step)))
+            least = std::min(
+                least, boost::math::tools::brent_find_minima(share, (k - 1) * step, (k + 1) * step, bits).second);
+    constexpr double trusted = 1e-10;
+    const double most = at(0).x + least;
+    s.kept_mode = KeptMode{i, {most, trusted * most, {}}};
+    s.not_from_rest = "mode " + std::to_string(i + 1) + " has no damping and " + std::to_string(static_cast<int>(n)) +
+                      " periods in one of the force; with any share of it the motion is steady too, until the contact moves by " +
+                      number_in_digits(most, 6);
+}
+
+} // namespace
+
+void say_whether_unique(const ModalBasis<Number>& basis, Mass contact, const Scene<double>& scene, double mu, Solution& s) {
+    s.unique = mu == 1 && every_motion_is_damped(basis);
+    const bool slides = s.regime.regime == Regime::continuous && !s.regime.on_boundary && s.not_from_rest.empty();
+    const bool friction_alone = mu == 1 && !s.unique && !basis.coupled() && *scene.beta > 0;
+    const bool stops = !s.stops.empty() || s.rest_interval;
+    if (s.unique) {
+        s.unique_because =
+            basis.coupled()
+                ? "mu = 1 and the damping matrix is positive definite: the velocities of any two motions under the same "
+                  "force become the same"
+                : "mu = 1 and every mode is damped: the velocities of any two motions under the same force become the same";
+        return;
+    }
+    if (friction_alone && (slides || (stops && basis.r_n.size() == 1))) {
+        const FreeModes free = slides ? free_modes(basis, contact, as_input(*scene.r)) : FreeModes{};
+        s.unique = free.settle;
+        if (free.settle) {
+            s.not_from_rest.clear(); // every start leads there
+            s.unique_because = "mu = 1 and friction damps every mode that nothing else damps: the velocities of any two motions "
+                               "under the same force become the same";
+        }
+        if (free.kept) {
+            say_what_is_kept(*free.kept, scene, s);
+            s.unique_because = "no: a mode without damping keeps the share of the motion that the start leads to";
+        }
+        if (free.settle || free.kept) return;
+    }
+    if (!s.not_from_rest.empty())
+        s.unique_because = "not known: the motion may depend on the start, and the one from rest is not known to lead here";
+    else if (mu > 1)
+        s.unique_because = "not known: with mu > 1 the motion may depend on the start; this motion is the one from rest";
+    else if (basis.coupled())
+        s.unique_because = "not known: the damping matrix is not positive definite, and the motion may depend on the start";
+    else
+        s.unique_because = "not known: a mode has no damping, and the motion may depend on the start";
+}
+
+} // namespace denhartog
