@@ -159,6 +159,27 @@ TEST_CASE("what solve cannot answer gives status 3 and no number", "[program][so
     CHECK(run_program("solve --digits 0", two_masses("0.5", "0.5")).status == 2);
 }
 
+TEST_CASE("a pole that is met to the last digits of a double is refused as the pole is", "[program][solve][response][domain]") {
+    // 20 radians a second, to the last digit, of a mass whose natural frequency is 20.
+    const std::string scene = R"({"masses": 10, "stiffnesses": 4000, "damping_ratios": 0, "force": 100, "friction": 11.772,
+                                  "frequency_hz": 3.183098861837907, "contact": 1, "load": 1})";
+    for (const std::string command : {"solve", "solve --digits 10", "response", "solve --ask amplitude --mass 1"}) {
+        const Run run = run_program(command, scene);
+        CHECK(run.status == 2);
+        CHECK(run.error.find("frequency_hz must not be at a pole: mode 1 has no damping and R is 1 to the last digits of a double") !=
+              std::string::npos);
+        CHECK(run.error.find("(at /frequency_hz)") != std::string::npos);
+    }
+    CHECK(run_program("solve --digits 20", scene).status == 0); // every number as it stands
+    // As far away as a unit in the last place does not count.
+    std::string apart = scene;
+    apart.replace(apart.find("3.183098861837907"), 17, "3.183098861838907");
+    CHECK(run_program("solve", apart).status == 0);
+    const Run map = run_program("map --r 1.0000000000000002:1.0000000000000002:1 --beta 0.1:0.1:1",
+                                R"({"mass_ratios": 1, "stiffness_ratios": 1, "damping_ratios": 0, "contact": 1, "load": 1})");
+    CHECK(map.output.find("at_a_pole") != std::string::npos);
+}
+
 TEST_CASE("a motion from rest that does not settle leaves a steady one, or gives status 3, and says what was seen",
           "[program][solve]") {
     const std::string scene = R"({"mass_ratios": [1, 1], "stiffness_ratios": [1, 1], "damping_ratios": [0.03125, 0.03125],

@@ -69,6 +69,18 @@ Number paper_limit(const Scene<double>& scene, ModalBasis<Number> basis, const B
     return paper;
 }
 
+// Next to a pole the numbers are those of rounding: one unit in the last place of r changes them by a tenth and more.
+void check_poles(const ModalBasis<Number>& basis, double r) {
+    constexpr double units = 8;
+    for (std::size_t i = 0; i < basis.r_n.size() && !basis.coupled(); ++i) {
+        const double R = r / basis.r_n[i].x;
+        if (basis.zeta[i].x == 0 && R != 1 && std::abs(R - 1) <= units * unit_of<double>())
+            throw PoleByRounding("mode " + std::to_string(i + 1) + " has no damping and R is 1 to the last digits of a double: its "
+                                 "complex response function (23) is infinite there, and so is the amplitude in the limit; more than 14 "
+                                 "digits, and a proof, take every number as it stands");
+    }
+}
+
 SolvedMass solved_mass(const MassResponse<Number>& m, bool with_motion) {
     SolvedMass mass{certified(m.amplitude), std::nullopt, std::nullopt};
     if (m.amplitude.x > m.amplitude.e) mass.phase = certified(m.phase);
@@ -146,6 +158,7 @@ Solution sliding_solution(const SceneSource& source, const SlidingQuestion& ques
     if (!question.modes) check(scene);
     (void)frequency_ratio_of(scene);
     const auto modes = question.modes ? question.modes : modes_with_errors(scene.system);
+    check_poles(*modes, *scene.r);
     // Where mu > 1 the motion from rest may be the sliding one.
     const bool motion = question.asked != Asked::regime || scene.mu > 1;
     const bool limits = question.asked == Asked::motion || question.asked == Asked::regime;

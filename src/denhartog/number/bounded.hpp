@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 #include <cmath>
-#include <concepts>
 #include <limits>
 
 #include "denhartog/number/bounded_arithmetic.hpp"
@@ -25,10 +24,7 @@ template <class T>
     if (a.x < 0 && a.x + a.e >= 0) return Bounded<T>::of(T(0), sqrt(T(a.x + a.e)), T(0));
     const T root = sqrt(a.x);
     const T error = a.x > 4 * a.e ? T(a.e / (root + sqrt(T(a.x - a.e)))) : sqrt(T(a.x + a.e));
-    if constexpr (std::floating_point<T>)
-        return Bounded<T>::of(root, error, root > 0 ? std::abs(elementary::fused_product(-root, root, a.x)) / root : 0);
-    else
-        return Bounded<T>::rounded_correctly(root, error);
+    return Bounded<T>::of(root, error, root > 0 ? std::abs(elementary::fused_product(-root, root, a.x)) / root : 0);
 }
 /// @brief What the error of an exponent makes of an exponential.
 template <class T>
@@ -119,7 +115,7 @@ template <class T>
 template <class T>
 struct PiOf<Bounded<T>> {
     /// @brief pi, and what its rounding lacks: of a double 1.2247e-16, of any other at most a unit of 1.
-    static Bounded<T> value() { return {pi<T>(), std::same_as<T, double> ? T(1.2247e-16) : unit_of<T>()}; }
+    static Bounded<T> value() { return {pi<T>(), T(1.2247e-16)}; }
 };
 
 /// @brief The number type inside a number with a bound, and the type itself of any other.

@@ -1,8 +1,7 @@
 /// @file
 /// @brief A number with a bound of its error: sums, products and quotients, errors followed through each.
 ///
-/// What the rounding of a sum, product, quotient or root took is computed in double, not estimated; of the wider types it is half
-/// a unit in the last place. The formulas are templates on their number type; on this one they give the error of what they give
+/// What the rounding of a sum, product, quotient or root took is computed, not estimated. The formulas are templates on their number type; on this one they give the error of what they give
 /// on the type inside, without a second computation in more digits. Errors are taken as if independent and of the worst sign, so
 /// that the bound is never too small for the operations carried out and often some times too large. Comparisons compare the
 /// values alone.
@@ -10,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <concepts>
 #include <limits>
 
 #include "denhartog/number/number.hpp"
@@ -42,8 +40,6 @@ struct Bounded {
     Bounded(const T& value) : x(value), e(0) {}
     /// @brief A number with a bound of its error.
     Bounded(const T& value, const T& error) : x(value), e(error) {}
-    /// @brief An exact number of the narrower type.
-    explicit Bounded(double value) requires(!std::same_as<T, double>) : x(value), e(0) {}
 
     /// @brief A result with a bound. Where the bound is no number, as of zero times something unbounded, or the result is none,
     /// there is no bound: it is infinite. `error` is what the errors of the operands make of it, `rounding` how far its own
@@ -51,10 +47,6 @@ struct Bounded {
     [[nodiscard, gnu::always_inline]] static Bounded of(const T& value, const T& error, const T& rounding) {
         const T bound = (error + rounding) * (1 + 8 * unit_of<T>()) + (std::numeric_limits<T>::min)();
         return {value, bound >= 0 && value - value == 0 ? bound : std::numeric_limits<T>::infinity()};
-    }
-    /// @brief The same where the rounding is at most half a unit in the last place, as of the wide types.
-    [[nodiscard, gnu::noinline]] static Bounded rounded_correctly(const T& value, const T& error) {
-        return of(value, error, T(unit_of<T>() * size_of_number(value) / 2));
     }
     /// @brief The result of a library function that is trusted with so many units in the last place; `error` as above.
     [[nodiscard]] static Bounded rounded(const T& value, const T& error, double units) {
@@ -65,31 +57,21 @@ struct Bounded {
     [[nodiscard]] friend Bounded operator-(const Bounded& a) { return {T(-a.x), a.e}; }
     /// @brief Sum: the errors add up, and its rounding is known.
     [[nodiscard, gnu::always_inline]] friend Bounded operator+(const Bounded& a, const Bounded& b) {
-        if constexpr (std::floating_point<T>) {
-            const T sum = a.x + b.x, of_b = sum - a.x;
-            return of(sum, a.e + b.e, std::abs((a.x - (sum - of_b)) + (b.x - of_b)));
-        } else {
-            return rounded_correctly(T(a.x + b.x), T(a.e + b.e));
-        }
+        const T sum = a.x + b.x, of_b = sum - a.x;
+        return of(sum, a.e + b.e, std::abs((a.x - (sum - of_b)) + (b.x - of_b)));
     }
     /// @brief Difference, bounded as a sum is.
     [[nodiscard, gnu::always_inline]] friend Bounded operator-(const Bounded& a, const Bounded& b) { return a + -b; }
     /// @brief Product; its rounding is known from a fused product.
     [[nodiscard, gnu::always_inline]] friend Bounded operator*(const Bounded& a, const Bounded& b) {
         const T product = a.x * b.x, error = size_of_number(a.x) * b.e + size_of_number(b.x) * a.e + a.e * b.e;
-        if constexpr (std::floating_point<T>)
-            return of(product, error, std::abs(elementary::fused_product(a.x, b.x, -product)));
-        else
-            return rounded_correctly(product, error);
+        return of(product, error, std::abs(elementary::fused_product(a.x, b.x, -product)));
     }
     /// @brief Quotient; unbounded where the divisor may be zero.
     [[nodiscard, gnu::always_inline]] friend Bounded operator/(const Bounded& a, const Bounded& b) {
         const T q = a.x / b.x, least = size_of_number(b.x) - b.e;
         const T error = least > 0 ? T((a.e + size_of_number(q) * b.e) / least) : std::numeric_limits<T>::infinity();
-        if constexpr (std::floating_point<T>)
-            return of(q, error, std::abs(elementary::fused_product(-q, b.x, a.x) / b.x));
-        else
-            return rounded_correctly(q, error);
+        return of(q, error, std::abs(elementary::fused_product(-q, b.x, a.x) / b.x));
     }
     /// @{
     /// @brief In place, and comparisons of the values, in which bounds play no part.

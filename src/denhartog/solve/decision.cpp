@@ -34,7 +34,7 @@ template <class ByReference, class Fast>
 AnswerOrNone in_turn(std::size_t N, std::optional<int> digits, bool proved, const ByReference& by_reference, const Fast& fast) {
     if (proved || digits > most_digits_in_double) return by_reference(AnswerInDouble{});
     AnswerInDouble found = fast();
-    if (found.is_settled()) return found;
+    if (found.is_settled() || found.by_rounding) return found;
     std::string why = !found.is_answered() ? found.refused
                       : found.vague        ? found.solution.method.why + ", but double does not tell whether the motion is stable"
                                            : found.solution.method.why;

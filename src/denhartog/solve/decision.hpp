@@ -44,6 +44,7 @@ struct SolveTask {
     bool is_told = true;                         ///< whether the regime is certain nevertheless
     std::optional<std::string> unknown{};        ///< why boundaries and closed form are not known
     bool at_pole = false;                        ///< whether they do not exist
+    bool by_rounding = false;                    ///< whether that is so to the last digits of a double only
     std::optional<PeriodicOrbit> orbit{};        ///< the motion from rest, where it was followed
 };
 
@@ -95,6 +96,7 @@ struct AnswerInDouble : AnswerOrNone {
     bool open = false;     ///< whether double does not tell what the contact does
     bool is_answer = true; ///< whether the regime is certain nevertheless, so that it answers where the reference does not
     bool vague = false;    ///< whether double does not tell if the motion is stable
+    bool by_rounding = false; ///< whether a pole is met to the last digits of a double, of which the reference is not asked
     std::optional<PeriodicOrbit> orbit{}; ///< the motion from rest, where it was followed
 
     /// @brief Whether it needs nothing more: it has its digits, and regime and stability are certain.
@@ -112,6 +114,7 @@ template <class Answer>
     } catch (const DomainError& e) {
         failed.outcome = Outcome::at_a_pole;
         failed.refused = e.what();
+        failed.by_rounding = dynamic_cast<const PoleByRounding*>(&e) != nullptr;
     } catch (const PrecisionError& e) {
         failed.refused = e.what();
     }

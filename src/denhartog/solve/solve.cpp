@@ -73,6 +73,7 @@ std::string cost_of_fast_mode(const ExactSolver& solver, const PeriodicOrbit& no
 }
 
 [[noreturn]] void fail_from_rest(const SolveTask& task, const std::string& why, const Solution& s) {
+    if (task.by_rounding) throw PoleByRounding(*task.unknown + "; " + why);
     if (task.at_pole) throw DomainError(*task.unknown + "; " + why);
     throw PrecisionError("no steady motion was found from the start from rest: " + why +
                          ". This much is certain: " + s.regime.reason);
@@ -156,6 +157,7 @@ void answer(SolveTask& task, Solution& s) {
     } catch (const DomainError& e) {
         task.unknown = e.what();
         task.at_pole = true;
+        task.by_rounding = dynamic_cast<const PoleByRounding*>(&e) != nullptr;
     } catch (const PrecisionError& e) {
         if (task.scene.mu == 1) throw;
         task.unknown = e.what();

@@ -20,10 +20,15 @@ std::string as_json(const InputError& e) {
            "\n";
 }
 
-// A fault of a scene's key that was found after reading has its place there too.
-InputError with_place(const InputError& e) {
+// A fault of a scene's key that was found after reading has its place there too. A scene of masses has a frequency in place of r.
+InputError with_place(const InputError& e, const SceneText& part) {
     const bool is_key = std::ranges::find(scene_keys(), e.quantity) != scene_keys().end();
-    return e.place.empty() && is_key ? InputError(e.quantity, e.rule, e.value, "/" + e.quantity) : e;
+    if (!e.place.empty() || !is_key) return e;
+    std::string key = e.quantity;
+    const Json scene = Json::parse(part.text, nullptr, false);
+    for (const char* of_masses : {"frequency", "frequency_hz"})
+        if (key == "r" && scene.contains(of_masses)) key = of_masses;
+    return InputError(key, e.rule, e.value, "/" + key);
 }
 
 std::string in_place(const SceneText& part, const InputError& e) {
@@ -96,7 +101,7 @@ void answer_scenes(const SceneOptions& options, const std::function<std::string(
             if (allowed) effort.emplace(0, allowed);
             output = answer(part);
         } catch (const InputError& fault) {
-            const InputError e = with_place(fault);
+            const InputError e = with_place(fault, part);
             status.bad_input = true;
             report(in_place(part, e));
             if (options.json && !part.alone) output = as_json(e);
