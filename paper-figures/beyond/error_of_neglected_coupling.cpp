@@ -1,5 +1,5 @@
 // Error of leaving out what couples the modes, Section 2.1, over the size of the coefficients left out.
-#include "denhartog/solve/solve_by_reference.hpp"
+#include "denhartog/solve/decision.hpp"
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "error_curves.hpp"

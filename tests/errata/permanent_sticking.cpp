@@ -41,7 +41,7 @@ TEST_CASE("the boundary of permanent sticking is the force that holds the contac
     for (const Case& c :
          {Case{5, 3, 1, 0.1, 0.62, 0.88}, {5, 3, 1, 0.01, 0.62, 0.90}, {5, 5, 1, 0.1, 2.77, 3.8}, {2, 2, 1, 0.1, 3, 0.97}}) {
         const Scene<double> scene = scene_of(c);
-        const StickingLimits b = sticking_limits(scene);
+        const StickingBoundary b = sticking_limits(scene);
         CAPTURE(c.N, c.j, c.l, c.zeta, c.r);
         CHECK(b.exact == Approx(reaction(scene)).epsilon(1e-11));
         CHECK(*b.paper / b.exact == Approx(c.printed_over_exact).epsilon(0.01));
@@ -51,7 +51,7 @@ TEST_CASE("the boundary of permanent sticking is the force that holds the contac
 TEST_CASE("at a resonance of the masses beyond the contact (88) stays wrong however small the damping", "[eq:88][erratum]") {
     for (const double zeta : {1e-2, 1e-4, 1e-6}) {
         const Scene<double> scene = scene_of({5, 3, 5, zeta, 1, 0});
-        const StickingLimits b = sticking_limits(scene);
+        const StickingBoundary b = sticking_limits(scene);
         CHECK(b.exact == Approx(reaction(scene)).epsilon(1e-8));
         CHECK(*b.paper / b.exact < 0.92);
     }
@@ -61,7 +61,7 @@ TEST_CASE("where the damping matrix has no entry between the contact and the oth
     Scene<double> scene = scene_of({5, 3, 1, 0.1, 0.62, 1});
     const ModalBasis<double> basis = modal_basis(scene.system);
     for (std::size_t i = 0; i < 5; ++i) scene.system.damping_ratios[i] = 0.05 / basis.r_n[i];
-    const StickingLimits b = sticking_limits(scene);
+    const StickingBoundary b = sticking_limits(scene);
     CHECK(*b.paper == Approx(b.exact).epsilon(1e-13));
     CHECK(b.exact == Approx(reaction(scene)).epsilon(1e-12));
 }

@@ -6,7 +6,6 @@
 #include <complex>
 #include <vector>
 
-#include "denhartog/answer/held_solution.hpp"
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/model/stuck_configuration.hpp"
@@ -48,19 +47,10 @@ inline Scene<double> with_beta(Scene<double> scene, double beta) {
 /// @brief The stuck configuration of a system.
 inline StuckConfiguration stuck_of(const System<double>& s) { return stuck_configuration(s, modal_basis(s)); }
 
-/// @brief The friction ratio from which the contact can stay at rest for ever.
-struct StickingLimits {
-    double exact;                ///< with all forces on the contact
-    double without_damping_load; ///< the damping forces of the moving masses on the contact left out
-    std::optional<double> paper; ///< by (88); none for a system that is no chain
-};
-
 /// @brief The boundary of permanent sticking of a scene, as it is and as (88) has it.
-inline StickingLimits sticking_limits(const Scene<double>& scene) {
-    const StuckResponse held = stuck_response(stuck_of(scene.system), scene.system.load, *scene.r);
-    const std::optional<Certified> by_88 = sticking_by_88(scene);
-    return {paper::sticking_limit(held.contact_load, scene.mu), paper::sticking_limit(held.elastic_load, scene.mu),
-            by_88 ? std::optional(by_88->value) : std::nullopt};
+inline StickingBoundary sticking_limits(const Scene<double>& scene) {
+    const StuckConfiguration stuck = stuck_of(scene.system);
+    return sticking_boundary(stuck_response(stuck, scene.system.load, *scene.r), stuck_chain(scene.system, stuck), scene.mu);
 }
 
 /// @brief Modes of a scene at its frequency ratio.

@@ -153,7 +153,7 @@ TEST_CASE("load on the contact: the boundary of permanent sticking is 1/mu, damp
           "[eq:88][stuck]") {
     Scene<double> scene = three_masses<double>();
     scene.system.load = scene.system.contact;
-    const StickingLimits b = sticking_limits(scene);
+    const StickingBoundary b = sticking_limits(scene);
     CHECK(b.exact == 1 / scene.mu);
     CHECK(*b.paper == 1 / scene.mu);
     CHECK(b.without_damping_load == 1 / scene.mu);
@@ -169,7 +169,7 @@ TEST_CASE("without damping, or with damping proportional to the masses, the spri
         for (std::size_t i = 0; i < 3; ++i) scene.system.damping_ratios[i] = z / basis.r_n[i];
         for (const std::size_t l : {0u, 2u}) {
             scene.system.load = Mass{l};
-            const StickingLimits b = sticking_limits(scene);
+            const StickingBoundary b = sticking_limits(scene);
             CHECK(*b.paper == Approx(b.exact).epsilon(1e-13));
             CHECK(b.without_damping_load == Approx(b.exact).epsilon(1e-13));
             CHECK(response_of(scene).masses[2 - l].amplitude < 1e-15); // nothing reaches the far side

@@ -139,4 +139,20 @@ std::optional<StuckChain> stuck_chain(const System<double>& s, const StuckConfig
     return chain;
 }
 
+StickingBoundary sticking_boundary(const StuckResponse& response, const std::optional<StuckChain>& chain, double mu) {
+    check_static_friction(mu);
+    StickingBoundary b{paper::sticking_limit(response.contact_load, mu), paper::sticking_limit(response.elastic_load, mu), {}};
+    if (chain && !chain->kappa) b.paper = paper::sticking_limit_under_load(mu);
+    if (!chain || !chain->kappa) return b;
+    const auto load = static_cast<Eigen::Index>(response.load.index - chain->masses.front().index);
+    const Eigen::Index neighbour = response.load.index < response.contact.index ? chain->phi.rows() - 1 : 0;
+    Complex<double> X{0, 0}; // of the mass next to the contact
+    for (Eigen::Index n = 0; n < chain->phi.cols(); ++n) {
+        const double r_n = chain->r_n[static_cast<std::size_t>(n)], D = 2 * chain->zeta[static_cast<std::size_t>(n)] * r_n;
+        X = X + chain->phi(neighbour, n) * mode_amplitude(chain->phi(load, n), r_n, D, response.r, rounding(chain->r_n.size()));
+    }
+    b.paper = paper::sticking_limit_by_spring(*chain->kappa, amplitude_of(X), mu);
+    return b;
+}
+
 } // namespace denhartog

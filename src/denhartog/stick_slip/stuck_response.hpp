@@ -1,5 +1,5 @@
 /// @file
-/// @brief The response while the contact is held, and the masses that move by (88).
+/// @brief The response while the contact is held, and the boundary of permanent sticking, (88).
 #pragma once
 
 #include <optional>
@@ -57,5 +57,16 @@ template <class Number>
     const Number size = a * a + b * b;
     return {p * a / size, -p * b / size};
 }
+
+/// @brief The friction ratio from which the contact can stay at rest for ever, as it is and as (88) has it.
+struct StickingBoundary {
+    double exact;                ///< with all forces on the contact; equal to `Boundary::sticking`
+    double without_damping_load; ///< the damping forces of the moving masses on the contact left out, all else exact
+    std::optional<double> paper; ///< by (88); none for a system that is no chain
+};
+
+/// @brief The boundary of permanent sticking, without bounds; `chain` is the masses that move by (88), where there are such.
+/// InputError where mu is below 1 or not finite; DomainError where the load excites the resonance of an undamped stuck mode. @eq{88}
+[[nodiscard]] StickingBoundary sticking_boundary(const StuckResponse& response, const std::optional<StuckChain>& chain, double mu);
 
 } // namespace denhartog
