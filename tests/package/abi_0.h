@@ -117,6 +117,7 @@ DH_EXPORT int dh_solve_proved(const dh_system* system, double r, double beta, do
 DH_EXPORT void dh_solution_destroy(dh_solution* solution) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_summary(const dh_solution* solution, dh_summary* summary) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_is_proved(const dh_solution* solution, int* proved) DH_NOEXCEPT;
+DH_EXPORT int dh_solution_is_from_rest(const dh_solution* solution, int* from_rest) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_mass(const dh_solution* solution, size_t mass, dh_mass* result) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_contact(const dh_solution* solution, dh_mass* result) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_stops(const dh_solution* solution, size_t count, double* start, double* end) DH_NOEXCEPT;

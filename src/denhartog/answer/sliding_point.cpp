@@ -6,6 +6,7 @@
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/model/modal_damping.hpp"
+#include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
@@ -74,10 +75,10 @@ void check_poles(const ModalBasis<Number>& basis, double r) {
     constexpr double units = 8;
     for (std::size_t i = 0; i < basis.r_n.size() && !basis.coupled(); ++i) {
         const double R = r / basis.r_n[i].x;
-        if (basis.zeta[i].x == 0 && R != 1 && std::abs(R - 1) <= units * unit_of<double>())
-            throw PoleByRounding("mode " + std::to_string(i + 1) + " has no damping and R is 1 to the last digits of a double: its "
-                                 "complex response function (23) is infinite there, and so is the amplitude in the limit; more than 14 "
-                                 "digits, and a proof, take every number as it stands");
+        if (basis.zeta[i].x == 0 && std::abs(R - 1) <= units * unit_of<double>())
+            throw PoleByRounding("mode " + std::to_string(i + 1) + " has no damping and R = " + number_to_text(R) +
+                                 (R == 1 ? "" : ", which is 1 to the last digits of a double") +
+                                 ": its complex response function (23) is infinite there, and so is the amplitude in the limit");
     }
 }
 

@@ -16,25 +16,23 @@ namespace {
 
 using nlohmann::json;
 
-std::string value_text(const json& x) { return legible(x.dump(-1, ' ', true, json::error_handler_t::replace), most_of_a_value); }
-
 /// A value of the scene with its key and its place.
 struct SceneItem {
     const json& value;
     std::string key;
     std::string place;
-
     /// An entry; a value that stands without its brackets is the only one.
     SceneItem operator[](std::size_t i) const {
         return value.is_array() ? SceneItem{value[i], key, place + "/" + std::to_string(i)} : *this;
     }
-    [[noreturn]] void fail(const std::string& rule) const { throw InputError(key, rule, value_text(value), place); }
+    [[noreturn]] void fail(const std::string& rule) const {
+        throw InputError(key, rule, legible(value.dump(-1, ' ', true, json::error_handler_t::replace), most_of_a_value), place);
+    }
 };
 
 SceneItem item(const json& object, const char* key) { return {object.at(key), key, pointer_step(key)}; }
 
-// Before anything as large is made of it.
-void check_length(const SceneItem& x, const std::string& of) {
+void check_length(const SceneItem& x, const std::string& of) { // before anything as large is made of it
     if (x.value.size() > most_masses) throw InputError(x.key, most_masses_rule(of), std::to_string(x.value.size()), x.place);
 }
 
@@ -101,8 +99,9 @@ void require(const json& object, const char* key, const char* in_place_of = null
                          "");
 }
 
+/// What damping in ratios is divided by, as `read_dimensional` has it.
 template <class T>
-void read_ratios(const json& object, Scene<T>& scene) {
+T read_ratios(const json& object, Scene<T>& scene) {
     require(object, "mass_ratios", "mass_matrix");
     require(object, "stiffness_ratios", "stiffness_matrix");
     System<T>& s = scene.system;
@@ -112,6 +111,7 @@ void read_ratios(const json& object, Scene<T>& scene) {
     if (object.contains("stiffness_matrix")) s.stiffness_matrix = read_matrix<T>(item(object, "stiffness_matrix"));
     if (object.contains("r")) scene.r = read_number<T>(item(object, "r"));
     if (object.contains("beta")) scene.beta = read_number<T>(item(object, "beta"));
+    return T(1);
 }
 
 /// Masses or stiffnesses of a dimensional scene, a list for a chain or a matrix, in units of the first. Gives the first.
@@ -125,14 +125,14 @@ T read_in_units_of_first(const SceneItem& x, std::vector<T>& ratios, Matrix<T>& 
         return first;
     }
     const std::vector<T> list = read_list<T>(x);
-    for (std::size_t i = 0; i < list.size(); ++i)
+    for (std::size_t i = 0; i < list.size(); ++i) {
         if (!(list[i] > 0)) x[i].fail("must be positive");
-    for (const T& each : list) ratios.push_back(each / list[0]);
+        ratios.push_back(list[i] / list[0]);
+    }
     return list[0];
 }
 
-/// The force that ratios are in units of: given, or what a base does that moves by `base_displacement`. With the wall it moves a
-/// load that is known with the frequency.
+/// The force that ratios are in units of; that of a base that moves with the wall is known with the frequency.
 template <class T>
 std::optional<T> read_force(const json& object, const T& m_1, const T& k_1, const std::optional<T>& omega, Units& units) {
     if (!object.contains("base_displacement")) {
@@ -156,27 +156,25 @@ T read_not_negative(const SceneItem& x) {
     return number;
 }
 
-/// Kinetic friction, if it is given: the force, or its coefficient times the normal force. Static over kinetic friction is then the
-/// ratio of the coefficients.
+/// Kinetic friction, if it is given, as a force or by its coefficient; with that of static friction their ratio is mu.
 template <class T>
 std::optional<T> read_friction(const json& object, Scene<T>& scene) {
-    constexpr const char *normal = "normal_force", *kinetic = "friction_coefficient", *at_rest = "static_friction_coefficient";
-    if (object.contains(at_rest)) require(object, kinetic);
-    if (object.contains(kinetic)) require(object, normal);
-    if (!object.contains(normal))
+    if (object.contains("static_friction_coefficient")) require(object, "friction_coefficient");
+    if (object.contains("friction_coefficient")) require(object, "normal_force");
+    if (!object.contains("normal_force"))
         return object.contains("friction") ? std::optional(read_not_negative<T>(item(object, "friction"))) : std::nullopt;
-    require(object, kinetic);
-    if (object.contains("friction")) item(object, "friction").fail(std::string("must not be given together with ") + normal);
-    const T coefficient = read_not_negative<T>(item(object, kinetic));
-    if (object.contains(at_rest)) {
-        const SceneItem of_rest = item(object, at_rest);
-        const T largest = read_positive<T>(of_rest);
-        if (object.contains("mu")) item(object, "mu").fail(std::string("must not be given together with ") + at_rest);
-        if (!(coefficient > 0)) item(object, kinetic).fail(std::string("must be positive, if ") + at_rest + " is given");
-        if (largest < coefficient) of_rest.fail(std::string("must not be below ") + kinetic);
-        scene.mu = largest / coefficient;
+    require(object, "friction_coefficient");
+    if (object.contains("friction")) item(object, "friction").fail("must not be given together with normal_force");
+    const SceneItem kinetic = item(object, "friction_coefficient");
+    const T coefficient = read_not_negative<T>(kinetic);
+    if (object.contains("static_friction_coefficient")) {
+        const SceneItem at_rest = item(object, "static_friction_coefficient");
+        if (object.contains("mu")) item(object, "mu").fail("must not be given together with static_friction_coefficient");
+        if (!(coefficient > 0)) kinetic.fail("must be positive, if static_friction_coefficient is given");
+        if (read_positive<T>(at_rest) < coefficient) at_rest.fail("must not be below friction_coefficient");
+        scene.mu = read_positive<T>(at_rest) / coefficient;
     }
-    return coefficient * read_not_negative<T>(item(object, normal));
+    return coefficient * read_not_negative<T>(item(object, "normal_force"));
 }
 
 /// What damping in dimensional units is divided by.
@@ -255,8 +253,7 @@ std::vector<T> load_of_base(const SceneItem& base, const System<T>& s) {
     if (matrix.size() == 0 && !alone) return s.mass_ratios;
     std::vector<T> load(matrix.size() == 0 ? number_of_masses(s) : static_cast<std::size_t>(matrix.rows()), T(0));
     if (matrix.size() == 0) load.front() = s.stiffness_ratios.front(); // the base holds mass 1 alone
-    if (matrix.size() == 0) return load;
-    for (std::size_t k = 0; k < load.size(); ++k) // rows of K add up to next to nothing
+    for (std::size_t k = 0; k < load.size() && matrix.size() > 0; ++k) // rows of K add up to next to nothing
         load[k] = evaluation::sum_with_rests<T>(matrix.row(static_cast<Eigen::Index>(k)));
     return load;
 }
@@ -284,11 +281,7 @@ Scene<T> scene_from_json(const json& object) {
     names.dimensional = check_keys(object);
     names.places = true;
     Scene<T> scene;
-    T unit(1);
-    if (names.dimensional)
-        unit = read_dimensional(object, scene);
-    else
-        read_ratios(object, scene);
+    const T unit = names.dimensional ? read_dimensional(object, scene) : read_ratios(object, scene);
     read_damping(object, unit, scene.system);
     names.one_zeta = object.contains("damping_ratios") && !object.at("damping_ratios").is_array();
     read_contact(object, scene.system);
