@@ -2,8 +2,8 @@
 /// @brief The closed form in 50 and 100 digits: the truth that the library's numbers in double are compared with.
 ///
 /// Modes come from Jacobi's rotations in twice the digits, sums and motion from the formulas, largest values from a fine sample
-/// and what lies next to it. Of the library's own modes, sums and searches nothing is used here but the types. The functions are
-/// named as the library names them in double.
+/// and what lies next to it. It shares with the library the formulas and `evaluation/`, in more digits, and the types; not the
+/// eigen-solver, the sums or the searches. The functions are named as the library names them in double.
 #pragma once
 
 #include <concepts>
@@ -34,7 +34,7 @@ template <ManyDigits T>
 template <ManyDigits T>
 [[nodiscard]] T sliding_demand(const ModeSums<T>& s, const T& tau);
 
-/// @brief Where it is largest; 0 stands for the limit. @eq{56,57}
+/// @brief The instant in [0, pi] at which `sliding_demand` is largest; 0 stands for the limit. @eq{56,57}
 template <ManyDigits T>
 [[nodiscard]] T instant_of_largest_demand(const ModeSums<T>& s);
 

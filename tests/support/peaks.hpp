@@ -13,7 +13,7 @@
 namespace denhartog {
 
 /// @brief Where a smooth function is largest between two instants, to half its digits: by golden sections, then by parabolas
-/// through three instants that are as far apart as the one before was off.
+/// through three instants, whose distance is squared from step to step.
 template <class T, class Function>
 [[nodiscard]] T instant_of_peak(const Function& f, T a, T b) {
     const T golden = (sqrt(T(5)) - 1) / 2, from = a, to = b;

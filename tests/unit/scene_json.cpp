@@ -183,7 +183,7 @@ TEST_CASE("a word for what a scene has under another name is answered with that 
                                       {"mu_s", "static_friction_coefficient, with friction_coefficient and normal_force"}})
         REQUIRE(says(after([word = word](json& s) { s[word] = 1; }), word, "did you mean " + std::string(meant) + "?", "",
                      "/" + std::string(word)));
-    REQUIRE(says(after([](json& s) { s["mu"] = 0.12; }), "mu", "A coefficient of friction is friction_coefficient", "0.12", "/mu"));
+    REQUIRE(says(after([](json& s) { s["mu"] = 0.12; }), "mu", "a coefficient of friction is friction_coefficient", "0.12", "/mu"));
 }
 
 TEST_CASE("friction by its coefficients is the normal force times the kinetic one, and mu their ratio", "[scene][json][eq:3][eq:11]") {

@@ -146,7 +146,7 @@ void set_regime_by_stops(const PointInBalls& p, const OrbitInBalls& o, Solution&
         s.regime.reason += slides ? "; the motion from rest is the sliding motion"
                                   : "; the contact does not stop, but the motion is not that of the closed form";
     else if (slides)
-        s.regime.reason += "; the contact stops in every period";
+        s.regime.reason += "; the motion from rest is another, which stops in every period";
 }
 
 void write_orbit(const OrbitInBalls& o, const Scene<double>& scene, const ReferenceQuestion& q, WrittenNumbers& w, Solution& s) {

@@ -81,8 +81,8 @@ struct SolvedMass {
 
 /// @brief A stop of the contact within the period of the motion.
 ///
-/// An instant is bounded by the velocity of the contact, or by the load on it, and its rate there. Where the rate is too small to
-/// tell, as where the contact only just stops, the bound is half the period.
+/// The bound of an instant is the error of the velocity of the contact, at the start, or of the load on it, at the end, over its
+/// rate of change. If the rate is too small to tell, as when the contact only just stops, the bound is half the period.
 struct SolvedStop {
     Certified start; ///< tau where the contact comes to rest, measured from the maximum of the force
     Certified end;   ///< tau where it breaks away again
@@ -109,8 +109,8 @@ struct Stability {
                                         ///< infinite, where an event only just happens
 };
 
-/// @brief A mode without damping of which the sliding motion may keep any share: it has a whole number of periods in half a period
-/// of the force, so that friction does no work on it.
+/// @brief A mode without damping of which the sliding motion may keep any share: it has an even number of periods in one of the
+/// force, so that friction does no work on it.
 struct KeptMode {
     std::size_t mode;          ///< the mode, counted from 0
     Certified contact_at_most; ///< amplitude of the contact with the largest share; units of P / k_1. Without any it is the answer's
@@ -162,7 +162,8 @@ struct Solution {
     bool unique = false;                       ///< whether the steady velocities are known not to depend on the start
     std::string_view unique_because;           ///< the reason, or why it is not known
     std::optional<KeptMode> kept_mode;         ///< if the closed form is one of a continuum of steady motions: what they differ by
-    std::string not_from_rest;                 ///< why the start from rest is not known to lead to this motion; empty if it does
+    std::string not_from_rest;                 ///< why the start from rest is not known to lead to this motion; empty if it does, and
+                                               ///< of a closed form that was asked for by itself
     int periods = 1;                           ///< period of the motion, in periods of the force
     bool symmetric = true;                     ///< whether the motion mirrors itself after half its period, Eq. (25)
     std::optional<Stability> stability;        ///< stability of the motion, if the exact solver followed it
@@ -183,7 +184,7 @@ enum class Outcome : std::uint8_t {
     not_certain,      ///< numbers lack digits or the range of a double, the work allowed is spent, or no steady motion was found
     at_a_pole,        ///< a mode without damping resonates
     motion_unproved,  ///< the reference proves that the contact sticks and slips, and does not prove the motion
-    regime_disproved  ///< the reference proves that there is no motion of the regime that was meant
+    regime_disproved  ///< the reference proves that there is no motion of the regime that it was asked to prove
 };
 
 /// @brief The answer to a question, or why there is none.
@@ -209,7 +210,7 @@ void take_contact_between(const System<double>& system, Solution& s);
 /// @throws DomainError if the answer has no amplitude of the mass
 [[nodiscard]] const SolvedMass& mass_of(const Solution& s, Mass k);
 
-/// @brief How often a precision did not suffice and the next higher one was taken, since the program started.
+/// @brief How many questions double did not settle, since the program started.
 /// @return the count, over all threads
 [[nodiscard]] long precision_steps();
 

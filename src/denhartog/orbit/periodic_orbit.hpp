@@ -48,7 +48,7 @@ struct PeriodicOrbit {
     std::vector<Multiplier> multipliers; ///< Floquet multipliers over its period, by descending size
     bool stable = false;                 ///< whether all multipliers are certainly inside the unit circle
     double error_bound = 0;              ///< bound of the error of the displacements, units of P / k_1
-    std::vector<double> velocity_errors; ///< of the velocity of each coordinate, then of each mass that is none; units of P / k_1
+    std::vector<double> velocity_errors; ///< bounds of those of the velocities: of each mass, then of a contact between two; units of P / k_1
     bool more_digits_may_tell = false;   ///< none was found, and rounding may be why
     int touching = 0;                    ///< events so tangential that rounding decided them; multipliers are one-sided
     int newton_steps = 0;                ///< steps of Newton's method taken

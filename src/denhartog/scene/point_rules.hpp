@@ -46,7 +46,7 @@ void check_static_friction(const T& mu) {
 // The frequency ratio and the friction ratio of a scene. InputError where they are missing.
 template <class T>
 [[nodiscard]] const T& frequency_ratio_of(const Scene<T>& scene) {
-    if (!scene.r) throw InputError(scene.units ? "frequency" : "r", "must be given", "");
+    if (!scene.r) throw InputError(scene.units ? "frequency" : "r", scene.units ? "must be given (or frequency_hz in its place)" : "must be given", "");
     return *scene.r;
 }
 

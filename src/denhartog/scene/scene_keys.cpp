@@ -65,6 +65,7 @@ constexpr auto other_words = std::to_array<std::pair<std::string_view, std::stri
      {"mu_k", "friction_coefficient, with normal_force"},
      {"mu_s", "static_friction_coefficient, with friction_coefficient and normal_force"},
      {"coefficient_of_friction", "friction_coefficient, with normal_force"},
+     {"static_friction", "static_friction_coefficient, or mu"},
      {"mu_static", "static_friction_coefficient, with friction_coefficient and normal_force"}});
 // Keys of a scene in ratios, each with its name in a dimensional scene.
 constexpr auto ratio_keys = std::to_array<std::pair<const char*, const char*>>({{"mass_ratios", "masses"},

@@ -17,7 +17,7 @@ AnswerOrNone without_proof(AnswerInDouble found, const AnswerOrNone& proof, std:
     // The reference tells the regime, though not the motion; double then has only one that may be next to it.
     const bool told = proof.outcome == Outcome::motion_unproved;
     const bool answers =
-        found.is_answered() && found.is_answer && proof.outcome != Outcome::regime_disproved && !(told && regime.on_boundary);
+        found.is_answered() && found.regime_is_certain && proof.outcome != Outcome::regime_disproved && !(told && regime.on_boundary);
     std::string refused = proof.refused;
     if (found.open && !answers && !told)
         refused += (regime.on_boundary ? ". As double sees it: " : ". This much is certain: ") + regime.reason;
@@ -28,8 +28,9 @@ AnswerOrNone without_proof(AnswerInDouble found, const AnswerOrNone& proof, std:
     return found;
 }
 
-// Double for the digits of every day; the reference for more, for a proof, and for what double leaves open. Where that does not
-// tell either, what double has, or the reasons of both.
+// The reference for a proof and for more digits than double has; else double, if that settles the question or refuses it at a pole
+// that is met by rounding; else the reference, of many masses only if digits were asked for. If that has no proof, what double has,
+// or the reasons of both.
 template <class ByReference, class Fast>
 AnswerOrNone in_turn(std::size_t N, std::optional<int> digits, bool proved, const ByReference& by_reference, const Fast& fast) {
     if (proved || digits > most_digits_in_double) return by_reference(AnswerInDouble{});
@@ -123,9 +124,9 @@ AnswerOrNone answer_by_reference(const PreparedSystem& p, const SolvePoint& at, 
     Solution& s = answer.solution;
     if (rest) {
         if (s.regime.regime == rest->solution.regime.regime && !rest->open) s.regime = rest->solution.regime;
-        s.method.why = (rest->solution.not_from_rest.empty() ? "the start from rest was followed without a proof; "
-                                                             : "the start from rest is not known to lead here; ") +
-                       s.method.why;
+        s.method.why.insert(0, rest->solution.not_from_rest.empty() ? "the start from rest was followed without a proof; "
+                               : seen.is_answered()                 ? "" // double has said it
+                                                                    : "the start from rest is not known to lead here; ");
     }
     if (rest)
         s.not_from_rest = rest->solution.not_from_rest;

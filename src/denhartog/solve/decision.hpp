@@ -1,6 +1,8 @@
 /// @file
-/// @brief What answers a question: double, if its numbers have the digits and it tells what the contact does; else the reference.
+/// @brief What answers a question.
 ///
+/// The reference, if a proof or 15 digits and more are asked for. Else double, if it has the digits, the regime and the stability;
+/// if not, the reference. If the reference has no proof either, double answers if its regime is certain; else nothing does.
 /// The models of `solve` share the task, and each writes its own answer. Where a question has no answer, that is a value, see
 /// `Outcome`; the functions that users call make an exception of it.
 #pragma once
@@ -41,7 +43,7 @@ struct SolveTask {
     ModesInDouble known;                         ///< its modal basis
     std::shared_ptr<const ContactSystem> moving; ///< for the exact solver; none where it is still to be prepared
     bool open = false;                           ///< whether double leaves something open
-    bool is_told = true;                         ///< whether the regime is certain nevertheless
+    bool regime_is_certain = true;                         ///< whether the regime is certain nevertheless
     std::optional<std::string> unknown{};        ///< why boundaries and closed form are not known
     bool at_pole = false;                        ///< whether they do not exist
     bool by_rounding = false;                    ///< whether that is so to the last digits of a double only
@@ -61,8 +63,8 @@ void answer_by_stuck_response(const SolveTask& task, const std::optional<Certifi
 ///
 /// With mu = 1 no two motions move apart, and their distance stays the same only if friction and dampers do no work on their
 /// difference. That is then a free motion of modes without damping, which lets the contact turn at the same instants: at multiples
-/// of pi. Of modes whose phases over pi are told from 0, from pi and from each other's it is zero. A mode with a whole number of
-/// periods in half a period of the force may keep any share. Of one mass that stops, two motions at the same distance rest and break
+/// of pi. Of modes whose phases over pi are told from 0, from pi and from each other's it is zero. A mode with an even number of
+/// periods in one of the force may keep any share. Of one mass that stops, two motions at the same distance rest and break
 /// away together, and so from the same place.
 void say_whether_unique(const ModalBasis<Bounded<double>>& basis, Mass contact, const Scene<double>& scene, double mu, Solution& s);
 
@@ -94,7 +96,7 @@ void answer_by_orbit(const SolveTask& task, ExactSolver& solver, const PeriodicO
 /// @brief What double makes of a question.
 struct AnswerInDouble : AnswerOrNone {
     bool open = false;     ///< whether double does not tell what the contact does
-    bool is_answer = true; ///< whether the regime is certain nevertheless, so that it answers where the reference does not
+    bool regime_is_certain = true; ///< whether it is, so that double answers if the reference has no proof
     bool vague = false;    ///< whether double does not tell if the motion is stable
     bool by_rounding = false; ///< whether a pole is met to the last digits of a double, of which the reference is not asked
     std::optional<PeriodicOrbit> orbit{}; ///< the motion from rest, where it was followed

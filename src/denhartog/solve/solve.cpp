@@ -38,7 +38,9 @@ void set_regime(const SolveTask& task, Regime met, const std::string& reason, So
 void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit& orbit, bool open, Solution& s) {
     const bool must = orbit.stops.empty() && must_stop(task, s);
     if (!orbit.stops.empty()) {
-        set_regime(task, Regime::stick_slip, "the contact stops in every period", s);
+        const bool slides = !task.unknown && s.regime.regime == Regime::continuous; // a motion that does, besides
+        set_regime(task, Regime::stick_slip,
+                   slides ? "the motion from rest is another, which stops in every period" : "the contact stops in every period", s);
     } else if (must) {
         s.regime.reason += "; the motion shows no stop, and the bound of its error is " + number_in_digits(orbit.error_bound, 2);
     } else if (open) {
@@ -79,14 +81,14 @@ std::string cost_of_fast_mode(const ExactSolver& solver, const PeriodicOrbit& no
                          ". This much is certain: " + s.regime.reason);
 }
 
-// The steady motion of a regime that the boundaries tell, where the one from rest is not known.
+// The steady motion of a regime that the boundaries tell, where the one from rest is not known. A sliding motion is in `s` already.
 void answer_by_regime(SolveTask& task, Solution& s) {
     if (task.question.asked == Asked::regime) return answer_by_boundaries(task, "boundaries", s);
     if (s.regime.regime == Regime::permanent_sticking) answer_by_stuck_response(task, std::nullopt, s);
 }
 
 // The motion from rest by the exact solver; the closed form or the stuck response give the numbers where it leads there. With
-// mu = 1 and damping it leads where the motion in double was going; with mu above 1 mostly to the sliding motion if there is one.
+// mu = 1 and damping all starts lead to one motion; with mu above 1 rest mostly leads to the sliding motion if there is one.
 void answer_from_rest(SolveTask& task, Solution& s) {
     if (!task.moving) task.moving = moving_in_double(task.source, task.known);
     const ContactSystem& system = *task.moving;
@@ -131,7 +133,7 @@ void answer_from_rest(SolveTask& task, Solution& s) {
     } else {
         const bool open = !task.unknown && stops_are_open(orbit, s.regime.regime == Regime::stick_slip,
                                                           orbit.stops.empty() && must_stop(task, s), slides);
-        task.is_told = !open || must_stop(task, s);
+        task.regime_is_certain = !open || must_stop(task, s);
         if (!regime_alone) answer_by_orbit(task, solver, orbit, open, s);
         set_regime_by_stops(task, orbit, open, s);
         task.open = task.open || open;
@@ -186,7 +188,7 @@ void keep_asked_mass(const Question& question, Solution& s) {
     for (OtherMotion& motion : s.motions) motion.masses = {motion.masses[question.mass->index]};
 }
 
-// Whether a motion with stops that dies out if the contact slides on may be stable or not, as far as double tells.
+// Whether double leaves open if a motion with stops is stable, in a system whose every free motion decays.
 bool is_vague(const SolveTask& task, const Solution& s) {
     if (!s.stability || s.stops.empty() || s.stability->stable || !every_motion_is_damped(*task.known.basis)) return false;
     const std::vector<Certified>& sizes = s.stability->multipliers; // none where they were not found
@@ -212,7 +214,7 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
         s.asked = question.asked;
         s.digits_reached = s.relative_error <= task.aim.tolerance;
         found.open = task.open || task.unknown;
-        found.is_answer = task.is_told;
+        found.regime_is_certain = task.regime_is_certain;
         found.vague = is_vague(task, s);
         found.orbit = std::move(task.orbit);
         if (question.all) {

@@ -80,6 +80,7 @@ void say_what_is_kept(std::size_t i, const Scene<double>& scene, Solution& s) {
 } // namespace
 
 void say_whether_unique(const ModalBasis<Number>& basis, Mass contact, const Scene<double>& scene, double mu, Solution& s) {
+    if (*scene.beta == 0) mu = 1; // without friction static friction is none either
     s.unique = mu == 1 && every_motion_is_damped(basis);
     const bool slides = s.regime.regime == Regime::continuous && !s.regime.on_boundary && s.not_from_rest.empty();
     const bool friction_alone = mu == 1 && !s.unique && !basis.coupled() && *scene.beta > 0;
@@ -106,6 +107,8 @@ void say_whether_unique(const ModalBasis<Number>& basis, Mass contact, const Sce
         }
         if (free.settle || free.kept) return;
     }
+    if (mu == 1 && !s.start && s.regime.regime != Regime::stick_slip && s.not_from_rest.empty())
+        s.not_from_rest = "the start from rest was not followed, and a free motion that nothing is known to damp may last";
     if (!s.not_from_rest.empty())
         s.unique_because = "not known: the motion may depend on the start, and the one from rest is not known to lead here";
     else if (mu > 1)
