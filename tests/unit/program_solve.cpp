@@ -171,6 +171,9 @@ TEST_CASE("a pole that is met to the last digits of a double is refused as the p
         CHECK(run.error.find("(at /frequency_hz)") != std::string::npos);
     }
     CHECK(run_program("solve --digits 20", scene).status == 0); // every number as it stands
+    // A mode that the load does not excite has no pole.
+    CHECK(run_program("solve", R"({"mass_ratios": [1, 1, 1], "stiffness_matrix": [[3, -1, -0.5], [-1, 2, -1], [-0.5, -1, 3]],
+        "damping_ratios": 0, "contact": 2, "load": 2, "beta": 0.1, "r": 1.8708286933869707})").status == 0);
     // As far away as a unit in the last place does not count.
     std::string apart = scene;
     apart.replace(apart.find("3.183098861837907"), 17, "3.183098861838907");
@@ -188,6 +191,10 @@ TEST_CASE("a motion from rest that does not settle leaves a steady one, or gives
     CHECK(found["from_rest"] == "not known");
     CHECK(found["from_rest_because"].get<std::string>().find("comes to no periodic motion") != std::string::npos);
     CHECK(found["masses"].size() == 2);
+    const Run samples = run_program("solve --samples 4", scene);
+    CHECK(samples.status == 0);
+    CHECK(lines_of(samples.output).size() == 5);
+    CHECK(samples.error.find("the start from rest is not known to lead to this motion") != std::string::npos);
     const Run grows = run_program("solve --json", R"({"mass_ratios": 1, "stiffness_ratios": 1, "damping_ratios": 0, "contact": 1,
                                                       "load": 1, "r": 1, "beta": 0.025})");
     CHECK(grows.status == 2);

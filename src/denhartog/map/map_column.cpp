@@ -248,7 +248,7 @@ MapPoint map_point(const AnswerOrNone& answer) {
     const Solution& s = answer.solution;
     if (!answer.is_answered())
         return {answer.outcome == Outcome::at_a_pole ? PointStatus::at_a_pole : PointStatus::failed, Regime::continuous, 0, 1};
-    if (!s.not_from_rest.empty() && (s.mu.value > 1 || s.start)) return {PointStatus::failed, Regime::continuous, 0, 1};
+    if (!s.not_from_rest.empty() && ((s.mu.value > 1 && !s.rest_interval) || s.start)) return {PointStatus::failed, Regime::continuous, 0, 1};
     return {s.regime.on_boundary ? PointStatus::on_boundary : PointStatus::answered, s.regime.regime,
             static_cast<std::int32_t>(s.stops.size()), s.periods};
 }

@@ -107,8 +107,9 @@ void say_whether_unique(const ModalBasis<Number>& basis, Mass contact, const Sce
         }
         if (free.settle || free.kept) return;
     }
-    if (mu == 1 && !s.start && s.regime.regime != Regime::stick_slip && s.not_from_rest.empty())
-        s.not_from_rest = "the start from rest was not followed, and a free motion that nothing is known to damp may last";
+    const bool held = s.regime.regime == Regime::permanent_sticking, open = mu == 1 && !s.start && s.regime.regime != Regime::stick_slip;
+    if (s.not_from_rest.empty() && (open || (held && basis.r_n.size() > 1 && !every_motion_is_damped(basis))))
+        s.not_from_rest = "a free motion that nothing is known to damp may last";
     if (!s.not_from_rest.empty())
         s.unique_because = "not known: the motion may depend on the start, and the one from rest is not known to lead here";
     else if (mu > 1)

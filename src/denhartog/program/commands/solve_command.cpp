@@ -51,6 +51,8 @@ std::string solved(const SceneText& part, const SolveOptions& options) {
     const std::size_t N = number_of_masses(source->in_double().system);
     if (options.samples > 0) check_samples("samples", static_cast<std::size_t>(options.samples), N);
     const Solution solution = solve(source, question_of(options, N));
+    if (options.samples > 0 && !solution.not_from_rest.empty())
+        report("the start from rest is not known to lead to this motion: " + solution.not_from_rest);
     if (options.samples > 0)
         return motion_csv(sampled_solution(source, solution, static_cast<std::size_t>(options.samples)),
                           motion_units(source->in_double(), options.units));
