@@ -12,7 +12,7 @@ namespace denhartog {
 
 // The rule of mu, with what is meant by a number below 1.
 inline constexpr const char* rule_of_mu =
-    "must be static over kinetic friction, and at least 1 (a coefficient of friction is friction_coefficient, with normal_force)";
+    "must be at least 1, static over kinetic friction (a coefficient of friction is friction_coefficient, with normal_force)";
 
 // Largest modal damping ratio: beyond, rates and their products leave the range of a double.
 inline constexpr double largest_damping_ratio = 1e300;

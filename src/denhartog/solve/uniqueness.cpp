@@ -110,7 +110,7 @@ void say_whether_unique(const ModalBasis<Number>& basis, Mass contact, const Sce
     const bool held = s.regime.regime == Regime::permanent_sticking, open = mu == 1 && !s.start && s.regime.regime != Regime::stick_slip;
     if (s.not_from_rest.empty() && (open || (held && basis.r_n.size() > 1 && !every_motion_is_damped(basis))))
         s.not_from_rest = "a free motion that nothing is known to damp may last";
-    if (!s.not_from_rest.empty())
+    if (!s.not_from_rest.empty() && (mu > 1 || s.start))
         s.unique_because = "not known: the motion may depend on the start, and the one from rest is not known to lead here";
     else if (mu > 1)
         s.unique_because = "not known: with mu > 1 the motion may depend on the start; this motion is the one from rest";
