@@ -107,6 +107,7 @@ TEST_CASE("friction damps modes without damping elsewhere, and the answer is uni
     const std::vector<double> r_n = modal_basis(two.system).r_n;
     alike.r = (r_n[0] + r_n[1]) / 4; // both turn by angles over pi whose sum is four times pi
     CHECK(is_open(alike));
+    CHECK(is_open(undamped(0x1p-12, 0x1p-40))); // 4096 periods in one of the force
     // Without friction a damped motion is unique whatever mu is.
     CHECK(solve(scene_source(with_beta(oscillator(0.05, 0.7, 2.5), 0)), {}).unique);
 }

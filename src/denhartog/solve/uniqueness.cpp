@@ -24,8 +24,10 @@ bool may_be_even(const Number& n) {
 // What keeps friction from damping the modes that nothing else damps.
 struct FreeModes {
     bool settle = true;                // nothing
-    std::optional<std::size_t> kept{}; // one mode that has a whole number of periods in half a period of the force, and nothing else
+    std::optional<std::size_t> kept{}; // one mode that has an even number of periods in one of the force, and nothing else
 };
+
+constexpr double most_periods = 1000; // of a mode in one of the force, beyond which it is not told how large its share may be
 
 FreeModes free_modes(const ModalBasis<Number>& basis, Mass contact, const Number& r) {
     FreeModes found;
@@ -35,7 +37,7 @@ FreeModes free_modes(const ModalBasis<Number>& basis, Mass contact, const Number
         if (basis.zeta[i].x > basis.zeta[i].e) continue;
         const Number& shape = basis.phi(static_cast<Eigen::Index>(contact.index), static_cast<Eigen::Index>(i));
         const Number n = basis.r_n[i] / r;
-        if (may_be_even(n) && !found.kept && std::abs(shape.x) > shape.e)
+        if (may_be_even(n) && n.x <= most_periods && !found.kept && std::abs(shape.x) > shape.e)
             found.kept = i;
         else if (may_be_even(n) || may_be_even(n + Number(1)) || !(std::abs(shape.x) > shape.e))
             others_settle = false;
@@ -107,7 +109,8 @@ void say_whether_unique(const ModalBasis<Number>& basis, Mass contact, const Sce
         }
         if (free.settle || free.kept) return;
     }
-    const bool held = s.regime.regime == Regime::permanent_sticking, open = mu == 1 && !s.start && s.regime.regime != Regime::stick_slip;
+    const bool held = s.regime.regime == Regime::permanent_sticking,
+               open = mu == 1 && !s.start && s.regime.regime != Regime::stick_slip;
     if (s.not_from_rest.empty() && (open || (held && basis.r_n.size() > 1 && !every_motion_is_damped(basis))))
         s.not_from_rest = "a free motion that nothing is known to damp may last";
     if (!s.not_from_rest.empty() && (mu > 1 || s.start))
