@@ -71,6 +71,19 @@ TEST_CASE("a mode without damping and an even number of periods in one of the fo
     }
 }
 
+TEST_CASE("what friction damps is told at each point of a system that is prepared once", "[solve][eq:38]") {
+    Question question;
+    question.asked = Asked::amplitude;
+    question.mass = Mass{0};
+    const PreparedSystem prepared = prepare(undamped(0.7, 0.05).system, question);
+    REQUIRE(prepared.contact); // the contact alone, whose modes know no point
+    const Solution kept = solve(prepared, 0.5, 0.2, question);
+    REQUIRE(kept.kept_mode);
+    CHECK(std::abs(kept.kept_mode->contact_at_most.value - 22 / 15.0) <= kept.kept_mode->contact_at_most.error);
+    CHECK(solve(prepared, 0.7, 0.05, question).unique);
+    CHECK_FALSE(solve(prepared, 0.7, 0, question).unique);
+}
+
 TEST_CASE("friction damps modes without damping elsewhere, and the answer is unique", "[solve][eq:38]") {
     const Scene<double> two = with_beta(chain({1, 0.5}, {1, 0.75}, {0, 0}, 1, 2, 1, 0.625), 0.02);
     for (const Scene<double>& scene : {undamped(0.7, 0.05), undamped(0.3, 0.05), undamped(0.4, 0.9), undamped(0.4, 1.25), two}) {

@@ -246,9 +246,9 @@ private:
 
 MapPoint map_point(const AnswerOrNone& answer) {
     const Solution& s = answer.solution;
-    if (!answer.is_answered())
-        return {answer.outcome == Outcome::at_a_pole ? PointStatus::at_a_pole : PointStatus::failed, Regime::continuous, 0, 1};
-    if (!s.not_from_rest.empty() && ((s.mu.value > 1 && !s.rest_interval) || s.start)) return {PointStatus::failed, Regime::continuous, 0, 1};
+    if (answer.outcome == Outcome::at_a_pole) return {PointStatus::at_a_pole};
+    const bool is_another_motion = !s.not_from_rest.empty() && ((s.mu.value > 1 && !s.rest_interval) || s.start);
+    if (!answer.is_answered() || is_another_motion) return {PointStatus::failed};
     return {s.regime.on_boundary ? PointStatus::on_boundary : PointStatus::answered, s.regime.regime,
             static_cast<std::int32_t>(s.stops.size()), s.periods};
 }
@@ -278,7 +278,7 @@ void compute_column(const MapSystem& map, double r, const std::optional<ContactC
         const QuestionEffort effort(modes, map.effort, stopped);
         points[n].status = column ? column->answer(n) : prepared;
         if (has_numbers(points[n].status)) continue;
-        points[n] = {points[n].status, Regime::continuous, 0, 1};
+        points[n] = {points[n].status};
         std::ranges::fill(amplitudes.subspan(n * masses, masses), std::nan(""));
     }
 }

@@ -46,8 +46,9 @@ void check_static_friction(const T& mu) {
 // The frequency ratio and the friction ratio of a scene. InputError where they are missing.
 template <class T>
 [[nodiscard]] const T& frequency_ratio_of(const Scene<T>& scene) {
-    if (!scene.r) throw InputError(scene.units ? "frequency" : "r", scene.units ? "must be given (or frequency_hz in its place)" : "must be given", "");
-    return *scene.r;
+    if (scene.r) return *scene.r;
+    if (scene.units) throw InputError("frequency", "must be given (or frequency_hz in its place)", "");
+    throw InputError("r", "must be given", "");
 }
 
 template <class T>

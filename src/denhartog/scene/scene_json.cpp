@@ -1,107 +1,19 @@
 #include "denhartog/scene/scene_json.hpp"
 
-#include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "denhartog/evaluation/contact.hpp"
 #include "denhartog/formulas/system.hpp"
 #include "denhartog/number/ball_or_none.hpp"
-#include "denhartog/number/legible.hpp"
-#include "denhartog/number/number_text.hpp"
-#include "denhartog/scene/json_document.hpp"
-#include "denhartog/scene/scene_rules.hpp"
+#include "denhartog/scene/scene_item.hpp"
 
 namespace denhartog {
 namespace {
 
 using nlohmann::json;
-
-/// A value of the scene with its key and its place.
-struct SceneItem {
-    const json& value;
-    std::string key;
-    std::string place;
-    /// An entry; a value that stands without its brackets is the only one.
-    SceneItem operator[](std::size_t i) const {
-        return value.is_array() ? SceneItem{value[i], key, place + "/" + std::to_string(i)} : *this;
-    }
-    [[noreturn]] void fail(const std::string& rule) const {
-        throw InputError(key, rule, legible(value.dump(-1, ' ', true, json::error_handler_t::replace), most_of_a_value), place);
-    }
-};
-
-SceneItem item(const json& object, const char* key) { return {object.at(key), key, pointer_step(key)}; }
-
-void check_length(const SceneItem& x, const std::string& of) { // before anything as large is made of it
-    if (x.value.size() > most_masses) throw InputError(x.key, most_masses_rule(of), std::to_string(x.value.size()), x.place);
-}
+using namespace scene_items;
 
 template <class T>
-T read_number(const SceneItem& x) {
-    if (x.value.is_number()) return T(x.value.get<double>());
-    if (!x.value.is_string()) x.fail("must be a number");
-    T number(0);
-    const NumberFault fault = number_from_text(x.value.get_ref<const std::string&>(), number);
-    if (fault != NumberFault::none) x.fail(number_rule(fault));
-    return number;
-}
-
-template <class T>
-T read_positive(const SceneItem& x) {
-    const T number = read_number<T>(x);
-    if (!(number > 0)) x.fail("must be positive");
-    return number;
-}
-
-template <class T>
-std::vector<T> read_list(const SceneItem& x) {
-    if (x.value.is_number()) return {read_number<T>(x)}; // Octave writes an array of one so
-    if (!x.value.is_array()) x.fail("must be an array of numbers");
-    if (x.value.empty()) x.fail("must have at least one value");
-    check_length(x, "values");
-    std::vector<T> list;
-    for (std::size_t i = 0; i < x.value.size(); ++i) list.push_back(read_number<T>(x[i]));
-    return list;
-}
-
-template <class T>
-Matrix<T> read_matrix(const SceneItem& x) {
-    if (!x.value.is_array()) x.fail("must be an array of rows");
-    if (x.value.empty()) x.fail("must have at least one row");
-    check_length(x, "rows");
-    const std::size_t N = x.value.size();
-    Matrix<T> matrix(static_cast<Eigen::Index>(N), static_cast<Eigen::Index>(N));
-    for (std::size_t i = 0; i < N; ++i) {
-        const SceneItem row = x[i];
-        if (!row.value.is_array()) row.fail("must be an array of rows, each an array of numbers");
-        if (row.value.size() != N)
-            throw InputError(x.key,
-                             "must be square: row " + std::to_string(i + 1) + " must have " + std::to_string(N) + " values",
-                             std::to_string(row.value.size()), row.place);
-        for (std::size_t k = 0; k < N; ++k) matrix(i, k) = read_number<T>(row[k]);
-    }
-    return matrix;
-}
-
-/// Counts from 1 in the text and from 0 in the scene. Whether the mass exists is among the rules of a scene.
-std::size_t read_index(const SceneItem& x) {
-    const double number = x.value.is_number() ? x.value.get<double>() : 0.0;
-    if (!(number >= 1 && number <= 1e9 && number == std::floor(number)))
-        x.fail("must be a whole number that counts the masses from 1");
-    return static_cast<std::size_t>(number) - 1;
-}
-
-void require(const json& object, const char* key, const char* in_place_of = nullptr) {
-    if (in_place_of && object.contains(key) && object.contains(in_place_of))
-        throw InputError(in_place_of, std::string("must not be given together with ") + key, "", pointer_step(in_place_of));
-    if (!object.contains(key) && !(in_place_of && object.contains(in_place_of)))
-        throw InputError(key, in_place_of ? std::string("must be given (or ") + in_place_of + " in its place)" : "must be given",
-                         "");
-}
-
-/// What damping in ratios is divided by, as `read_dimensional` has it.
-template <class T>
-T read_ratios(const json& object, Scene<T>& scene) {
+void read_ratios(const json& object, Scene<T>& scene) {
     require(object, "mass_ratios", "mass_matrix");
     require(object, "stiffness_ratios", "stiffness_matrix");
     System<T>& s = scene.system;
@@ -111,7 +23,6 @@ T read_ratios(const json& object, Scene<T>& scene) {
     if (object.contains("stiffness_matrix")) s.stiffness_matrix = read_matrix<T>(item(object, "stiffness_matrix"));
     if (object.contains("r")) scene.r = read_number<T>(item(object, "r"));
     if (object.contains("beta")) scene.beta = read_number<T>(item(object, "beta"));
-    return T(1);
 }
 
 /// Masses or stiffnesses of a dimensional scene, a list for a chain or a matrix, in units of the first. Gives the first.
@@ -125,10 +36,9 @@ T read_in_units_of_first(const SceneItem& x, std::vector<T>& ratios, Matrix<T>& 
         return first;
     }
     const std::vector<T> list = read_list<T>(x);
-    for (std::size_t i = 0; i < list.size(); ++i) {
+    for (std::size_t i = 0; i < list.size(); ++i)
         if (!(list[i] > 0)) x[i].fail("must be positive");
-        ratios.push_back(list[i] / list[0]);
-    }
+    for (const T& each : list) ratios.push_back(each / list[0]);
     return list[0];
 }
 
@@ -149,13 +59,6 @@ std::optional<T> read_force(const json& object, const T& m_1, const T& k_1, cons
     return T(m_1 * *omega * *omega * displacement);
 }
 
-template <class T>
-T read_not_negative(const SceneItem& x) {
-    const T number = read_number<T>(x);
-    if (number < 0) x.fail("must not be negative");
-    return number;
-}
-
 /// Kinetic friction, if it is given, as a force or by its coefficient; with that of static friction their ratio is mu.
 template <class T>
 std::optional<T> read_friction(const json& object, Scene<T>& scene) {
@@ -171,8 +74,9 @@ std::optional<T> read_friction(const json& object, Scene<T>& scene) {
         const SceneItem at_rest = item(object, "static_friction_coefficient");
         if (object.contains("mu")) item(object, "mu").fail("must not be given together with static_friction_coefficient");
         if (!(coefficient > 0)) kinetic.fail("must be positive, if static_friction_coefficient is given");
-        if (read_positive<T>(at_rest) < coefficient) at_rest.fail("must not be below friction_coefficient");
-        scene.mu = read_positive<T>(at_rest) / coefficient;
+        const T largest = read_positive<T>(at_rest);
+        if (largest < coefficient) at_rest.fail("must not be below friction_coefficient");
+        scene.mu = largest / coefficient;
     }
     return coefficient * read_not_negative<T>(item(object, "normal_force"));
 }
@@ -253,7 +157,8 @@ std::vector<T> load_of_base(const SceneItem& base, const System<T>& s) {
     if (matrix.size() == 0 && !alone) return s.mass_ratios;
     std::vector<T> load(matrix.size() == 0 ? number_of_masses(s) : static_cast<std::size_t>(matrix.rows()), T(0));
     if (matrix.size() == 0) load.front() = s.stiffness_ratios.front(); // the base holds mass 1 alone
-    for (std::size_t k = 0; k < load.size() && matrix.size() > 0; ++k) // rows of K add up to next to nothing
+    if (matrix.size() == 0) return load;
+    for (std::size_t k = 0; k < load.size(); ++k) // rows of K add up to next to nothing
         load[k] = evaluation::sum_with_rests<T>(matrix.row(static_cast<Eigen::Index>(k)));
     return load;
 }
@@ -281,7 +186,11 @@ Scene<T> scene_from_json(const json& object) {
     names.dimensional = check_keys(object);
     names.places = true;
     Scene<T> scene;
-    const T unit = names.dimensional ? read_dimensional(object, scene) : read_ratios(object, scene);
+    T unit(1);
+    if (names.dimensional)
+        unit = read_dimensional(object, scene);
+    else
+        read_ratios(object, scene);
     read_damping(object, unit, scene.system);
     names.one_zeta = object.contains("damping_ratios") && !object.at("damping_ratios").is_array();
     read_contact(object, scene.system);

@@ -127,17 +127,16 @@ AnswerOrNone answer_by_reference(const PreparedSystem& p, const SolvePoint& at, 
         s.method.why.insert(0, rest->solution.not_from_rest.empty() ? "the start from rest was followed without a proof; "
                                : seen.is_answered()                 ? "" // double has said it
                                                                     : "the start from rest is not known to lead here; ");
-    }
-    if (rest)
         s.not_from_rest = rest->solution.not_from_rest;
-    else if (s.regime.regime == Regime::stick_slip && followed && !is_from_start(*followed))
+    } else if (s.regime.regime == Regime::stick_slip && followed && !is_from_start(*followed)) {
         s.not_from_rest = followed->reason;
+    }
     const double mu = s.mu.value == 1 && s.mu.error > 0 ? 2 : scene.mu; // a text may be above 1 by less than double tells
     if (!prepared.bounded && !p.contact) prepared.bounded = modes_in_double(source).basis;
     if (prepared.bounded)
-        say_whether_unique(*prepared.bounded, contact_row(scene.system), scene, mu, s);
+        say_whether_unique(*prepared.bounded, contact_row(scene.system), scene.system, mu, s);
     else
-        say_whether_unique(*p.contact->basis, p.contact->contact, scene, mu, s);
+        say_whether_unique(*p.contact->basis, p.contact->contact, scene.system, mu, s);
     if (question.all) {
         Question others = question;
         others.digits.reset();

@@ -43,7 +43,7 @@ struct SolveTask {
     ModesInDouble known;                         ///< its modal basis
     std::shared_ptr<const ContactSystem> moving; ///< for the exact solver; none where it is still to be prepared
     bool open = false;                           ///< whether double leaves something open
-    bool regime_is_certain = true;                         ///< whether the regime is certain nevertheless
+    bool regime_is_certain = true;               ///< whether the regime is certain nevertheless
     std::optional<std::string> unknown{};        ///< why boundaries and closed form are not known
     bool at_pole = false;                        ///< whether they do not exist
     bool by_rounding = false;                    ///< whether that is so to the last digits of a double only
@@ -59,14 +59,16 @@ struct SolveTask {
 void answer_by_stuck_response(const SolveTask& task, const std::optional<Certified>& rests_at, Solution& s);
 
 /// @brief Says whether the velocities are known not to depend on the start, and why; and what is steady besides where a mode
-/// without damping keeps any share of the sliding motion. `contact` is the row of the contact in the shapes of the basis.
+/// without damping keeps any share of the sliding motion. The answer has its point already; `contact` is the row of the contact in
+/// the shapes of the basis.
 ///
 /// With mu = 1 no two motions move apart, and their distance stays the same only if friction and dampers do no work on their
 /// difference. That is then a free motion of modes without damping, which lets the contact turn at the same instants: at multiples
 /// of pi. Of modes whose phases over pi are told from 0, from pi and from each other's it is zero. A mode with an even number of
 /// periods in one of the force may keep any share. Of one mass that stops, two motions at the same distance rest and break
 /// away together, and so from the same place.
-void say_whether_unique(const ModalBasis<Bounded<double>>& basis, Mass contact, const Scene<double>& scene, double mu, Solution& s);
+void say_whether_unique(const ModalBasis<Bounded<double>>& basis, Mass contact, const System<double>& system, double mu,
+                        Solution& s);
 
 /// @brief Whether the boundaries tell that a motion that is not at rest has stops, seen or not: beyond that of sliding where
 /// mu = 1 or every motion is damped.
@@ -95,10 +97,10 @@ void answer_by_orbit(const SolveTask& task, ExactSolver& solver, const PeriodicO
 
 /// @brief What double makes of a question.
 struct AnswerInDouble : AnswerOrNone {
-    bool open = false;     ///< whether double does not tell what the contact does
-    bool regime_is_certain = true; ///< whether it is, so that double answers if the reference has no proof
-    bool vague = false;    ///< whether double does not tell if the motion is stable
-    bool by_rounding = false; ///< whether a pole is met to the last digits of a double, of which the reference is not asked
+    bool open = false;                    ///< whether double does not tell what the contact does
+    bool regime_is_certain = true;        ///< whether it is, so that double answers if the reference has no proof
+    bool vague = false;                   ///< whether double does not tell if the motion is stable
+    bool by_rounding = false;             ///< whether a pole is met to the last digits of a double, of which the reference is not asked
     std::optional<PeriodicOrbit> orbit{}; ///< the motion from rest, where it was followed
 
     /// @brief Whether it needs nothing more: it has its digits, and regime and stability are certain.

@@ -8,8 +8,8 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/limits.hpp"
-#include "denhartog/solve/sampled_closed_form.hpp"
 #include "denhartog/solve/decision.hpp"
+#include "denhartog/solve/sampled_closed_form.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "elementary/elementary.hpp"
 

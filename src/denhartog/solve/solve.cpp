@@ -152,10 +152,7 @@ void answer_from_rest(SolveTask& task, Solution& s) {
 
 void answer(SolveTask& task, Solution& s) {
     try {
-        Solution sliding =
-            sliding_solution(task.source, {task.question.asked, task.question.digits, task.question.mass, task.known.basis});
-        sliding.unique = s.unique;
-        s = std::move(sliding);
+        s = sliding_solution(task.source, {task.question.asked, task.question.digits, task.question.mass, task.known.basis});
     } catch (const DomainError& e) {
         task.unknown = e.what();
         task.at_pole = true;
@@ -171,7 +168,7 @@ void answer(SolveTask& task, Solution& s) {
         answer_from_rest(task, s);
         const char* followed =
             s.not_from_rest.empty() ? "the start from rest was followed; " : "the start from rest is not known to lead here; ";
-        if (follows || !s.unique) s.method.why = followed + s.method.why;
+        if (follows || task.scene.mu > 1 || !every_motion_is_damped(*task.known.basis)) s.method.why = followed + s.method.why;
     } else if (task.question.asked == Asked::regime) {
         answer_by_boundaries(task, "boundaries", s);
     } else if (s.regime.regime == Regime::permanent_sticking) {
@@ -200,17 +197,16 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
     Solution& s = found.solution;
     s.asked = question.asked;
     if (answer_by_contact(p, at, question, s)) {
-        say_whether_unique(*p.contact->basis, p.contact->contact, p.scene(), p.scene().mu, s);
+        say_whether_unique(*p.contact->basis, p.contact->contact, p.scene().system, p.scene().mu, s);
     } else {
         const SceneSource source = source_at(p, at);
         SolveTask task{source, question, source->in_double(), aim_of(question.digits), {p.bounded}, p.moving};
         if (!task.known.basis) task.known = modes_in_double(source);
-        s.unique = task.scene.mu == 1 && every_motion_is_damped(*task.known.basis);
         s.r = exactly(at.r);
         s.beta = exactly(at.beta);
         s.contact = p.scene().system.contact;
         answer(task, s);
-        say_whether_unique(*task.known.basis, contact_row(task.scene.system), task.scene, task.scene.mu, s);
+        say_whether_unique(*task.known.basis, contact_row(task.scene.system), task.scene.system, task.scene.mu, s);
         s.asked = question.asked;
         s.digits_reached = s.relative_error <= task.aim.tolerance;
         found.open = task.open || task.unknown;

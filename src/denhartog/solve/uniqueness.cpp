@@ -2,6 +2,7 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/number_text.hpp"
@@ -52,13 +53,13 @@ FreeModes free_modes(const ModalBasis<Number>& basis, Mass contact, const Number
 
 // Says that mode i may keep any share of the sliding motion, and how far the contact then moves at most: until its velocity over the
 // half-period would change its sign.
-void say_what_is_kept(std::size_t i, const Scene<double>& scene, Solution& s) {
-    const auto basis = modes_with_errors(scene.system);
-    const ModeSums<double> sums = values_of(bounded_sums(scene.system, *basis, as_input(*scene.r)));
+void say_what_is_kept(std::size_t i, const System<double>& system, Solution& s) {
+    const auto basis = modes_with_errors(system);
+    const ModeSums<double> sums = values_of(bounded_sums(system, *basis, as_input(s.r.value)));
     const std::size_t j = sums.contact.index;
-    const MassInMotion<double> contact(sums, j, *scene.beta);
+    const MassInMotion<double> contact(sums, j, s.beta->value);
     const auto at = [&](double tau) { return motion_with(contact, friction_share(sums, j, tau)); };
-    const double n = std::round(basis->r_n[i].x / *scene.r);
+    const double n = std::round(basis->r_n[i].x / s.r.value);
     const auto share = [&](double tau) { // as a displacement of the contact
         const double rate = std::abs(n * elementary::sin(n * tau));
         return rate > 0 ? std::abs(at(tau).x_prime) / rate : std::numeric_limits<double>::max();
@@ -67,10 +68,13 @@ void say_what_is_kept(std::size_t i, const Scene<double>& scene, Solution& s) {
     constexpr int looks = 16, bits = 26; // in each half-turn of the mode; half the bits of a double for the instant
     const int pieces = looks * static_cast<int>(n);
     const double step = pi<double>() / pieces;
-    for (int k = 1; k + 1 < pieces; ++k)
-        if (share(k * step) <= std::min(share((k - 1) * step), share((k + 1) * step)))
-            least = std::min(
-                least, boost::math::tools::brent_find_minima(share, (k - 1) * step, (k + 1) * step, bits).second);
+    std::vector<double> shares;
+    for (int k = 0; k < pieces; ++k) shares.push_back(share(k * step));
+    for (std::size_t k = 1; k + 1 < shares.size(); ++k) {
+        if (shares[k] > std::min(shares[k - 1], shares[k + 1])) continue;
+        const double middle = static_cast<double>(k) * step;
+        least = std::min(least, boost::math::tools::brent_find_minima(share, middle - step, middle + step, bits).second);
+    }
     constexpr double trusted = 1e-10;
     const double most = at(0).x + least;
     s.kept_mode = KeptMode{i, {most, trusted * most, {}}};
@@ -81,11 +85,12 @@ void say_what_is_kept(std::size_t i, const Scene<double>& scene, Solution& s) {
 
 } // namespace
 
-void say_whether_unique(const ModalBasis<Number>& basis, Mass contact, const Scene<double>& scene, double mu, Solution& s) {
-    if (*scene.beta == 0) mu = 1; // without friction static friction is none either
+void say_whether_unique(const ModalBasis<Number>& basis, Mass contact, const System<double>& system, double mu, Solution& s) {
+    const double beta = s.beta->value;
+    if (beta == 0) mu = 1; // without friction static friction is none either
     s.unique = mu == 1 && every_motion_is_damped(basis);
     const bool slides = s.regime.regime == Regime::continuous && !s.regime.on_boundary && s.not_from_rest.empty();
-    const bool friction_alone = mu == 1 && !s.unique && !basis.coupled() && *scene.beta > 0;
+    const bool friction_alone = mu == 1 && !s.unique && !basis.coupled() && beta > 0;
     const bool stops = !s.stops.empty() || s.rest_interval;
     if (s.unique) {
         s.unique_because =
@@ -96,7 +101,7 @@ void say_whether_unique(const ModalBasis<Number>& basis, Mass contact, const Sce
         return;
     }
     if (friction_alone && (slides || (stops && basis.r_n.size() == 1))) {
-        const FreeModes free = slides ? free_modes(basis, contact, as_input(*scene.r)) : FreeModes{};
+        const FreeModes free = slides ? free_modes(basis, contact, as_input(s.r.value)) : FreeModes{};
         s.unique = free.settle;
         if (free.settle) {
             s.not_from_rest.clear(); // every start leads there
@@ -104,7 +109,7 @@ void say_whether_unique(const ModalBasis<Number>& basis, Mass contact, const Sce
                                "under the same force become the same";
         }
         if (free.kept) {
-            say_what_is_kept(*free.kept, scene, s);
+            say_what_is_kept(*free.kept, system, s);
             s.unique_because = "no: a mode without damping keeps the share of the motion that the start leads to";
         }
         if (free.settle || free.kept) return;

@@ -25,9 +25,11 @@ InputError with_place(const InputError& e, const SceneText& part) {
     const bool is_key = std::ranges::find(scene_keys(), e.quantity) != scene_keys().end();
     if (!e.place.empty() || !is_key) return e;
     std::string key = e.quantity;
-    const Json scene = Json::parse(part.text, nullptr, false);
-    for (const char* of_masses : {"frequency", "frequency_hz"})
-        if (key == "r" && scene.contains(of_masses)) key = of_masses;
+    if (key == "r") {
+        const Json scene = Json::parse(part.text, nullptr, false);
+        for (const char* of_masses : {"frequency", "frequency_hz"})
+            if (scene.contains(of_masses)) key = of_masses;
+    }
     return InputError(key, e.rule, e.value, "/" + key);
 }
 
