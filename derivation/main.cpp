@@ -8,19 +8,19 @@
 #include <sstream>
 #include <thread>
 
-#include "derivation/ledger_audit.hpp"
-#include "derivation/ledger_figures.hpp"
-#include "derivation/ledger_join.hpp"
-#include "derivation/ledger_kernel.hpp"
-#include "derivation/ledger_rows.hpp"
-#include "derivation/ledger_scenes.hpp"
-#include "derivation/ledger_statements.hpp"
-#include "kernel_check.hpp"
-#include "kernel_export.hpp"
-#include "observations/agreement.hpp"
-#include "report.hpp"
-#include "run.hpp"
-#include "scenes/refutation_scene.hpp"
+#include "derivation/claims/report.hpp"
+#include "derivation/claims/run.hpp"
+#include "derivation/kernel/kernel_check.hpp"
+#include "derivation/kernel/kernel_export.hpp"
+#include "derivation/ledger/ledger_audit.hpp"
+#include "derivation/ledger/ledger_figures.hpp"
+#include "derivation/ledger/ledger_join.hpp"
+#include "derivation/ledger/ledger_kernel.hpp"
+#include "derivation/ledger/ledger_rows.hpp"
+#include "derivation/ledger/ledger_scenes.hpp"
+#include "derivation/ledger/ledger_statements.hpp"
+#include "derivation/observations/agreement.hpp"
+#include "derivation/observations/refutation_scene.hpp"
 
 using namespace denhartog::derivation;
 using nlohmann::json;

@@ -3,7 +3,7 @@
 #include <iostream>
 #include <thread>
 
-#include "findings.hpp"
+#include "derivation/claims/findings.hpp"
 
 using namespace denhartog::derivation;
 

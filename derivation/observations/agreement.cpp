@@ -1,14 +1,14 @@
-#include "agreement.hpp"
+#include "derivation/observations/agreement.hpp"
 
 #include <algorithm>
 #include <map>
 #include <stdexcept>
 #include <vector>
 
-#include "sliding_scenes.hpp"
+#include "derivation/claims/workers.hpp"
+#include "derivation/observations/sliding_scenes.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/support/second_witness.hpp"
-#include "workers.hpp"
 
 namespace denhartog::derivation {
 

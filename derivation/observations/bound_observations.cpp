@@ -5,9 +5,9 @@
 
 #include "denhartog/evaluation/mode.hpp"
 #include "denhartog/formulas/boundary.hpp"
-#include "limits.hpp"
-#include "scene_search.hpp"
-#include "symbols.hpp"
+#include "derivation/algebra/limits.hpp"
+#include "derivation/algebra/symbols.hpp"
+#include "derivation/observations/scene_search.hpp"
 
 namespace denhartog::derivation {
 

@@ -1,8 +1,8 @@
 // Section 2.6: where the approximate boundary (67) departs most from (69), over the damping ratio.
 #include <cmath>
 
-#include "boundary_maxima.hpp"
-#include "observed_systems.hpp"
+#include "derivation/observations/boundary_maxima.hpp"
+#include "derivation/observations/observed_systems.hpp"
 #include "tests/support/paper_systems.hpp"
 
 namespace denhartog::derivation {

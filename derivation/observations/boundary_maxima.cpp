@@ -1,4 +1,4 @@
-#include "boundary_maxima.hpp"
+#include "derivation/observations/boundary_maxima.hpp"
 
 #include <cmath>
 

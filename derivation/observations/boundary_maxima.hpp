@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "observed_systems.hpp"
+#include "derivation/observations/observed_systems.hpp"
 #include "tests/support/largest_over_range.hpp"
 
 namespace denhartog::derivation {

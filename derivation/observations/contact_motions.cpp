@@ -1,10 +1,10 @@
-#include "contact_motions.hpp"
+#include "derivation/observations/contact_motions.hpp"
 
 #include <cmath>
 #include <stdexcept>
 
 #include "denhartog/orbit/periodic_orbit.hpp"
-#include "observed_systems.hpp"
+#include "derivation/observations/observed_systems.hpp"
 #include "tests/support/paper_systems.hpp"
 
 namespace denhartog::derivation {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "denhartog/stick_slip/exact_motion.hpp"
-#include "observation.hpp"
+#include "derivation/observations/observation.hpp"
 
 namespace denhartog::derivation {
 

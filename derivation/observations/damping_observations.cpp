@@ -4,7 +4,7 @@
 
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/number/errors.hpp"
-#include "observed_systems.hpp"
+#include "derivation/observations/observed_systems.hpp"
 #include "tests/support/invariant_points.hpp"
 #include "tests/support/paper_systems.hpp"
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "observed_systems.hpp"
+#include "derivation/observations/observed_systems.hpp"
 
 namespace denhartog::derivation {
 

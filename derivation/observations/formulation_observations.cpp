@@ -4,12 +4,12 @@
 
 #include "denhartog/formulas/contact.hpp"
 #include "denhartog/formulas/superposition.hpp"
-#include "derived.hpp"
-#include "limits.hpp"
-#include "observed_systems.hpp"
-#include "provenance.hpp"
-#include "symbols.hpp"
-#include "system_matrices.hpp"
+#include "derivation/algebra/limits.hpp"
+#include "derivation/algebra/symbols.hpp"
+#include "derivation/claims/provenance.hpp"
+#include "derivation/observations/observed_systems.hpp"
+#include "derivation/paper/derived.hpp"
+#include "derivation/paper/system_matrices.hpp"
 #include "tests/support/paper_systems.hpp"
 
 namespace denhartog::derivation {

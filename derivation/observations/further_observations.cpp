@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact_motions.hpp"
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
-#include "limits.hpp"
-#include "observed_systems.hpp"
-#include "symbols.hpp"
+#include "derivation/algebra/limits.hpp"
+#include "derivation/algebra/symbols.hpp"
+#include "derivation/observations/contact_motions.hpp"
+#include "derivation/observations/observed_systems.hpp"
 #include "tests/support/paper_systems.hpp"
 
 namespace denhartog::derivation {

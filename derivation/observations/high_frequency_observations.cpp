@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact_motions.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
-#include "limits.hpp"
-#include "observed_systems.hpp"
-#include "symbols.hpp"
+#include "derivation/algebra/limits.hpp"
+#include "derivation/algebra/symbols.hpp"
+#include "derivation/observations/contact_motions.hpp"
+#include "derivation/observations/observed_systems.hpp"
 #include "tests/support/paper_systems.hpp"
 
 namespace denhartog::derivation {

@@ -1,4 +1,4 @@
-#include "losses.hpp"
+#include "derivation/observations/losses.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,13 +6,13 @@
 #include <map>
 #include <sstream>
 
-#include "boundary_maxima.hpp"
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
-#include "resonance_losses.hpp"
-#include "sliding_scenes.hpp"
+#include "derivation/observations/boundary_maxima.hpp"
+#include "derivation/observations/resonance_losses.hpp"
+#include "derivation/observations/sliding_scenes.hpp"
 
 namespace denhartog::derivation {
 

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "contact_motions.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
-#include "limits.hpp"
-#include "observed_systems.hpp"
+#include "derivation/algebra/limits.hpp"
+#include "derivation/observations/contact_motions.hpp"
+#include "derivation/observations/observed_systems.hpp"
 #include "tests/support/paper_systems.hpp"
 
 namespace denhartog::derivation {

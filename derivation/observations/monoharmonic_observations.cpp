@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene_search.hpp"
+#include "derivation/observations/scene_search.hpp"
 
 namespace denhartog::derivation {
 

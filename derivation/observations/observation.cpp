@@ -1,4 +1,4 @@
-#include "observation.hpp"
+#include "derivation/observations/observation.hpp"
 
 #include <cstdio>
 #include <utility>

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "claim.hpp"
-#include "witness.hpp"
+#include "derivation/claims/claim.hpp"
+#include "derivation/claims/witness.hpp"
 
 namespace denhartog::derivation {
 

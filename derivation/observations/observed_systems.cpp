@@ -1,4 +1,4 @@
-#include "observed_systems.hpp"
+#include "derivation/observations/observed_systems.hpp"
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>

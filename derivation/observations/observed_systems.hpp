@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "denhartog/sliding/steady_state.hpp"
-#include "observation.hpp"
+#include "derivation/observations/observation.hpp"
 
 namespace denhartog::derivation {
 

@@ -3,7 +3,7 @@
 
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/contact.hpp"
-#include "scene_search.hpp"
+#include "derivation/observations/scene_search.hpp"
 
 namespace denhartog::derivation {
 

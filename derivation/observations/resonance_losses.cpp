@@ -1,4 +1,4 @@
-#include "resonance_losses.hpp"
+#include "derivation/observations/resonance_losses.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "sliding_scenes.hpp"
+#include "derivation/observations/sliding_scenes.hpp"
 
 namespace denhartog::derivation {
 

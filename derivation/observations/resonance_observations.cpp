@@ -2,9 +2,9 @@
 // resonant_peak_observations.cpp, the boundary (85) in resonant_boundary_observations.cpp.
 #include "denhartog/formulas/contact.hpp"
 #include "denhartog/formulas/resonance.hpp"
-#include "limits.hpp"
-#include "observation.hpp"
-#include "symbols.hpp"
+#include "derivation/algebra/limits.hpp"
+#include "derivation/algebra/symbols.hpp"
+#include "derivation/observations/observation.hpp"
 
 namespace denhartog::derivation {
 

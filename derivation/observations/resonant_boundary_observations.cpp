@@ -3,10 +3,10 @@
 
 #include "denhartog/formulas/mode.hpp"
 #include "denhartog/formulas/resonance.hpp"
-#include "limits.hpp"
-#include "observation.hpp"
-#include "observed_systems.hpp"
-#include "symbols.hpp"
+#include "derivation/algebra/limits.hpp"
+#include "derivation/algebra/symbols.hpp"
+#include "derivation/observations/observation.hpp"
+#include "derivation/observations/observed_systems.hpp"
 
 namespace denhartog::derivation {
 

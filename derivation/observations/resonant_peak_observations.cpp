@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "denhartog/formulas/resonance.hpp"
-#include "observed_systems.hpp"
+#include "derivation/observations/observed_systems.hpp"
 #include "tests/support/paper_systems.hpp"
 
 namespace denhartog::derivation {

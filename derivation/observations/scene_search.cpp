@@ -1,4 +1,4 @@
-#include "scene_search.hpp"
+#include "derivation/observations/scene_search.hpp"
 
 #include <cmath>
 

@@ -5,8 +5,8 @@
 #include <functional>
 #include <string>
 
-#include "observation.hpp"
-#include "sliding_scenes.hpp"
+#include "derivation/observations/observation.hpp"
+#include "derivation/observations/sliding_scenes.hpp"
 
 namespace denhartog::derivation {
 

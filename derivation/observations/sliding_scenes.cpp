@@ -1,4 +1,4 @@
-#include "sliding_scenes.hpp"
+#include "derivation/observations/sliding_scenes.hpp"
 
 #include <algorithm>
 #include <cmath>

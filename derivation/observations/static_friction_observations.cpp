@@ -6,9 +6,9 @@
 #include "denhartog/formulas/contact.hpp"
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
-#include "limits.hpp"
-#include "observed_systems.hpp"
-#include "symbols.hpp"
+#include "derivation/algebra/limits.hpp"
+#include "derivation/algebra/symbols.hpp"
+#include "derivation/observations/observed_systems.hpp"
 #include "tests/support/paper_systems.hpp"
 
 namespace denhartog::derivation {

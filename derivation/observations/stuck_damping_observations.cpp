@@ -4,9 +4,9 @@
 
 #include "denhartog/model/stuck_configuration.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
-#include "limits.hpp"
-#include "observed_systems.hpp"
-#include "symbols.hpp"
+#include "derivation/algebra/limits.hpp"
+#include "derivation/algebra/symbols.hpp"
+#include "derivation/observations/observed_systems.hpp"
 #include "tests/support/paper_systems.hpp"
 
 namespace denhartog::derivation {

@@ -5,9 +5,9 @@
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/sliding/steady_state.hpp"
-#include "observation.hpp"
-#include "observed_systems.hpp"
-#include "stuck_systems.hpp"
+#include "derivation/observations/observation.hpp"
+#include "derivation/observations/observed_systems.hpp"
+#include "derivation/observations/stuck_systems.hpp"
 #include "tests/support/invariant_points.hpp"
 
 namespace denhartog::derivation {

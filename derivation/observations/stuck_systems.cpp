@@ -1,4 +1,4 @@
-#include "stuck_systems.hpp"
+#include "derivation/observations/stuck_systems.hpp"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
-#include "observed_systems.hpp"
+#include "derivation/observations/observed_systems.hpp"
 #include "tests/support/paper_systems.hpp"
 
 namespace denhartog::derivation {

@@ -4,7 +4,7 @@
 
 #include "denhartog/ledger/ledger_entry.hpp"
 #include "denhartog/number/errors.hpp"
-#include "derivation/threshold.hpp"
+#include "derivation/claims/threshold.hpp"
 #include "text.hpp"
 
 namespace denhartog::pages {

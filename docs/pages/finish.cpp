@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "denhartog/program/output/files.hpp"
-#include "derivation/source_text.hpp"
+#include "derivation/ledger/source_text.hpp"
 #include "html.hpp"
 #include "trim.hpp"
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <set>
 
-#include "derivation/source_text.hpp"
+#include "derivation/ledger/source_text.hpp"
 #include "text.hpp"
 
 namespace denhartog::pages {

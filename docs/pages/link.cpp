@@ -5,7 +5,7 @@
 #include <set>
 
 #include "denhartog/program/output/files.hpp"
-#include "derivation/source_text.hpp"
+#include "derivation/ledger/source_text.hpp"
 
 namespace denhartog::pages {
 

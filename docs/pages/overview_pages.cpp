@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "derivation/ledger_audit.hpp"
+#include "derivation/ledger/ledger_audit.hpp"
 #include "text.hpp"
 
 namespace denhartog::pages {

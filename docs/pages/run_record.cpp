@@ -5,7 +5,7 @@
 
 #include "denhartog/ledger/ledger.hpp"
 #include "denhartog/number/errors.hpp"
-#include "derivation/source_text.hpp"
+#include "derivation/ledger/source_text.hpp"
 
 namespace denhartog::pages {
 

@@ -8,7 +8,7 @@
 #include "check.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/program/output/files.hpp"
-#include "derivation/source_text.hpp"
+#include "derivation/ledger/source_text.hpp"
 #include "measured_pages.hpp"
 #include "overview_pages.hpp"
 

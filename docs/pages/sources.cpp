@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "denhartog/number/errors.hpp"
-#include "derivation/source_text.hpp"
-#include "derivation/test_index.hpp"
+#include "derivation/ledger/source_text.hpp"
+#include "derivation/ledger/test_index.hpp"
 #include "text.hpp"
 
 namespace denhartog::pages {

@@ -6,7 +6,7 @@
 
 #include "denhartog/ledger/ledger_entry.hpp"
 #include "denhartog/number/errors.hpp"
-#include "derivation/source_text.hpp"
+#include "derivation/ledger/source_text.hpp"
 #include "text.hpp"
 
 namespace denhartog::pages {

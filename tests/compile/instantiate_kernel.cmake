@@ -1,6 +1,6 @@
 # Instantiates the template `kernel` of KERNEL.hpp for NUMBER. It must compile; with ERROR given it must not, and for that reason.
 set(unit "${SCRATCH}/${NAME}.cpp")
-file(WRITE "${unit}" "#include \"derivation/symbolic.hpp\"\n#include \"tests/compile/${KERNEL}.hpp\"\n"
+file(WRITE "${unit}" "#include \"derivation/algebra/symbolic.hpp\"\n#include \"tests/compile/${KERNEL}.hpp\"\n"
                      "template ${NUMBER} kernel<${NUMBER}>(const ${NUMBER}&);\n")
 set(ENV{LC_ALL} C)
 execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only -I${SOURCE}/src -I${SOURCE} "${unit}"

@@ -1,13 +1,13 @@
 // Certificates: an identity becomes a lemma that the kernel of Coq accepts, a near-identity one that it refuses.
-#include "derivation/certificate.hpp"
+#include "derivation/kernel/certificate.hpp"
 
 #include <cstdlib>
 #include <fstream>
 
 #include "denhartog/formulas/mode.hpp"
-#include "derivation/coq_text.hpp"
-#include "derivation/kernel_check.hpp"
-#include "derivation/symbols.hpp"
+#include "derivation/algebra/symbols.hpp"
+#include "derivation/kernel/coq_text.hpp"
+#include "derivation/kernel/kernel_check.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/ledger_fixtures.hpp"
 

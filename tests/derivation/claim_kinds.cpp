@@ -1,11 +1,11 @@
 // The kind of a claim follows from what is called while its sides are built, and from nothing that is written next to it.
-#include "claim.hpp"
 #include "denhartog/formulas/mode.hpp"
-#include "derived.hpp"
-#include "equation_order.hpp"
-#include "limits.hpp"
-#include "run.hpp"
-#include "symbols.hpp"
+#include "derivation/algebra/limits.hpp"
+#include "derivation/algebra/symbols.hpp"
+#include "derivation/claims/claim.hpp"
+#include "derivation/claims/run.hpp"
+#include "derivation/ledger/equation_order.hpp"
+#include "derivation/paper/derived.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog;

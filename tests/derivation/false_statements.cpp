@@ -3,7 +3,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "derivation/symbols.hpp"
+#include "derivation/algebra/symbols.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog::derivation;

@@ -1,17 +1,17 @@
 // LaTeX of expressions: known expressions give known text; a form in groups is taken only where it is proved; two runs write the
 // same bytes.
-#include "derivation/latex.hpp"
+#include "derivation/typeset/latex.hpp"
 
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <unistd.h>
 
-#include "derivation/claim.hpp"
-#include "derivation/derived.hpp"
-#include "derivation/readable.hpp"
-#include "derivation/symbols.hpp"
-#include "derivation/typeset.hpp"
+#include "derivation/algebra/symbols.hpp"
+#include "derivation/claims/claim.hpp"
+#include "derivation/paper/derived.hpp"
+#include "derivation/typeset/readable.hpp"
+#include "derivation/typeset/typeset.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog::derivation;

@@ -1,7 +1,7 @@
 // Limits along a path: known ones are proved, other coefficients and powers refuted.
-#include "derivation/limits.hpp"
+#include "derivation/algebra/limits.hpp"
 
-#include "derivation/symbols.hpp"
+#include "derivation/algebra/symbols.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog::derivation;

@@ -1,7 +1,7 @@
 // The check of the selections: a form taken where it is not proved is found.
-#include "derivation/selections.hpp"
+#include "derivation/selections/selections.hpp"
 
-#include "derivation/symbols.hpp"
+#include "derivation/algebra/symbols.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog::derivation;

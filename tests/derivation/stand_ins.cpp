@@ -1,5 +1,5 @@
 // The stand-ins of the proofs: the list is closed, and the shipped bodies compute what the theorems say.
-#include "derivation/stand_ins.hpp"
+#include "derivation/selections/stand_ins.hpp"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 // The kinds of mutated twins: each is made where it can be, and one that is not refuted is a hole.
 #include <algorithm>
 
-#include "derivation/claim.hpp"
-#include "derivation/symbols.hpp"
+#include "derivation/algebra/symbols.hpp"
+#include "derivation/claims/claim.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog::derivation;

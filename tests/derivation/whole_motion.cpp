@@ -1,9 +1,9 @@
 // The shipped motion with all its formulas at once in (12), (25) and (30), in 50 digits: no formula in it can be altered unseen.
-#include "derivation/whole_motion.hpp"
+#include "derivation/forms/whole_motion.hpp"
 
 #include <algorithm>
 
-#include "derivation/zero_test.hpp"
+#include "derivation/algebra/zero_test.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog::derivation;

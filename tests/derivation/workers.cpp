@@ -1,12 +1,12 @@
 // Tasks in processes: nothing is lost, whatever their number and however they end.
-#include "derivation/workers.hpp"
+#include "derivation/claims/workers.hpp"
 
 #include <csignal>
 #include <cstdlib>
 #include <sstream>
 #include <stdexcept>
 
-#include "derivation/run.hpp"
+#include "derivation/claims/run.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog::derivation;

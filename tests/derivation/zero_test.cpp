@@ -1,10 +1,10 @@
 // The trusted base: what is zero is proved, what is not is refuted with a witness, near misses included.
-#include "zero_test.hpp"
+#include "derivation/algebra/zero_test.hpp"
 
 #include <algorithm>
 
-#include "claim.hpp"
-#include "symbols.hpp"
+#include "derivation/algebra/symbols.hpp"
+#include "derivation/claims/claim.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog::derivation;

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "denhartog/number/effort.hpp"
-#include "derivation/source_text.hpp"
+#include "derivation/ledger/source_text.hpp"
 #include "tests/catch.hpp"
 
 using denhartog::default_effort;

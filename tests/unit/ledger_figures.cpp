@@ -1,4 +1,4 @@
-#include "derivation/ledger_figures.hpp"
+#include "derivation/ledger/ledger_figures.hpp"
 
 #include <fstream>
 

@@ -9,7 +9,7 @@
 #include <unistd.h>
 #include <vector>
 
-#include "derivation/ledger_rows.hpp"
+#include "derivation/ledger/ledger_rows.hpp"
 #include "tests/catch.hpp"
 
 namespace denhartog::tests {

@@ -1,4 +1,4 @@
-#include "derivation/ledger_join.hpp"
+#include "derivation/ledger/ledger_join.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "derivation/ledger_kernel.hpp"
+#include "derivation/ledger/ledger_kernel.hpp"
 
 #include "denhartog/ledger/ledger_entry.hpp"
 #include "tests/unit/ledger_fixtures.hpp"

@@ -1,10 +1,10 @@
-#include "derivation/ledger_rows.hpp"
+#include "derivation/ledger/ledger_rows.hpp"
 
 #include <map>
 #include <set>
 
 #include "denhartog/number/errors.hpp"
-#include "derivation/source_index.hpp"
+#include "derivation/ledger/source_index.hpp"
 #include "tests/unit/ledger_fixtures.hpp"
 
 using namespace denhartog;

@@ -1,7 +1,7 @@
 // Scenes that show a refuted equation, and the audit of what remains assumed.
-#include "derivation/ledger_scenes.hpp"
+#include "derivation/ledger/ledger_scenes.hpp"
 
-#include "derivation/ledger_audit.hpp"
+#include "derivation/ledger/ledger_audit.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog::derivation;

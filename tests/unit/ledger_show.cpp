@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "denhartog/number/errors.hpp"
-#include "derivation/ledger_join.hpp"
+#include "derivation/ledger/ledger_join.hpp"
 #include "tests/unit/ledger_fixtures.hpp"
 
 using namespace denhartog;

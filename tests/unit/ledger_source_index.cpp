@@ -1,9 +1,9 @@
-#include "derivation/source_index.hpp"
+#include "derivation/ledger/source_index.hpp"
 
 #include <sstream>
 
 #include "denhartog/number/errors.hpp"
-#include "derivation/source_text.hpp"
+#include "derivation/ledger/source_text.hpp"
 #include "tests/unit/ledger_fixtures.hpp"
 
 using namespace denhartog;

@@ -1,4 +1,4 @@
-#include "derivation/ledger_statements.hpp"
+#include "derivation/ledger/ledger_statements.hpp"
 
 #include "tests/unit/ledger_fixtures.hpp"
 

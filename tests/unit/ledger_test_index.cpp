@@ -1,4 +1,4 @@
-#include "derivation/test_index.hpp"
+#include "derivation/ledger/test_index.hpp"
 
 #include "tests/unit/ledger_fixtures.hpp"
 

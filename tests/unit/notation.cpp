@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "derivation/source_text.hpp"
+#include "derivation/ledger/source_text.hpp"
 #include "tests/catch.hpp"
 
 using denhartog::derivation::text_of;

@@ -1,4 +1,4 @@
-#include "derivation/threshold.hpp"
+#include "derivation/claims/threshold.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/support/largest_over_range.hpp"

@@ -3,7 +3,7 @@
 ///
 /// The forms are those of `mode.hpp` in the exponential, in \f$ sc \f$ and \f$ c^2 \f$ (sine and cosine of the half angle; a
 /// half turn alters neither) and with one reciprocal for (28) and (29) together. As there, each is proved equal to the paper's,
-/// in `derivation/batch_forms.cpp`, by instantiating these very templates with symbols.
+/// in `derivation/forms/batch_forms.cpp`, by instantiating these very templates with symbols.
 ///
 /// R is the modal frequency ratio (22), x is 1/(2R), m the mode, e its decay, h the half angle, `inverse` of the denominator,
 /// and u, g are (28), (29).
@@ -44,7 +44,7 @@ template <class T>
 }
 
 /// @brief \f$ v_{di} \f$ with \f$ a = (1-R)(1+R) \f$, \f$ b = 2\zeta R \f$ and one reciprocal: \f$ (a - ib)/(a^2+b^2) \f$.
-/// @eq{23}  @derivation{batch_forms}  @domain{0 < R <= 2^200; zeta = 0 or 2^-500 <= zeta < 1}
+/// @eq{23}  @derivation{forms/batch_forms}  @domain{0 < R <= 2^200; zeta = 0 or 2^-500 <= zeta < 1}
 template <class T>
 [[nodiscard, gnu::always_inline]] inline Complex<T> array_response(const T& R, const ArrayMode<T>& m) {
     const T a = (1 - R) * (1 + R);
@@ -54,14 +54,14 @@ template <class T>
 }
 
 /// @brief The denominator of (28) and (29) inverted: \f$ 1/[(1-E)^2+4Ec^2] \f$.
-/// @eq{28,29}  @derivation{batch_forms}  @domain{R > 0, 0 <= zeta < 1}
+/// @eq{28,29}  @derivation{forms/batch_forms}  @domain{R > 0, 0 <= zeta < 1}
 template <class T>
 [[nodiscard, gnu::always_inline]] inline T inverse_denominator(const Exponential<T>& e, const HalfAngleProducts<T>& h) {
     return 1 / (e.E_minus_one * e.E_minus_one + 4 * (e.head * e.tail) * h.cosine_square);
 }
 
 /// @brief \f$ u_{di} = 4Esc\,/\,(R\,w\,[(1-E)^2+4Ec^2]) \f$, with the small factor of E last.
-/// @eq{28}  @derivation{batch_forms}  @domain{R > 0, 0 <= zeta < 1}
+/// @eq{28}  @derivation{forms/batch_forms}  @domain{R > 0, 0 <= zeta < 1}
 template <class T>
 [[nodiscard, gnu::always_inline]] inline T array_first_damping_function(const T& x, const ArrayMode<T>& m,
                                                                         const Exponential<T>& e, const HalfAngleProducts<T>& h,
@@ -70,7 +70,7 @@ template <class T>
 }
 
 /// @brief \f$ g_i = [(1-E)(1+E) - 4E\frac{\zeta}{w}sc]\,/\,[(1-E)^2+4Ec^2] \f$.
-/// @eq{29}  @derivation{batch_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R below 5/4}
+/// @eq{29}  @derivation{forms/batch_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R below 5/4}
 template <class T>
 [[nodiscard, gnu::always_inline]] inline T array_second_damping_function(const ArrayMode<T>& m, const Exponential<T>& e,
                                                                          const HalfAngleProducts<T>& h, const T& inverse) {
@@ -80,7 +80,7 @@ template <class T>
 
 /// @brief \f$ g_i = 2E\delta\left[\frac{\sinh\delta}{\delta}-\frac{\sin\theta}{\theta}\right]/[(1-E)^2+4Ec^2] \f$, the bracket as
 /// one series in \f$ q = \pi/R \f$, whose coefficients are the mode's.
-/// @eq{29}  @derivation{batch_forms}  @domain{R > 0, 0 < zeta < 1; keeps its digits for R of 5/4 and more}
+/// @eq{29}  @derivation{forms/batch_forms}  @domain{R > 0, 0 < zeta < 1; keeps its digits for R of 5/4 and more}
 template <class T>
 [[nodiscard, gnu::always_inline]] inline T array_second_damping_function_of_large_ratio(const T& delta, const T& square,
                                                                                         const T& series, const Exponential<T>& e,
@@ -96,7 +96,7 @@ struct AngleOfMode {
 };
 
 /// @brief The half angle as a difference where zeta is below 1/2, so that a small zeta is not rounded away, else as a product.
-/// @eq{28,29}  @derivation{solver_selections}  @domain{0 <= zeta < 1}
+/// @eq{28,29}  @derivation{selections/solver_selections}  @domain{0 <= zeta < 1}
 template <class T>
 [[nodiscard]] AngleOfMode<T> angle_of_mode(const T& zeta) {
     if (2 * zeta >= 1) return {oscillating_w(zeta), T(0)};
@@ -132,7 +132,7 @@ template <class T>
 }
 
 /// @brief (23), (28), (29) of a mode as the arrays have them.
-/// @eq{23,28,29}  @derivation{solver_selections}  @domain{0 < R <= 2^200; zeta = 0 or 2^-500 <= zeta < 1}
+/// @eq{23,28,29}  @derivation{selections/solver_selections}  @domain{0 < R <= 2^200; zeta = 0 or 2^-500 <= zeta < 1}
 /// @param R       modal frequency ratio, Eq. (22)
 /// @param m       the mode
 /// @param x       1 / (2 R)
@@ -169,7 +169,7 @@ struct ArrayWeights {
 };
 
 /// @brief The weights of a mode in the sums at the mass in contact.
-/// @eq{33,34,35,64,65}  @derivation{batch_forms}
+/// @eq{33,34,35,64,65}  @derivation{forms/batch_forms}
 /// @param phi_j  mode shape at the mass in contact, without the factor 1/r of (17)
 /// @param phi_l  mode shape at the loaded mass
 /// @param r_n    natural frequency ratio
@@ -182,7 +182,7 @@ template <class T>
 }
 
 /// @brief A mode's term of (64), times r^2.
-/// @eq{64}  @derivation{batch_forms}
+/// @eq{64}  @derivation{forms/batch_forms}
 template <class T>
 [[nodiscard, gnu::always_inline]] inline T term_of_H(const ArrayWeights<T>& m, const T& R, const T& u, const T& g) {
     return m.square * (g + m.two_zeta * R * u);
@@ -194,8 +194,8 @@ template <class T>
 /// ends and of which the derivative is Z sin, Z = N'' + N. Z is a damped sine with zeros \f$ \pi R/w \f$ apart. The expression is
 /// \f$ R\,Z(\pi) \f$, and \f$ R\,Z(0) \f$ is its opposite less \f$ 4\zeta \f$. Where it is positive and 2 R > w, Z therefore goes
 /// from negative to positive once in the half-period: W is nowhere positive, and (57) is largest for tau -> 0.
-/// (`derivation/section_2_6_largest_at_start.cpp` shows that 2 R >= w suffices; this condition is stricter than it need be.)
-/// @eq{57,71}  @derivation{batch_forms}  @domain{R > 0, 0 <= zeta < 1}
+/// (`derivation/paper/section_2_6_largest_at_start.cpp` shows that 2 R >= w suffices; this condition is stricter than it need be.)
+/// @eq{57,71}  @derivation{forms/batch_forms}  @domain{R > 0, 0 <= zeta < 1}
 template <class T>
 [[nodiscard, gnu::always_inline]] inline T excess_at_the_end(const T& two_zeta, const T& R, const T& u, const T& g) {
     return R * u * (two_zeta * two_zeta - (1 - R) * (1 + R)) - two_zeta * (1 - g);

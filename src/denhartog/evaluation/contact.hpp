@@ -59,7 +59,7 @@ struct RootParts {
 };
 
 /// @brief The square of the root from its parts; where rests are given back, whatever the roundings of the parts.
-/// @eq{36,38}  @derivation{evaluation_forms}  @domain{sliding regime, Eq. (69): |V_dj| >= beta |U_dj|}
+/// @eq{36,38}  @derivation{forms/evaluation_forms}  @domain{sliding regime, Eq. (69): |V_dj| >= beta |U_dj|}
 /// @param V_dj  complex response function of the mass in contact, Eq. (33)
 /// @param U_dj  first damping function of the mass in contact, Eq. (34)
 /// @param beta  friction ratio, Eq. (11)
@@ -80,7 +80,7 @@ template <bool rests_given_back, class T>
 }
 
 /// @brief \f$ \sqrt{|V_{dj}|^2-(\beta U_{dj})^2} \f$ with the roundings of the products made good.
-/// @eq{36,38}  @derivation{evaluation_forms}  @domain{sliding regime, Eq. (69): |V_dj| >= beta |U_dj|}
+/// @eq{36,38}  @derivation{forms/evaluation_forms}  @domain{sliding regime, Eq. (69): |V_dj| >= beta |U_dj|}
 /// @param V_dj  complex response function of the mass in contact, Eq. (33)
 /// @param U_dj  first damping function of the mass in contact, Eq. (34)
 /// @param beta  friction ratio, Eq. (11)
@@ -95,7 +95,7 @@ template <class T, bool rests_given_back = std::floating_point<T>>
     return sqrt(square_of_root<rests_given_back>(V_dj, U_dj, beta, parts));
 }
 
-/// @brief (38) with the root above. @eq{38}  @derivation{evaluation_forms}  @domain{sliding regime, Eq. (69)}
+/// @brief (38) with the root above. @eq{38}  @derivation{forms/evaluation_forms}  @domain{sliding regime, Eq. (69)}
 template <class T>
 [[nodiscard]] T displacement_transmissibility_of_contact(const Complex<T>& V_dj, const T& U_dj, const T& G_j, const T& beta) {
     return contact_root(V_dj, U_dj, beta) - beta * G_j;
@@ -103,7 +103,7 @@ template <class T>
 
 /// @brief (39) with the root above in place of the sine's cosine, which cancels where the sine comes near 1.
 /// \f[ \phi_j = \mathrm{atan2}\left(-\beta U_{dj},\ \sqrt{|V_{dj}|^2-(\beta U_{dj})^2}\right) - \angle V_{dj} \f]
-/// @eq{39}  @derivation{evaluation_forms}  @domain{sliding regime, Eq. (69)}
+/// @eq{39}  @derivation{forms/evaluation_forms}  @domain{sliding regime, Eq. (69)}
 template <class T>
 [[nodiscard]] T phase_of_contact(const Complex<T>& V_dj, const T& U_dj, const T& beta) {
     return atan2(T(-(beta * U_dj)), contact_root(V_dj, U_dj, beta)) - argument(V_dj);
@@ -112,7 +112,7 @@ template <class T>
 /// @brief The smallest friction ratio at which the contact never moves: \f$ |V_{dj}/Y_{jj}|/\mu \f$.
 ///
 /// The contact can rest where a force of at most \f$ \mu\beta \f$ makes its displacement zero: \f$ V_{dj} - f\,Y_{jj} = 0 \f$.
-/// @eq{88}  @derivation{section_4_3_stuck}  @domain{Y_jj not zero}
+/// @eq{88}  @derivation{paper/section_4_3_stuck}  @domain{Y_jj not zero}
 template <class T>
 [[nodiscard]] T sticking_limit_by_responses(const Complex<T>& V_dj, const Complex<T>& Y_jj, const T& mu) {
     return modulus(V_dj) / modulus(Y_jj) / mu;

@@ -18,7 +18,7 @@ namespace denhartog::evaluation {
 /// \f[ \mathbf{s}' = \mathbf{A}\mathbf{s}, \qquad \mathbf{A} = \frac{1}{r}\begin{pmatrix} \mathbf{0} & \mathbf{P}^T
 ///     \\ -\mathbf{P} & -\mathbf{B} \end{pmatrix}, \qquad \mathbf{P} = \mathbf{L}^{-1}\mathbf{G}, \quad
 ///     \mathbf{B} = \mathbf{L}^{-1}\mathbf{C}\mathbf{L}^{-T}. \f]
-/// @eq{20}  @derivation{coupled_damping}  @domain{any positive definite M and K, any symmetric C}
+/// @eq{20}  @derivation{forms/coupled_damping}  @domain{any positive definite M and K, any symmetric C}
 /// @param P  N x N, row-major
 /// @param B  N x N, row-major, symmetric
 /// @param N  number of masses
@@ -40,7 +40,7 @@ template <class T>
 /// \f[ \sum_i a_{ki}\,(s_{0i} - f_i), \qquad \mathbf{f} = e^{\mathbf{A}\tau}\mathbf{c}, \quad
 ///     (\mathbf{1}+e^{\mathbf{A}\pi})\,\mathbf{c} = 2\mathbf{s}_0 \f]
 /// Of modes that are not coupled it is the sum over modes in (41).
-/// @eq{41}  @derivation{coupled_damping}
+/// @eq{41}  @derivation{forms/coupled_damping}
 /// @param a_k   the displacement over the first half of the energy coordinates, N values
 /// @param rest  the first half where the system rests under the force, N values
 /// @param f     the first half of the free motion, N values
@@ -53,7 +53,7 @@ template <class T>
 }
 
 /// @brief A derivative of that displacement.
-/// @eq{41}  @derivation{coupled_damping}
+/// @eq{41}  @derivation{forms/coupled_damping}
 /// @param b_k  the velocity over the second half of the energy coordinates, N values
 /// @param f    the second half of the free motion or, for higher derivatives, of its derivative of one order less, N values
 /// @return     the derivative over beta

@@ -22,7 +22,7 @@ namespace denhartog::evaluation {
 
 /// @brief \f$ u_{di}R_i^2 \f$ where neither R^2 nor u may be formed.
 /// \f[ u_{di}R_i^2 = \frac{\pi}{2}\,\frac{\sin y}{y}\,\frac{c}{\sinh^2\frac{\delta}{2}+c^2}, \qquad y = \frac{\pi w}{2R_i} \f]
-/// @eq{28}  @derivation{evaluation_of_motion}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R of 5/4 and more}
+/// @eq{28}  @derivation{forms/evaluation_of_motion}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R of 5/4 and more}
 template <class T>
 [[nodiscard]] T first_damping_function_by_R_squared(const T& R, const T& zeta, const HalfAngle<T>& h) {
     const T sinh_half = sinh(T(h.delta / 2));
@@ -38,7 +38,7 @@ struct HarmonicDifference {
 };
 
 /// @brief \f$ \cos b - \cos\tau \f$ with \f$ b = w\tau/R_i \f$, where \f$ b - \tau = \tau\,[(1-R_i)-(1-w)]/R_i \f$.
-/// @eq{57}  @derivation{evaluation_of_motion}  @domain{tau >= 0, R > 0, |zeta| < 1}
+/// @eq{57}  @derivation{forms/evaluation_of_motion}  @domain{tau >= 0, R > 0, |zeta| < 1}
 /// @return the difference, as a product of two sines
 template <class T>
 [[nodiscard]] T difference_of_cosines(const T& tau, const T& R, const T& zeta) {
@@ -50,7 +50,7 @@ template <class T>
 /// @brief \f$ R_iq_i'(\tau) - \cos\tau \f$ and \f$ R_iq_i(\tau) \f$, \f$ b = w\tau/R_i \f$, \f$ a = \zeta_i\tau/R_i \f$.
 /// \f[ (e^{-a}-1)\cos b + [\cos b - \cos\tau] - e^{-a}\zeta_i\frac{\sin b}{w}, \qquad e^{-a}\tau\,\frac{\sin b}{b} \f]
 /// Minus zeta gives the motion backwards in time.
-/// @eq{57}  @derivation{evaluation_of_motion}  @domain{tau > 0, R > 0, |zeta| < 1}
+/// @eq{57}  @derivation{forms/evaluation_of_motion}  @domain{tau > 0, R > 0, |zeta| < 1}
 template <class T>
 [[nodiscard]] HarmonicDifference<T> harmonic_difference(const T& tau, const T& R, const T& zeta) {
     const T w = oscillating_w(zeta);
@@ -61,7 +61,7 @@ template <class T>
 }
 
 /// @brief The expression in (57) from the start of the half-period.
-/// @eq{57}  @derivation{evaluation_of_motion}  @domain{0 < tau < pi, R > 0, 0 <= zeta < 1; keeps its digits for tau up to pi/2}
+/// @eq{57}  @derivation{forms/evaluation_of_motion}  @domain{0 < tau < pi, R > 0, 0 <= zeta < 1; keeps its digits for tau up to pi/2}
 template <class T>
 [[nodiscard]] T s_d_integrand_from_start(const T& tau, const T& R, const T& zeta, const T& u_R2, const T& g) {
     const HarmonicDifference<T> f = harmonic_difference(tau, R, zeta);
@@ -69,7 +69,7 @@ template <class T>
 }
 
 /// @brief The expression in (57) from the end of the half-period, backwards in time.
-/// @eq{57}  @derivation{evaluation_of_motion}
+/// @eq{57}  @derivation{forms/evaluation_of_motion}
 /// @domain{0 < sigma < pi, R > 0, 0 <= zeta < 1; keeps its digits for sigma up to pi/2, delta up to 1}
 template <class T>
 [[nodiscard]] T s_d_integrand_from_end(const T& sigma, const T& R, const T& zeta, const T& u_R2, const T& g) {
@@ -86,7 +86,7 @@ struct DecayTakenOut {
 /// @brief What is left of \f$ 1-g_i \f$ and \f$ u_{di}R_i^2 \f$ when the decay is taken out.
 /// \f[ \frac{1-g}{E} = \frac{2\,[2c^2-(1-E)+2\frac{\zeta}{w}sc]}{(1-E)^2+4Ec^2}, \qquad
 ///     \frac{uR^2}{E} = \frac{4Rsc}{w\,[(1-E)^2+4Ec^2]} \f]
-/// @eq{28,29}  @derivation{evaluation_of_motion}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for delta of 1 and more}
+/// @eq{28,29}  @derivation{forms/evaluation_of_motion}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for delta of 1 and more}
 template <class T>
 [[nodiscard]] DecayTakenOut<T> decay_taken_out(const T& R, const T& zeta, const HalfAngle<T>& h) {
     const T E_minus_one = exp_minus_one(T(-h.delta));
@@ -101,7 +101,7 @@ template <class T>
 /// With \f$ b = w\sigma/R_i \f$, \f$ a = \zeta_i\sigma/R_i \f$ and the quotients of `decay_taken_out`
 /// \f[ -\frac{e^{-\zeta_i(\pi-\sigma)/R_i}}{\sin\sigma}\left\{\frac{1-g}{E}R_i\frac{\sin b}{w}
 ///     - \frac{uR^2}{E}\left[\cos b + \zeta_i\frac{\sin b}{w} - e^{-a}\cos\sigma\right]\right\} \f]
-/// @eq{57}  @derivation{evaluation_of_motion}
+/// @eq{57}  @derivation{forms/evaluation_of_motion}
 /// @domain{0 < sigma < pi, R > 0, 0 <= zeta < 1; keeps its digits for sigma up to pi/2, delta of 1 and more}
 template <class T>
 [[nodiscard]] T s_d_integrand_after_decay(const T& sigma, const T& R, const T& zeta, const DecayTakenOut<T>& f) {
@@ -114,14 +114,14 @@ template <class T>
 }
 
 /// @brief The expression in (57) at the end of the half-period, \f$ -(1-g_i-2\zeta_iR_iu_{di}) \f$.
-/// @eq{57,71}  @derivation{evaluation_of_motion}  @domain{R > 0, 0 <= zeta < 1}
+/// @eq{57,71}  @derivation{forms/evaluation_of_motion}  @domain{R > 0, 0 <= zeta < 1}
 template <class T>
 [[nodiscard]] T s_d_at_pi(const T& R, const T& zeta, const T& u, const T& g) {
     return -paper::s_d_at_zero(R, T(-zeta), u, T(-g));
 }
 
 /// @brief The same limit, the decay over the half-period taken out.
-/// @eq{57,71}  @derivation{evaluation_of_motion}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for delta of 1 and more}
+/// @eq{57,71}  @derivation{forms/evaluation_of_motion}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for delta of 1 and more}
 template <class T>
 [[nodiscard]] T s_d_at_pi_after_decay(const T& R, const T& zeta, const DecayTakenOut<T>& f) {
     return -exp(T(-pi<T>() * zeta / R)) * (f.one_minus_g - 2 * zeta * (f.u_R2 / R));
@@ -129,7 +129,7 @@ template <class T>
 
 /// @brief The expression in (57) of a mode below \f$ \zeta = 1 \f$, its limits at both ends included: the form that keeps its
 /// digits at this place.
-/// @eq{57,71}  @derivation{evaluation_of_motion}  @domain{0 <= tau <= pi, R > 0, 0 <= zeta < 1}
+/// @eq{57,71}  @derivation{forms/evaluation_of_motion}  @domain{0 <= tau <= pi, R > 0, 0 <= zeta < 1}
 /// @return the expression; not finite at the poles at zeta = 0, R = 1/n, n odd
 template <class T>
 [[nodiscard]] T oscillating_s_d_integrand(const T& tau, const T& R, const T& zeta, const DampingFunctions<T>& f) {
@@ -149,7 +149,7 @@ template <class T>
 
 /// @brief The expression in (57) from the rate of the braces of (40).
 /// \f[ \frac{R_i^2}{\sin\tau}\left\{\frac{d}{d\tau}\left[1-(1+g_i)d_i-u_{di}R_iq_i\right] + u_{di}\cos\tau\right\} \f]
-/// @eq{57}  @derivation{overdamped_modes}  @domain{0 < tau < pi, R > 0, zeta >= 0}
+/// @eq{57}  @derivation{forms/overdamped_modes}  @domain{0 < tau < pi, R > 0, zeta >= 0}
 template <class T>
 [[nodiscard]] T s_d_integrand_from_rate(const T& tau, const T& R, const T& u, const T& prime) {
     return R * R * (prime + u * cos(tau)) / sin(tau);
@@ -160,7 +160,7 @@ template <class T>
 /// \f[ \frac{R_i}{\sin\tau}\left\{(1+g_i)e^{-\zeta_ix}S - u_{di}R_i\left[(e^{-\zeta_ix}-1)C + (C-1) + 2\sin^2\frac{\tau}{2}
 ///     - \zeta_ie^{-\zeta_ix}S\right]\right\} \f]
 /// The terms in brackets vanish at \f$ \tau \to 0 \f$ one by one.
-/// @eq{57}  @derivation{overdamped_modes}  @domain{0 < tau < pi, R > 0, zeta >= 1; keeps its digits for zeta tau / R up to 1}
+/// @eq{57}  @derivation{forms/overdamped_modes}  @domain{0 < tau < pi, R > 0, zeta >= 1; keeps its digits for zeta tau / R up to 1}
 template <class T>
 [[nodiscard]] T overdamped_s_d_integrand_from_start(const T& tau, const T& R, const T& zeta, const T& u, const T& g) {
     const T x = tau / R;
@@ -172,7 +172,7 @@ template <class T>
 }
 
 /// @brief The expression in (57) of a mode from \f$ \zeta = 1 \f$ on, its limits at both ends included.
-/// @eq{57,71}  @derivation{overdamped_modes}  @domain{0 <= tau <= pi, R > 0, zeta >= 1}
+/// @eq{57,71}  @derivation{forms/overdamped_modes}  @domain{0 <= tau <= pi, R > 0, zeta >= 1}
 template <class T>
 [[nodiscard]] T overdamped_s_d_integrand(const T& tau, const T& R, const T& zeta, const DampingFunctions<T>& f) {
     if (!(tau > 0)) return paper::s_d_at_zero(R, zeta, f.u, f.g);
@@ -183,7 +183,7 @@ template <class T>
 }
 
 /// @brief The expression in (57) of a mode with what has been found for (28) and (29), in the type of these.
-/// @eq{57,71}  @derivation{evaluation_of_motion}  @domain{0 <= tau <= pi, R > 0, zeta >= 0}
+/// @eq{57,71}  @derivation{forms/evaluation_of_motion}  @domain{0 <= tau <= pi, R > 0, zeta >= 0}
 /// @return the expression; not finite at the poles at zeta = 0, R = 1/n, n odd
 template <class T>
 [[nodiscard]] T s_d_integrand_of(const T& tau, const T& R, const T& zeta, const DampingFunctions<T>& f) {

@@ -29,7 +29,7 @@ template <class T>
     return {(a.re * b.re + a.im * b.im) / size, (a.im * b.re - a.re * b.im) / size};
 }
 
-/// @brief \f$ (e^z-1)/z \f$ of a complex number, which is 1 at 0; `derivation/stand_ins.hpp` has its stand-in.
+/// @brief \f$ (e^z-1)/z \f$ of a complex number, which is 1 at 0; `derivation/selections/stand_ins.hpp` has its stand-in.
 template <class T>
 [[nodiscard]] Complex<T> exp_minus_one_over(const Complex<T>& z) {
     const T nothing = std::numeric_limits<T>::epsilon() / 4;
@@ -41,7 +41,7 @@ template <class T>
 
 /// @brief \f$ R^2v_d \f$ from the gap \f$ 1-1/R^2 \f$ and the decay \f$ a = \zeta/R \f$.
 /// \f[ R^2v_d = -\frac{(1-R^{-2}) + 2ia}{(1-R^{-2})^2+4a^2} \f]
-/// @eq{23}  @derivation{driven_motion}  @domain{R > 0, zeta >= 0; at zeta = 0 a pole at R = 1}
+/// @eq{23}  @derivation{forms/driven_motion}  @domain{R > 0, zeta >= 0; at zeta = 0 a pole at R = 1}
 template <class T>
 [[nodiscard]] Complex<T> response_by_R_squared(const T& gap, const T& a) {
     const T size = gap * gap + 4 * a * a;
@@ -49,7 +49,7 @@ template <class T>
 }
 
 /// @brief What the start has more than the rest under the constant force and the harmonic motion.
-/// @eq{A.5,A.6}  @derivation{driven_motion}
+/// @eq{A.5,A.6}  @derivation{forms/driven_motion}
 template <class T>
 [[nodiscard]] InitialValues<T> free_start(const InitialValues<T>& start, const T& at_rest, const Complex<T>& X, const T& cos_0,
                                           const T& sin_0) {
@@ -57,7 +57,7 @@ template <class T>
 }
 
 /// @brief Displacement and velocity under a constant and a harmonic force.
-/// @eq{A.6,A.7,A.8,A.9}  @derivation{driven_motion}  @domain{R > 0, zeta >= 0}
+/// @eq{A.6,A.7,A.8,A.9}  @derivation{forms/driven_motion}  @domain{R > 0, zeta >= 0}
 template <class T>
 [[nodiscard]] InitialValues<T> driven_motion(const FreeMotion<T>& free, const T& R, const InitialValues<T>& start,
                                              const T& at_rest, const Complex<T>& X, const T& cosine, const T& sine) {
@@ -67,7 +67,7 @@ template <class T>
 
 /// @brief By how much the damped frequency differs from that of the force.
 /// \f[ 1-\frac{w}{R} = \frac{(1-R^{-2}) + \zeta^2R^{-2}}{1+w/R} \f]
-/// @eq{A.8}  @derivation{driven_motion}  @domain{R > 0, 0 <= zeta < 1; keeps its digits next to R = 1, zeta = 0}
+/// @eq{A.8}  @derivation{forms/driven_motion}  @domain{R > 0, 0 <= zeta < 1; keeps its digits next to R = 1, zeta = 0}
 template <class T>
 [[nodiscard]] T detuning(const T& R, const T& zeta, const T& gap) {
     const T w = oscillating_w(zeta);
@@ -82,7 +82,7 @@ template <class T>
 ///     E_1 = e^{\lambda t}\,\frac{e^{(i-\lambda)t}-1}{i-\lambda}, \quad E_2 = \frac{e^{it}-e^{\bar\lambda t}}{i-\bar\lambda} \f]
 /// where \f$ i-\lambda = a+i(1-b) \f$ comes from `detuning`: as b goes to 1 and a to 0 the error stays some units in
 /// the last place of 1 + t.
-/// @eq{A.6,A.7}  @derivation{driven_motion}  @domain{a >= 0, b > 0; keeps its digits next to a = 0, b = 1}
+/// @eq{A.6,A.7}  @derivation{forms/driven_motion}  @domain{a >= 0, b > 0; keeps its digits next to a = 0, b = 1}
 /// @param t        time from the start
 /// @param a        decay rate zeta / R
 /// @param b        damped frequency w / R
@@ -117,7 +117,7 @@ struct DrivenCoordinate {
 };
 
 /// @brief A coordinate under a harmonic force: next to resonance, where \f$ R^2|v_d| > 8 \f$, harmonic and free part together.
-/// @eq{A.5,A.6}  @derivation{solver_selections}  @domain{R > 0, zeta >= 0}
+/// @eq{A.5,A.6}  @derivation{selections/solver_selections}  @domain{R > 0, zeta >= 0}
 /// @param omega  natural frequency 1 / R
 /// @param gap    1 - 1/R^2, as near to resonance as it is known
 /// @param decay  decay rate zeta / R
@@ -141,7 +141,7 @@ struct DrivenStart {
 };
 
 /// @brief Displacement and velocity of a driven coordinate, in the form that it is prepared for.
-/// @eq{A.6,A.7}  @derivation{solver_selections}  @domain{t >= 0, R > 0, zeta >= 0}
+/// @eq{A.6,A.7}  @derivation{selections/solver_selections}  @domain{t >= 0, R > 0, zeta >= 0}
 template <class T>
 [[nodiscard]] InitialValues<T> motion_of_coordinate(const FreeMotion<T>& free, const T& t, const DrivenCoordinate<T>& c,
                                                     const DrivenStart<T>& start, const T& cosine, const T& sine) {
@@ -153,7 +153,7 @@ template <class T>
 }
 
 /// @brief The derivative of a coordinate two orders up, by its equation of motion: \f$ f - D - \eta/R^2 \f$.
-/// @eq{20,A.1}  @derivation{driven_motion}
+/// @eq{20,A.1}  @derivation{forms/driven_motion}
 /// @param eta      a derivative of the coordinate
 /// @param omega    natural frequency 1 / R
 /// @param damping  damping force D at the next derivative

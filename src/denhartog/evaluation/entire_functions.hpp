@@ -4,8 +4,8 @@
 /// There \f$ w = i w_1 \f$ with \f$ w_1 = \sqrt{\zeta^2-1} \f$, and \f$ \cos wx = \cosh w_1x \f$,
 /// \f$ \sin(wx)/w = \sinh(w_1x)/w_1 \f$: real, and at \f$ \zeta = 1 \f$ no exception. The rates of decay are
 /// \f$ a = \zeta - w_1 = 1/(\zeta+w_1) \f$ and \f$ 1/a \f$. The functions that compare numbers have a stand-in in
-/// `derivation/stand_ins.hpp`, which is the formula of their comment; the others are proved as they stand. The series keep their
-/// digits where \f$ w_1x \f$ is not much beyond 1.
+/// `derivation/selections/stand_ins.hpp`, which is the formula of their comment; the others are proved as they stand. The series
+/// keep their digits where \f$ w_1x \f$ is not much beyond 1.
 #pragma once
 
 #include "denhartog/evaluation/special.hpp"

@@ -20,7 +20,7 @@ namespace denhartog::evaluation {
 
 /// @brief \f$ 1-d \f$ from \f$ m = 1-e^{-\zeta x} \f$, the half angle and q.
 /// \f[ 1-d = m + 2(1-m)\sin^2\frac{wx}{2} - \zeta q \f]
-/// @eq{A.8}  @derivation{evaluation_of_motion}  @domain{x >= 0, 0 <= zeta < 1; keeps its digits for x of 2 zeta and more}
+/// @eq{A.8}  @derivation{forms/evaluation_of_motion}  @domain{x >= 0, 0 <= zeta < 1; keeps its digits for x of 2 zeta and more}
 template <class T>
 [[nodiscard]] T one_minus_d_half_angle(const T& x, const T& zeta, const T& w, const T& q) {
     const T m = -exp_minus_one(T(-zeta * x));
@@ -31,7 +31,7 @@ template <class T>
 /// @brief \f$ 1-d \f$ as a sum of positive terms.
 /// \f[ 1-d = \frac{m^2}{2} + (1-m)\left[2\sin^2\frac{wx}{2} + \zeta x\left(\frac{\sinh\zeta x}{\zeta x} - \frac{\sin wx}{wx}
 ///     \right)\right] \f]
-/// @eq{A.8}  @derivation{evaluation_of_motion}  @domain{x >= 0, 0 <= zeta < 1; keeps its digits for x up to 2}
+/// @eq{A.8}  @derivation{forms/evaluation_of_motion}  @domain{x >= 0, 0 <= zeta < 1; keeps its digits for x up to 2}
 template <class T>
 [[nodiscard]] T one_minus_d_of_positive_terms(const T& x, const T& zeta, const T& w) {
     const T m = -exp_minus_one(T(-zeta * x));
@@ -42,7 +42,7 @@ template <class T>
 /// @brief The same for \f$ \zeta \ge 1 \f$, from both rates a and \f$ b = \zeta+w_1 \f$.
 /// \f[ 1-d = \tfrac12(1-e^{-ax})(1-e^{-bx}) + e^{-\zeta x}\zeta x\left(\frac{\sinh\zeta x}{\zeta x} - \frac{\sinh w_1x}{w_1x}
 ///     \right) \f]
-/// @eq{A.8}  @derivation{overdamped_modes}  @domain{x >= 0, zeta >= 1; keeps its digits for zeta x up to 4}
+/// @eq{A.8}  @derivation{forms/overdamped_modes}  @domain{x >= 0, zeta >= 1; keeps its digits for zeta x up to 4}
 template <class T>
 [[nodiscard]] T overdamped_one_minus_d_of_positive_terms(const T& x, const T& zeta) {
     const T slow = exp_minus_one(T(-slow_rate(zeta) * x)), fast = exp_minus_one(T(-(zeta + overdamped_w(zeta)) * x));
@@ -50,14 +50,14 @@ template <class T>
 }
 
 /// @brief \f$ 1-d = (1-e^{-ax}) - q/b \f$ for \f$ \zeta \ge 1 \f$.
-/// @eq{A.8}  @derivation{overdamped_modes}  @domain{x >= 0, zeta >= 1; keeps its digits for zeta x of 2 and more}
+/// @eq{A.8}  @derivation{forms/overdamped_modes}  @domain{x >= 0, zeta >= 1; keeps its digits for zeta x of 2 and more}
 template <class T>
 [[nodiscard]] T overdamped_one_minus_d_of_slow_rate(const T& x, const T& zeta, const T& q) {
     return -exp_minus_one(T(-slow_rate(zeta) * x)) - q / (zeta + overdamped_w(zeta));
 }
 
 /// @brief The braces of (40) with their derivatives from the free motions.
-/// @eq{40,A.8,A.9}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0}
+/// @eq{40,A.8,A.9}  @derivation{forms/evaluation_forms}  @domain{R > 0, zeta >= 0}
 template <class T>
 [[nodiscard]] FrictionMotion<T> friction_motion_of(const FreeMotion<T>& free, const T& one_minus_d, const T& R, const T& u,
                                                    const T& g) {
@@ -66,7 +66,7 @@ template <class T>
 }
 
 /// @brief \f$ 1-d \f$: the form that keeps its digits at this place.
-/// @eq{A.8}  @derivation{evaluation_of_motion}  @domain{x >= 0, zeta >= 0}
+/// @eq{A.8}  @derivation{forms/evaluation_of_motion}  @domain{x >= 0, zeta >= 0}
 template <class T>
 [[nodiscard]] T one_minus_d(const T& x, const T& zeta, const T& w, const T& q) {
     if (zeta >= 1)
@@ -75,7 +75,7 @@ template <class T>
 }
 
 /// @brief The braces of (40) with their first two derivatives: the forms that keep their digits at this place, float in double.
-/// @eq{40,A.8,A.9}  @derivation{evaluation_forms}  @domain{0 <= tau <= pi, R > 0, zeta >= 0}
+/// @eq{40,A.8,A.9}  @derivation{forms/evaluation_forms}  @domain{0 <= tau <= pi, R > 0, zeta >= 0}
 template <class T>
 [[nodiscard]] FrictionMotion<T> friction_motion(const T& tau, const T& R, const T& zeta, const T& w, const T& u, const T& g) {
     if constexpr (std::is_same_v<T, float>) {

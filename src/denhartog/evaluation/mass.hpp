@@ -35,7 +35,7 @@ struct MotionOfMass {
 
 /// @brief The harmonic part of (46) as corrected, with \f$ |V_{dk}|\cos\Delta/|V_{dj}| \f$ as
 /// \f$ \mathrm{Re}\{V_{dk}V_{dj}^*\}/|V_{dj}|^2 \f$.
-/// @eq{42,43,46}  @derivation{evaluation_forms}  @domain{sliding regime, Eq. (69); V_dj not zero}
+/// @eq{42,43,46}  @derivation{forms/evaluation_forms}  @domain{sliding regime, Eq. (69); V_dj not zero}
 template <class T>
 [[nodiscard]] HarmonicPart<T> harmonic_part(const Complex<T>& V_dk, const Complex<T>& V_dj, const T& U_dj, const T& beta) {
     const T root = contact_root(V_dj, U_dj, beta);
@@ -46,7 +46,7 @@ template <class T>
 }
 
 /// @brief (44) and (45) as corrected: the harmonic part less what friction has of it at tau = 0.
-/// @eq{44,45}  @derivation{evaluation_forms}  @domain{sliding regime, Eq. (69); V_dj not zero}
+/// @eq{44,45}  @derivation{forms/evaluation_forms}  @domain{sliding regime, Eq. (69); V_dj not zero}
 /// @return x_k0 and x'_k0, in units of P / k_1
 template <class T>
 [[nodiscard]] InitialState<T> initial_state(const Complex<T>& V_dk, const Complex<T>& V_dj, const T& U_dj, const T& U_dk,
@@ -56,7 +56,7 @@ template <class T>
 }
 
 /// @brief Motion of a mass over the half-period: (46) as corrected, with (40) from the motions of the modes, and its derivatives.
-/// @eq{40,46}  @derivation{evaluation_of_motion}  @domain{sliding regime, Eq. (69); 0 <= tau <= pi}
+/// @eq{40,46}  @derivation{forms/evaluation_of_motion}  @domain{sliding regime, Eq. (69); 0 <= tau <= pi}
 /// @param C     cosine of the non-dimensional time tau, which is zero at a maximum of x_j
 /// @param S     sine of tau
 /// @param h     the harmonic part

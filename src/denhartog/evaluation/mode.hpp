@@ -7,8 +7,8 @@
 /// neither a rounded quotient nor a rounded w is magnified near the poles. The numerator of (29) cancels at large R; there a
 /// second form is taken. Products that could leave the range of the number type on the way to a result within it are taken in
 /// another order, or with a factor `scale`, a power of two that every form is free of. Every form is branch-free and proved equal
-/// to the paper's in `derivation/evaluation_forms.cpp`; only the selection compares numbers. From \f$ \zeta = 1 \f$ on, which the
-/// paper leaves out, the selection goes to the forms of `overdamped.hpp`.
+/// to the paper's in `derivation/forms/evaluation_forms.cpp`; only the selection compares numbers. From \f$ \zeta = 1 \f$ on, which
+/// the paper leaves out, the selection goes to the forms of `overdamped.hpp`.
 ///
 /// R is the modal frequency ratio (22), zeta the modal damping ratio, h the half angle and the exponent, and `scale` lifts a
 /// subnormal zeta.
@@ -25,7 +25,7 @@ namespace denhartog::evaluation {
 
 /// @brief \f$ v_{di} \f$ with \f$ a = (1-R)(1+R) \f$, exact to rounding near resonance, and \f$ b = 2\zeta R \f$: a is larger.
 /// \f[ \mathrm{Re}\{v\} = \frac{1}{a + b\,(b/a)}, \qquad \mathrm{Im}\{v\} = -\frac{b}{a}\,\mathrm{Re}\{v\} \f]
-/// @eq{23}  @derivation{evaluation_forms}  @domain{0 < R < 2, zeta >= 0, R not 1; keeps its digits for |a| >= b}
+/// @eq{23}  @derivation{forms/evaluation_forms}  @domain{0 < R < 2, zeta >= 0, R not 1; keeps its digits for |a| >= b}
 template <class T>
 [[nodiscard]] Complex<T> complex_response_off_resonance(const T& R, const T& zeta, const T& scale) {
     const T a = (1 - R) * (1 + R);
@@ -36,7 +36,7 @@ template <class T>
 
 /// @brief \f$ v_{di} \f$ with a and b as off resonance, where b is larger.
 /// \f[ \mathrm{Im}\{v\} = -\frac{1}{b + a\,(a/b)}, \qquad \mathrm{Re}\{v\} = -\frac{a}{b}\,\mathrm{Im}\{v\} \f]
-/// @eq{23}  @derivation{evaluation_forms}  @domain{0 < R < 2, zeta > 0; keeps its digits for |a| <= b}
+/// @eq{23}  @derivation{forms/evaluation_forms}  @domain{0 < R < 2, zeta > 0; keeps its digits for |a| <= b}
 template <class T>
 [[nodiscard]] Complex<T> complex_response_near_resonance(const T& R, const T& zeta) {
     const T a = (1 - R) * (1 + R);
@@ -48,7 +48,7 @@ template <class T>
 
 /// @brief \f$ v_{di} \f$ in \f$ p = 1/R \f$: no square of R overflows.
 /// \f[ v_{di} = \frac{A - iB}{R^2\,(A^2+B^2)}, \qquad A = p^2-1,\quad B = 2\zeta p \f]
-/// @eq{23}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R of 2 and more}
+/// @eq{23}  @derivation{forms/evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R of 2 and more}
 template <class T>
 [[nodiscard]] Complex<T> complex_response_high_frequency(const T& R, const T& zeta) {
     const T p = 1 / R;
@@ -59,7 +59,7 @@ template <class T>
 }
 
 /// @brief \f$ v_{di} \f$: the form that keeps its digits at this place.
-/// @eq{23}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0}
+/// @eq{23}  @derivation{forms/evaluation_forms}  @domain{R > 0, zeta >= 0}
 /// @return v_di; not a number at its pole R = 1, zeta = 0
 template <class T>
 [[nodiscard]] Complex<T> complex_response(const T& R, const T& zeta) {
@@ -81,7 +81,7 @@ struct HalfAngle {
 
 /// @brief Half angle as a difference, and the exponent of the decay over the half-period.
 /// \f[ \frac{\theta}{2} = \frac{\pi}{2R} - \frac{\pi(1-w)}{2R}, \qquad \delta = \frac{\pi\zeta}{R} \f]
-/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for zeta below 1/2}
+/// @eq{28,29}  @derivation{forms/evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for zeta below 1/2}
 template <class T>
 [[nodiscard]] HalfAngle<T> half_angle(const T& R, const T& zeta) {
     const SineCosine<T> half = sine_cosine_of_half_period(R, T(one_minus_w(zeta) / (2 * R)));
@@ -90,7 +90,7 @@ template <class T>
 }
 
 /// @brief Half angle as a product, which keeps its digits where w is small, and the exponent of the decay.
-/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for zeta of 1/2 and more}
+/// @eq{28,29}  @derivation{forms/evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for zeta of 1/2 and more}
 template <class T>
 [[nodiscard]] HalfAngle<T> half_angle_of_heavy_damping(const T& R, const T& zeta) {
     const T w = oscillating_w(zeta);
@@ -101,7 +101,7 @@ template <class T>
 
 /// @brief (28) and (29) in decaying exponentials and half angles.
 /// \f[ u = \frac{4Esc}{R\,w\,[(1-E)^2+4Ec^2]}, \qquad g = \frac{(1-E)(1+E) - 4E\frac{\zeta}{w}sc}{(1-E)^2+4Ec^2} \f]
-/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R below 5/4}
+/// @eq{28,29}  @derivation{forms/evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R below 5/4}
 template <class T>
 [[nodiscard]] DampingFunctions<T> damping_functions_half_angle(const T& R, const T& zeta, const HalfAngle<T>& h) {
     const T root_E = exp(T(-h.delta / 2));
@@ -114,7 +114,7 @@ template <class T>
 
 /// @brief (28) and (29) with \f$ \delta \f$ taken out of the numerator of (29), where a subnormal zeta would lose its digits.
 /// \f[ g = \frac{\delta}{(1-E)^2+4Ec^2}\left[(1+E)\frac{1-E}{\delta} - \frac{4ERsc}{\pi w}\right] \f]
-/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R below 5/4}
+/// @eq{28,29}  @derivation{forms/evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R below 5/4}
 template <class T>
 [[nodiscard]] DampingFunctions<T> damping_functions_slight_damping(const T& R, const T& zeta, const HalfAngle<T>& h,
                                                                    const T& scale) {
@@ -131,7 +131,7 @@ template <class T>
 /// @brief (28) and (29) where both arguments are small: the numerator of (29) as a series with positive leading term.
 /// \f[ u = \frac{sc}{R\,w\,(\sinh^2\frac{\delta}{2}+c^2)}, \qquad
 ///     g = \frac{\delta\left[\frac{\sinh\delta}{\delta}-\frac{\sin\theta}{\theta}\right]}{2\,(\sinh^2\frac{\delta}{2}+c^2)} \f]
-/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R of 5/4 and more}
+/// @eq{28,29}  @derivation{forms/evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R of 5/4 and more}
 template <class T>
 [[nodiscard]] DampingFunctions<T> damping_functions_small_argument(const T& R, const T& zeta, const HalfAngle<T>& h,
                                                                    const T& scale) {
@@ -146,7 +146,7 @@ template <class T>
 ///
 /// With \f$ y = \zeta^2/[2(1+w)] \f$, \f$ t = \sin(\pi y)/\zeta^2 \f$, \f$ s = \cos\pi y \f$, \f$ e = (1-E)/\zeta \f$
 /// \f[ u = \frac{4Ets}{w\,(e^2+4E\zeta^2t^2)}, \qquad g = \frac{(1+E)\,e - 4E\frac{\zeta^2}{w}ts}{\zeta\,(e^2+4E\zeta^2t^2)} \f]
-/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R = 1, 0 < zeta < 1; keeps its digits for zeta below 1/2}
+/// @eq{28,29}  @derivation{forms/evaluation_forms}  @domain{R = 1, 0 < zeta < 1; keeps its digits for zeta below 1/2}
 template <class T>
 [[nodiscard]] DampingFunctions<T> damping_functions_at_resonance(const T& zeta) {
     const T w = oscillating_w(zeta);
@@ -167,7 +167,7 @@ template <class T>
 }
 
 /// @brief \f$ u_{di} \f$ and \f$ g_i \f$: the form that keeps its digits at this place.
-/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0, but for the poles at zeta = 0}
+/// @eq{28,29}  @derivation{forms/evaluation_forms}  @domain{R > 0, zeta >= 0, but for the poles at zeta = 0}
 template <class T>
 [[nodiscard]] DampingFunctions<T> selected_damping_functions(const T& R, const T& zeta) {
     if (zeta >= 1) return overdamped_functions(R, zeta);
@@ -181,7 +181,7 @@ template <class T>
 }
 
 /// @brief \f$ u_{di} \f$ and \f$ g_i \f$ as callers get them: those of float in double, so that (40) keeps its digits.
-/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0}
+/// @eq{28,29}  @derivation{forms/evaluation_forms}  @domain{R > 0, zeta >= 0}
 /// @return u, g; not finite at the poles at zeta = 0, R = 1/n, n odd
 template <class T>
 [[nodiscard]] DampingFunctions<T> damping_functions(const T& R, const T& zeta) {
@@ -195,7 +195,7 @@ template <class T>
 }
 
 /// @brief \f$ v_{di} \f$, \f$ u_{di} \f$ and \f$ g_i \f$: the form that keeps its digits at this place.
-/// @eq{23,28,29}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0}
+/// @eq{23,28,29}  @derivation{forms/evaluation_forms}  @domain{R > 0, zeta >= 0}
 /// @return v, u, g; not finite at the poles that (23), (28), (29) have at zeta = 0
 template <class T>
 [[nodiscard]] ModeFunctions<T> mode_functions(const T& R, const T& zeta) {
@@ -208,7 +208,7 @@ template <class T>
 ///     q'' = -\frac{e^{-\zeta x}}{R^2}[2\zeta(C-\zeta S)+S], \qquad C = \cos wx, \quad S = x\,\frac{\sin wx}{wx} \f]
 /// The decay is the square of a root, between whose factors 1/R stands: neither leaves the range of the number type before the
 /// rates do.
-/// @eq{A.8,A.9}  @derivation{evaluation_of_motion}  @domain{tau >= 0, R > 0, 0 <= zeta < 1}
+/// @eq{A.8,A.9}  @derivation{forms/evaluation_of_motion}  @domain{tau >= 0, R > 0, 0 <= zeta < 1}
 template <class T>
 [[nodiscard]] FreeMotion<T> oscillating_free_motion(const T& tau, const T& R, const T& zeta, const T& w) {
     const T x = tau / R;
@@ -222,7 +222,7 @@ template <class T>
 }
 
 /// @brief Free motions (A.8) of a mode and their rates (A.9): the form that keeps its digits at this place.
-/// @eq{A.8,A.9}  @derivation{evaluation_of_motion}  @domain{tau >= 0, R > 0, zeta >= 0}
+/// @eq{A.8,A.9}  @derivation{forms/evaluation_of_motion}  @domain{tau >= 0, R > 0, zeta >= 0}
 template <class T>
 [[nodiscard]] FreeMotion<T> free_motion(const T& tau, const T& R, const T& zeta, const T& w) {
     if (zeta >= 1) return with_rates_in_tau(overdamped_free_motion(T(tau / R), zeta), R);

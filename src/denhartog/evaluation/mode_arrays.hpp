@@ -47,7 +47,7 @@ enum class Vectors : std::uint8_t {
 [[nodiscard]] constexpr double least_vector_damping() { return 0x1p-500; }
 
 /// @brief \f$ v_{di} \f$, \f$ u_{di} \f$ and \f$ g_i \f$ of one mode over an array of R.
-/// @eq{23,28,29}  @derivation{batch_forms}  @domain{R > 0, 0 <= zeta < 1}
+/// @eq{23,28,29}  @derivation{forms/batch_forms}  @domain{R > 0, 0 <= zeta < 1}
 /// @param R        modal frequency ratios, Eq. (22)
 /// @param zeta     modal damping ratio
 /// @param out      arrays as long as R

@@ -5,7 +5,7 @@
 /// the paper's formulas hold for every damping ratio once they are written in them. Only \f$ e^{-\zeta x}C \f$ and
 /// \f$ e^{-\zeta x}S \f$ are formed. Up to \f$ w_1x = 1 \f$, \f$ w_1 = \sqrt{\zeta^2-1} \f$, they come from series in its
 /// square, which make no exception of \f$ \zeta = 1 \f$; beyond from the decaying exponentials \f$ e^{-ax} \f$ and
-/// \f$ e^{-x/a} \f$, \f$ a = \zeta - w_1 \f$. Every form is branch-free and proved in `derivation/overdamped_modes.cpp`, from
+/// \f$ e^{-x/a} \f$, \f$ a = \zeta - w_1 \f$. Every form is branch-free and proved in `derivation/forms/overdamped_modes.cpp`, from
 /// the equation of motion of the mode and the conditions at \f$ \tau = \pi \f$; `damping_functions_of_free_motion` is the
 /// paper's formula below \f$ \zeta = 1 \f$ too. Only the selections, at the end, compare numbers.
 ///
@@ -19,7 +19,7 @@ namespace denhartog::evaluation {
 
 /// @brief \f$ v_{di} \f$ in \f$ p = 1/R \f$ where \f$ A = (p-1)(p+1) \f$ is larger than \f$ B = 2\zeta p \f$.
 /// \f[ \mathrm{Re}\{v\} = \frac{p^2}{A + B\,(B/A)}, \qquad \mathrm{Im}\{v\} = -\frac{B}{A}\,\mathrm{Re}\{v\} \f]
-/// @eq{23}  @derivation{overdamped_modes}  @domain{R > 0, zeta >= 0, R not 1; keeps its digits for R of 2 and more}
+/// @eq{23}  @derivation{forms/overdamped_modes}  @domain{R > 0, zeta >= 0, R not 1; keeps its digits for R of 2 and more}
 template <class T>
 [[nodiscard]] Complex<T> complex_response_above_resonance(const T& R, const T& zeta) {
     const T p = 1 / R;
@@ -31,7 +31,7 @@ template <class T>
 
 /// @brief The same where B is larger.
 /// \f[ \mathrm{Im}\{v\} = -\frac{p^2}{B + A\,(A/B)}, \qquad \mathrm{Re}\{v\} = -\frac{A}{B}\,\mathrm{Im}\{v\} \f]
-/// @eq{23}  @derivation{overdamped_modes}  @domain{R > 0, zeta > 0; keeps its digits for R of 2 and more}
+/// @eq{23}  @derivation{forms/overdamped_modes}  @domain{R > 0, zeta > 0; keeps its digits for R of 2 and more}
 template <class T>
 [[nodiscard]] Complex<T> complex_response_of_heavy_damping(const T& R, const T& zeta) {
     const T p = 1 / R;
@@ -43,7 +43,7 @@ template <class T>
 
 /// @brief Free motions next to \f$ \zeta = 1 \f$, from the series of C and S in \f$ w^2x^2 \f$: \f$ d = C + \zeta S \f$,
 /// \f$ q = S \f$, \f$ dq/dx = C - \zeta S \f$, \f$ d^2q/dx^2 = \zeta^2S + (\zeta^2-1)S - 2\zeta C \f$.
-/// @eq{A.8,A.9}  @derivation{overdamped_modes}  @domain{x >= 0, zeta >= 1; keeps its digits up to w_1 x = 1}
+/// @eq{A.8,A.9}  @derivation{forms/overdamped_modes}  @domain{x >= 0, zeta >= 1; keeps its digits up to w_1 x = 1}
 template <class T>
 [[nodiscard]] FreeMotion<T> free_motion_near_critical(const T& x, const T& zeta) {
     const T E = exp(T(-zeta * x));
@@ -54,7 +54,7 @@ template <class T>
 
 /// @brief Free motions from two decaying exponentials, with \f$ a = \zeta-w_1 \f$ and \f$ q = e^{-ax}(1-e^{-2w_1x})/(2w_1) \f$.
 /// \f[ d = e^{-ax} + aq, \qquad \frac{dq}{dx} = e^{-x/a} - aq, \qquad \frac{d^2q}{dx^2} = a^2q - 2\zeta e^{-x/a} \f]
-/// @eq{A.8,A.9}  @derivation{overdamped_modes}  @domain{x >= 0, zeta > 1; keeps its digits for w_1 x of 1 and more}
+/// @eq{A.8,A.9}  @derivation{forms/overdamped_modes}  @domain{x >= 0, zeta > 1; keeps its digits for w_1 x of 1 and more}
 template <class T>
 [[nodiscard]] FreeMotion<T> free_motion_of_two_rates(const T& x, const T& zeta) {
     const T a = slow_rate(zeta);
@@ -65,7 +65,7 @@ template <class T>
 }
 
 /// @brief The rates in \f$ \tau = R_ix \f$ in place of those in x.
-/// @eq{A.9}  @derivation{overdamped_modes}  @domain{R > 0}
+/// @eq{A.9}  @derivation{forms/overdamped_modes}  @domain{R > 0}
 /// @return the free motions, their rates those in tau
 template <class T>
 [[nodiscard]] FreeMotion<T> with_rates_in_tau(const FreeMotion<T>& free, const T& R) {
@@ -81,7 +81,7 @@ struct HalfPeriodDecay {
 };
 
 /// @brief \f$ \rho = e^{-\delta/2} \f$, and C, S by their series.
-/// @eq{28,29}  @derivation{overdamped_modes}  @domain{R > 0, zeta >= 1; keeps its digits up to pi w_1 / R = 1}
+/// @eq{28,29}  @derivation{forms/overdamped_modes}  @domain{R > 0, zeta >= 1; keeps its digits up to pi w_1 / R = 1}
 template <class T>
 [[nodiscard]] HalfPeriodDecay<T> half_period_near_critical(const T& R, const T& zeta) {
     const T x = pi<T>() / R;
@@ -91,7 +91,7 @@ template <class T>
 }
 
 /// @brief \f$ \rho = e^{-\pi a/(2R)} \f$, and \f$ \Sigma = (1+e^{-\pi a/R})(1+e^{-\pi/(aR)}) \f$.
-/// @eq{28,29}  @derivation{overdamped_modes}  @domain{R > 0, zeta > 1; keeps its digits for pi w_1 / R of 1 and more}
+/// @eq{28,29}  @derivation{forms/overdamped_modes}  @domain{R > 0, zeta > 1; keeps its digits for pi w_1 / R of 1 and more}
 template <class T>
 [[nodiscard]] HalfPeriodDecay<T> half_period_of_two_rates(const T& R, const T& zeta) {
     const T x = pi<T>() / R;
@@ -101,7 +101,7 @@ template <class T>
 }
 
 /// @brief \f$ u_{di} = 2S/(R\,\Sigma) \f$, a product of positive factors.
-/// @eq{28}  @derivation{overdamped_modes}  @domain{R > 0, zeta >= 1}
+/// @eq{28}  @derivation{forms/overdamped_modes}  @domain{R > 0, zeta >= 1}
 template <class T>
 [[nodiscard]] T first_damping_function_of_free_motion(const T& R, const HalfPeriodDecay<T>& h) {
     return product_over(h.root, h.K, R) * 2 / h.sum * h.root;
@@ -109,7 +109,7 @@ template <class T>
 
 /// @brief (28) and (29) in entire functions of \f$ w^2 \f$, with \f$ E = e^{-\delta} \f$: the paper's for every damping ratio.
 /// \f[ u = \frac{2S}{R\,\Sigma}, \qquad g = \frac{1 - E^2 - 2\zeta S}{\Sigma}, \qquad \Sigma = 1 + 2C + E^2 \f]
-/// @eq{28,29}  @derivation{overdamped_modes}  @domain{R > 0, zeta >= 0; keeps its digits for zeta >= 1, delta of 4 and more}
+/// @eq{28,29}  @derivation{forms/overdamped_modes}  @domain{R > 0, zeta >= 0; keeps its digits for zeta >= 1, delta of 4 and more}
 template <class T>
 [[nodiscard]] DampingFunctions<T> damping_functions_of_free_motion(const T& R, const T& zeta, const HalfPeriodDecay<T>& h) {
     const T S = h.root * h.root * h.K;
@@ -119,7 +119,7 @@ template <class T>
 /// @brief (29) where \f$ \delta \f$ is small: its numerator as a series of positive terms.
 /// \f[ g = \frac{2E\,\delta}{\Sigma}\left[\frac{\sinh\delta}{\delta} - \frac{\sinh\theta_1}{\theta_1}\right], \qquad
 ///     \theta_1 = \pi w_1/R \f]
-/// @eq{28,29}  @derivation{overdamped_modes}  @domain{R > 0, zeta >= 1; keeps its digits for delta up to 4}
+/// @eq{28,29}  @derivation{forms/overdamped_modes}  @domain{R > 0, zeta >= 1; keeps its digits for delta up to 4}
 template <class T>
 [[nodiscard]] DampingFunctions<T> overdamped_functions_small_argument(const T& R, const T& zeta, const HalfPeriodDecay<T>& h) {
     const T q = pi<T>() / R;
@@ -130,7 +130,7 @@ template <class T>
 
 /// @brief (29) where the slow rate is small: \f$ t_a = \tanh(\pi a/2R) \f$, \f$ t_b = \tanh(\pi b/2R) \f$, \f$ b = 1/a \f$.
 /// \f[ g = \frac{b\,t_a - a\,t_b}{2w_1} \f]
-/// @eq{28,29}  @derivation{overdamped_modes}  @domain{R > 0, zeta > 1; keeps its digits for pi a / R up to 3/2, delta from 4}
+/// @eq{28,29}  @derivation{forms/overdamped_modes}  @domain{R > 0, zeta > 1; keeps its digits for pi a / R up to 3/2, delta from 4}
 template <class T>
 [[nodiscard]] DampingFunctions<T> overdamped_functions_slow_rate(const T& R, const T& zeta, const HalfPeriodDecay<T>& h) {
     const T x = pi<T>() / R;
@@ -143,7 +143,7 @@ template <class T>
 }
 
 /// @brief \f$ v_{di} \f$ of a mode with \f$ \zeta \ge 1 \f$ and R of 2 and more: the form that keeps its digits at this place.
-/// @eq{23}  @derivation{overdamped_modes}  @domain{R >= 2, zeta >= 1}
+/// @eq{23}  @derivation{forms/overdamped_modes}  @domain{R >= 2, zeta >= 1}
 template <class T>
 [[nodiscard]] Complex<T> overdamped_response(const T& R, const T& zeta) {
     const T p = 1 / R;
@@ -152,7 +152,7 @@ template <class T>
 }
 
 /// @brief \f$ u_{di} \f$ and \f$ g_i \f$ of a mode with \f$ \zeta \ge 1 \f$: the form that keeps its digits at this place.
-/// @eq{28,29}  @derivation{overdamped_modes}  @domain{R > 0, zeta >= 1}
+/// @eq{28,29}  @derivation{forms/overdamped_modes}  @domain{R > 0, zeta >= 1}
 template <class T>
 [[nodiscard]] DampingFunctions<T> overdamped_functions(const T& R, const T& zeta) {
     const T x = pi<T>() / R;
@@ -164,7 +164,7 @@ template <class T>
 }
 
 /// @brief Free motions of a mode with \f$ \zeta \ge 1 \f$: the form that keeps its digits at this place.
-/// @eq{A.8,A.9}  @derivation{overdamped_modes}  @domain{x >= 0, zeta >= 1}
+/// @eq{A.8,A.9}  @derivation{forms/overdamped_modes}  @domain{x >= 0, zeta >= 1}
 template <class T>
 [[nodiscard]] FreeMotion<T> overdamped_free_motion(const T& x, const T& zeta) {
     if (square_of_overdamped_angle(zeta, x) <= 1) return free_motion_near_critical(x, zeta);

@@ -23,7 +23,7 @@ template <class T>
 }
 
 /// @brief (79) as \f$ \coth(\pi\zeta/2) \f$.
-/// @eq{79}  @derivation{evaluation_forms}  @domain{0 < zeta << 1}
+/// @eq{79}  @derivation{forms/evaluation_forms}  @domain{0 < zeta << 1}
 template <class T>
 [[nodiscard]] T second_damping_function_at_resonance(const T& zeta) {
     const T x = pi<T>() * zeta / 2;
@@ -31,14 +31,14 @@ template <class T>
 }
 
 /// @brief (80) as \f$ \psi_{ki}\psi_{ji}\coth(\pi\zeta_i/2) \f$.
-/// @eq{80}  @derivation{evaluation_forms}  @domain{0 < zeta << 1}
+/// @eq{80}  @derivation{forms/evaluation_forms}  @domain{0 < zeta << 1}
 template <class T>
 [[nodiscard]] T second_damping_function_at_resonance(const T& psi_ki, const T& psi_ji, const T& zeta) {
     return psi_ki * psi_ji * second_damping_function_at_resonance(zeta);
 }
 
 /// @brief (85) as \f$ \left|\psi_{li}/\psi_{ji}\right|\,\tfrac{\pi}{4}\,\tanh(x)/x \f$, \f$ x = \pi\zeta_i/2 \f$.
-/// @eq{85}  @derivation{evaluation_forms}  @domain{0 <= zeta << 1, psi_ji not zero; zeta = 0 gives pi/4 |psi_li/psi_ji|}
+/// @eq{85}  @derivation{forms/evaluation_forms}  @domain{0 <= zeta << 1, psi_ji not zero; zeta = 0 gives pi/4 |psi_li/psi_ji|}
 template <class T>
 [[nodiscard]] T friction_ratio_limit_at_resonance(const T& psi_li, const T& psi_ji, const T& zeta) {
     return paper::magnitude(psi_li) / paper::magnitude(psi_ji) * (pi<T>() / 4 * tanhc(T(pi<T>() * zeta / 2)));
@@ -46,7 +46,7 @@ template <class T>
 
 /// @brief (83) as \f$ |\psi_{ki}|\left[|\psi_{li}|\tfrac{\pi}{4}\tanh(x)/x - |\psi_{ji}|\beta\right]\coth(x) \f$,
 /// \f$ x = \pi\zeta_i/2 \f$: the hyperbolic cotangent, which may be all but out of range, comes last.
-/// @eq{83}  @derivation{evaluation_forms}  @domain{0 < zeta << 1, beta below (85)}
+/// @eq{83}  @derivation{forms/evaluation_forms}  @domain{0 < zeta << 1, beta below (85)}
 /// @return the approximate amplitude, in units of P / k_1; negative beyond (85), where it means nothing
 template <class T>
 [[nodiscard]] T resonant_peak(const T& psi_ki, const T& psi_li, const T& psi_ji, const T& zeta, const T& beta) {
@@ -56,7 +56,7 @@ template <class T>
 }
 
 /// @brief (84) as \f$ \coth(x)\left[\tfrac{\pi}{4}\tanh(x)/x - \beta\right] \f$, \f$ x = \pi\zeta/2 \f$.
-/// @eq{84}  @derivation{evaluation_forms}  @domain{0 < zeta << 1, beta below (85)}
+/// @eq{84}  @derivation{forms/evaluation_forms}  @domain{0 < zeta << 1, beta below (85)}
 /// @return the approximate amplitude, in units of P / k_1; negative beyond (85), where it means nothing
 template <class T>
 [[nodiscard]] T resonant_peak_of_single_mass(const T& zeta, const T& beta) {

@@ -1,8 +1,8 @@
 /// @file
 /// @brief Elementary functions in forms that keep their digits: of pi times x, and without their leading term.
 ///
-/// Those that compare numbers have a stand-in in `derivation/stand_ins.hpp`, so that the forms built on them can be proved; the
-/// others are proved as they stand.
+/// Those that compare numbers have a stand-in in `derivation/selections/stand_ins.hpp`, so that the forms built on them can be proved;
+/// the others are proved as they stand.
 #pragma once
 
 #include "denhartog/number/number.hpp"

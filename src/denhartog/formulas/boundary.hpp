@@ -13,7 +13,7 @@ namespace denhartog::paper {
 
 /// @brief Velocity of the mass in contact over \f$ -\sin\tau \f$: (54)a holds at \f$ \tau \f$ where it is positive.
 /// \f[ -\frac{\bar{x}_j'}{\sin\tau} = \overline{X}_j + \beta G_j - \beta\sum_i\psi_{ji}^2 s_i(\tau) \f]
-/// @eq{54,55}  @derivation{section_2_6_domain_of_validity}  @domain{0 < tau < pi}
+/// @eq{54,55}  @derivation{paper/section_2_6_domain_of_validity}  @domain{0 < tau < pi}
 /// @param X_j   amplitude of the mass in contact, Eq. (38)
 /// @param G_j   second damping function of the mass in contact, Eq. (35)
 /// @param S     sum over the modes of the expression of (57) at tau, or its maximum
@@ -27,7 +27,7 @@ template <class T>
 /// @brief Load on the contact other than friction and inertia; stops are excluded at \f$ \tau=0 \f$ where its size exceeds
 /// \f$ \mu\beta \f$, (54)b.
 /// \f[ \sum_k \overline{C}_{jk}\bar{x}_k' + \sum_k \overline{K}_{jk}\bar{x}_k - \delta_{lj}\cos(\tau+\phi_j) \f]
-/// @eq{54}  @derivation{section_2_6_domain_of_validity}  @domain{diagonal mass matrix; arrays of one length N}
+/// @eq{54}  @derivation{paper/section_2_6_domain_of_validity}  @domain{diagonal mass matrix; arrays of one length N}
 /// @param C_j      row j of the non-dimensional damping matrix, Eq. (7), N values
 /// @param K_j      row j of the non-dimensional stiffness matrix, Eq. (7), N values
 /// @param x        displacements, N values
@@ -45,7 +45,7 @@ template <class T>
 }
 
 /// @brief Contribution of a mode to the load on the contact at \f$ \tau=0 \f$, the left side of (59) without the bars.
-/// @eq{59}  @derivation{section_2_6_domain_of_validity}  @domain{R > 0, 0 <= zeta < 1}
+/// @eq{59}  @derivation{paper/section_2_6_domain_of_validity}  @domain{R > 0, 0 <= zeta < 1}
 /// @param m        the mode
 /// @param start    initial values, Eq. (24)
 /// @param cos_phi  cos(phi_j)
@@ -58,7 +58,7 @@ template <class T>
 
 /// @brief The same contribution without \f$ \cos\phi_j \f$, the left side of (63) without the bars.
 /// \f[ \eta_{i0} - \beta\psi_{ji}\left[(1-R_i^2)g_i + 2\zeta_i R_i u_{di}\right] \f]
-/// @eq{63}  @derivation{section_2_6_domain_of_validity}  @domain{R > 0, 0 <= zeta < 1}
+/// @eq{63}  @derivation{paper/section_2_6_domain_of_validity}  @domain{R > 0, 0 <= zeta < 1}
 /// @param m      the mode
 /// @param eta_0  modal displacement at tau = 0
 /// @param u      first damping function of the mode, Eq. (28)
@@ -72,7 +72,7 @@ template <class T>
 
 /// @brief Load on the contact at \f$ \tau=0 \f$ over \f$ \gamma_j r^2 \f$, the left side of (66) without the bars.
 /// \f[ \overline{X}_j + \beta G_j - \beta H_j \f]
-/// @eq{66}  @derivation{section_2_6_domain_of_validity}  @domain{sliding regime}
+/// @eq{66}  @derivation{paper/section_2_6_domain_of_validity}  @domain{sliding regime}
 /// @param X_j   amplitude of the mass in contact, Eq. (38)
 /// @param G_j   second damping function of the mass in contact, Eq. (35)
 /// @param H_j   Eq. (64)
@@ -88,7 +88,7 @@ template <class T>
 ///
 /// With \f$ S = S_{dj} \f$ it is (58), with \f$ S = H_j+\mu/(\gamma_j r^2) \f$ it is (67), with
 /// \f$ S = H_j-\mu/(\gamma_j r^2) \f$ it is (68), and with the larger of the first two it is (69), \f$ \beta_{\lim} \f$.
-/// @eq{58,67,68,69}  @derivation{section_2_6_domain_of_validity}  @domain{S > 0; (68) excludes nothing if its S is not positive}
+/// @eq{58,67,68,69}  @derivation{paper/section_2_6_domain_of_validity}  @domain{S > 0; (68) excludes nothing if its S is not positive}
 /// @param V_dj  complex response function of the mass in contact, Eq. (33)
 /// @param U_dj  first damping function of the mass in contact, Eq. (34)
 /// @param S     what the amplitude has to exceed, per unit of friction ratio
@@ -99,7 +99,7 @@ template <class T>
 }
 
 /// @brief What (67) puts in place of \f$ S_{dj} \f$: \f$ H_j + \mu/(\gamma_j r^2) \f$; with mu = 1 it is (72).
-/// @eq{67,72}  @derivation{section_2_6_domain_of_validity}  @domain{mu >= 1; with mu = 1 a lower bound of S_dj}
+/// @eq{67,72}  @derivation{paper/section_2_6_domain_of_validity}  @domain{mu >= 1; with mu = 1 a lower bound of S_dj}
 /// @param H_j             Eq. (64)
 /// @param mu              ratio of static to kinetic friction
 /// @param sum_of_squares  sum of psi_ji^2 over the modes, Eq. (65)

@@ -7,7 +7,7 @@
 namespace denhartog::paper {
 
 /// @brief \f$ V_{dj}\cos\phi_j = \overline{X}_j + \beta G_j \f$, with the reading of `complex.hpp`.
-/// @eq{31}  @derivation{section_2_3_mass_in_contact}  @domain{sliding regime, Eq. (69)}
+/// @eq{31}  @derivation{paper/section_2_3_mass_in_contact}  @domain{sliding regime, Eq. (69)}
 /// @param X_j   amplitude of the mass in contact
 /// @param G_j   second damping function of the mass in contact, Eq. (35)
 /// @param beta  friction ratio, Eq. (11)
@@ -18,7 +18,7 @@ template <class T>
 }
 
 /// @brief \f$ V_{dj}\sin\phi_j = -\beta U_{dj} \f$, with the reading of `complex.hpp`.
-/// @eq{32}  @derivation{section_2_3_mass_in_contact}  @domain{sliding regime, Eq. (69)}
+/// @eq{32}  @derivation{paper/section_2_3_mass_in_contact}  @domain{sliding regime, Eq. (69)}
 /// @param U_dj  first damping function of the mass in contact, Eq. (34)
 /// @param beta  friction ratio, Eq. (11)
 /// @return      V_dj sin(phi_j)
@@ -28,7 +28,7 @@ template <class T>
 }
 
 /// @brief \f$ \cos(\phi_j+\angle V_{dj}) = (\overline{X}_j+\beta G_j)/|V_{dj}| \f$.
-/// @eq{36}  @derivation{section_2_3_mass_in_contact}  @domain{sliding regime, Eq. (69)}
+/// @eq{36}  @derivation{paper/section_2_3_mass_in_contact}  @domain{sliding regime, Eq. (69)}
 /// @param V_dj  complex response function of the mass in contact, Eq. (33)
 /// @param X_j   amplitude of the mass in contact
 /// @param G_j   second damping function of the mass in contact, Eq. (35)
@@ -40,7 +40,7 @@ template <class T>
 }
 
 /// @brief \f$ \sin(\phi_j+\angle V_{dj}) = -\beta U_{dj}/|V_{dj}| \f$.
-/// @eq{37}  @derivation{section_2_3_mass_in_contact}  @domain{sliding regime, Eq. (69)}
+/// @eq{37}  @derivation{paper/section_2_3_mass_in_contact}  @domain{sliding regime, Eq. (69)}
 /// @param V_dj  complex response function of the mass in contact, Eq. (33)
 /// @param U_dj  first damping function of the mass in contact, Eq. (34)
 /// @param beta  friction ratio, Eq. (11)
@@ -51,7 +51,7 @@ template <class T>
 }
 
 /// @brief The root that (38), (44)-(46), (50)-(52) share, \f$ \sqrt{|V_{dj}|^2-(\beta U_{dj})^2} \f$.
-/// @eq{38}  @derivation{section_2_3_mass_in_contact}  @domain{beta |U_dj| <= |V_dj|}
+/// @eq{38}  @derivation{paper/section_2_3_mass_in_contact}  @domain{beta |U_dj| <= |V_dj|}
 /// @param V_dj  complex response function of the mass in contact, Eq. (33)
 /// @param U_dj  first damping function of the mass in contact, Eq. (34)
 /// @param beta  friction ratio, Eq. (11)
@@ -65,7 +65,7 @@ template <class T>
 /// \f[ \overline{X}_j = -\beta G_j + \sqrt{|V_{dj}|^2-(\beta U_{dj})^2} \f]
 ///
 /// The other sign of the root contradicts (54)a, because \f$ \overline{X}_j+\beta G_j > \beta S_{dj} > 0 \f$.
-/// @eq{38}  @derivation{section_2_3_mass_in_contact}  @domain{sliding regime, Eq. (69)}
+/// @eq{38}  @derivation{paper/section_2_3_mass_in_contact}  @domain{sliding regime, Eq. (69)}
 /// @param V_dj  complex response function of the mass in contact, Eq. (33)
 /// @param U_dj  first damping function of the mass in contact, Eq. (34)
 /// @param G_j   second damping function of the mass in contact, Eq. (35)
@@ -79,7 +79,7 @@ template <class T>
 /// @brief Phase of the mass in contact: its maximum lags the maximum of the force by \f$ \phi_j \f$.
 /// \f[ \phi_j = \mathrm{atan2}\left(-\frac{\beta U_{dj}}{|V_{dj}|},
 ///     \sqrt{1-\left(\frac{\beta U_{dj}}{|V_{dj}|}\right)^2}\right) - \angle V_{dj} \f]
-/// @eq{39}  @derivation{section_2_3_mass_in_contact}  @domain{sliding regime, Eq. (69)}
+/// @eq{39}  @derivation{paper/section_2_3_mass_in_contact}  @domain{sliding regime, Eq. (69)}
 /// @param V_dj  complex response function of the mass in contact, Eq. (33)
 /// @param U_dj  first damping function of the mass in contact, Eq. (34)
 /// @param beta  friction ratio, Eq. (11)

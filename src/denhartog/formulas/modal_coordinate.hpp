@@ -47,7 +47,7 @@ namespace paper {
 
 /// @brief What the equation of motion of a modal coordinate leaves over; zero for a motion.
 /// \f[ \eta_i'' + \frac{2\zeta_i}{R_i}\eta_i' + \frac{1}{R_i^2}\eta_i - \psi_{ji}\beta - \psi_{li}\cos(\tau+\phi_j) \f]
-/// @eq{20,A.1}  @derivation{appendix/a02_general_solution}  @domain{0 <= tau <= pi}
+/// @eq{20,A.1}  @derivation{paper/a02_general_solution}  @domain{0 <= tau <= pi}
 /// @param eta               modal displacement
 /// @param eta_prime         its first derivative in tau
 /// @param eta_double_prime  its second derivative in tau
@@ -67,7 +67,7 @@ template <class T>
 /// @brief General solution of (20).
 /// \f[ \eta_i = e^{-\zeta_i\tau/R_i}\left[A_i\cos\frac{w\tau}{R_i} + B_i\sin\frac{w\tau}{R_i}\right]
 ///     + \psi_{ji}R_i^2\beta + \psi_{li}R_i^2 v_{di}\cos(\tau+\phi_j) \f]
-/// @eq{21,A.2}  @derivation{appendix/a02_general_solution}  @domain{0 <= tau <= pi, R > 0, 0 <= zeta < 1}
+/// @eq{21,A.2}  @derivation{paper/a02_general_solution}  @domain{0 <= tau <= pi, R > 0, 0 <= zeta < 1}
 /// @param tau    non-dimensional time, Eq. (5); radians
 /// @param m      the mode
 /// @param c      integration constants, Eq. (A.5)
@@ -86,7 +86,7 @@ template <class T>
 /// @brief Integration constants from the initial values.
 /// \f[ A_i = \eta_{i0} - \psi_{ji}R_i^2\beta - \psi_{li}R_i^2 v_{di}\cos\phi_j, \qquad
 ///     B_i = \frac{R_i}{w}\left(\eta_{i0}' + \psi_{li}R_i^2 v_{di}\sin\phi_j\right) + \frac{\zeta_i A_i}{w} \f]
-/// @eq{A.5}  @derivation{appendix/a05_constants}  @domain{R > 0, 0 <= zeta < 1}
+/// @eq{A.5}  @derivation{paper/a05_constants}  @domain{R > 0, 0 <= zeta < 1}
 /// @param m      the mode
 /// @param start  initial values, Eq. (24)
 /// @param beta   friction ratio, Eq. (11); dimensionless
@@ -105,7 +105,7 @@ template <class T>
 /// @brief Modal displacement from its initial values.
 /// \f[ \eta_i = d_i\eta_{i0} + R_i q_i\eta_{i0}' + \psi_{ji}R_i^2(1-d_i)\beta
 ///     + \psi_{li}R_i^2 v_{di}\left[(\cos\tau-d_i)\cos\phi_j + (R_i q_i-\sin\tau)\sin\phi_j\right] \f]
-/// @eq{A.6}  @derivation{appendix/a06_displacement}  @domain{0 <= tau <= pi, R > 0, 0 <= zeta < 1}
+/// @eq{A.6}  @derivation{paper/a06_displacement}  @domain{0 <= tau <= pi, R > 0, 0 <= zeta < 1}
 /// @param tau    non-dimensional time, Eq. (5); radians
 /// @param m      the mode
 /// @param start  initial values, Eq. (24)
@@ -125,7 +125,7 @@ template <class T>
 /// @brief Modal velocity from the initial values.
 /// \f[ \eta_i' = d_i'\eta_{i0} + R_i q_i'\eta_{i0}' - \psi_{ji}R_i^2 d_i'\beta
 ///     - \psi_{li}R_i^2 v_{di}\left[(\sin\tau+d_i')\cos\phi_j + (\cos\tau-R_i q_i')\sin\phi_j\right] \f]
-/// @eq{A.7}  @erratum{A.7}  @derivation{appendix/a07_velocity}  @domain{0 <= tau <= pi, R > 0, 0 <= zeta < 1}
+/// @eq{A.7}  @erratum{A.7}  @derivation{paper/a07_velocity}  @domain{0 <= tau <= pi, R > 0, 0 <= zeta < 1}
 /// @param tau    non-dimensional time, Eq. (5); radians
 /// @param m      the mode
 /// @param start  initial values, Eq. (24)
@@ -147,7 +147,7 @@ template <class T>
 ///     \mathcal{C} &= [1+d_i(\pi)]\eta_{i0} + R_i q_i(\pi)\eta_{i0}' + \psi_{ji}R_i^2[1-d_i(\pi)]\beta \\[2pt]
 ///     \mathcal{P} &= \psi_{li}R_i q_i(\pi), & \mathcal{Q} &= \psi_{li}R_i^2[1+R_i q_i'(\pi)], &
 ///     \mathcal{R} &= -\tfrac{q_i(\pi)}{R_i}\eta_{i0}+[1+R_i q_i'(\pi)]\eta_{i0}' + \psi_{ji}R_i q_i(\pi)\beta \end{aligned} \f]
-/// @eq{A.11}  @derivation{appendix/a10_final_conditions}  @domain{R > 0, 0 <= zeta < 1}
+/// @eq{A.11}  @derivation{paper/a10_final_conditions}  @domain{R > 0, 0 <= zeta < 1}
 /// @param m      the mode
 /// @param start  initial values, Eq. (24)
 /// @param beta   friction ratio, Eq. (11); dimensionless
@@ -166,7 +166,7 @@ template <class T>
 }
 
 /// @brief What the condition on the displacement at \f$ \tau=\pi \f$ leaves over, \f$ \mathcal{A}c+\mathcal{B}s+\mathcal{C} \f$.
-/// @eq{A.10}  @derivation{appendix/a10_final_conditions}
+/// @eq{A.10}  @derivation{paper/a10_final_conditions}
 /// @param p      coefficients, Eq. (A.11)
 /// @param v_cos  v_di cos(phi_j)
 /// @param v_sin  v_di sin(phi_j)
@@ -177,7 +177,7 @@ template <class T>
 }
 
 /// @brief What the condition on the velocity at \f$ \tau=\pi \f$ leaves over, \f$ \mathcal{P}c+\mathcal{Q}s+\mathcal{R} \f$.
-/// @eq{A.10}  @derivation{appendix/a10_final_conditions}
+/// @eq{A.10}  @derivation{paper/a10_final_conditions}
 /// @param p      coefficients, Eq. (A.11)
 /// @param v_cos  v_di cos(phi_j)
 /// @param v_sin  v_di sin(phi_j)
@@ -188,7 +188,7 @@ template <class T>
 }
 
 /// @brief Solution of (A.10) for the cosine, \f$ (\mathcal{BR}-\mathcal{CQ})/(\mathcal{AQ}-\mathcal{BP}) \f$.
-/// @eq{A.12}  @derivation{appendix/a12_phase}  @domain{AQ - BP not zero}
+/// @eq{A.12}  @derivation{paper/a12_phase}  @domain{AQ - BP not zero}
 /// @param p  coefficients, Eq. (A.11)
 /// @return   v_di cos(phi_j)
 template <class T>
@@ -197,7 +197,7 @@ template <class T>
 }
 
 /// @brief Solution of (A.10) for the sine, \f$ (\mathcal{CP}-\mathcal{AR})/(\mathcal{AQ}-\mathcal{BP}) \f$.
-/// @eq{A.12}  @derivation{appendix/a12_phase}  @domain{AQ - BP not zero}
+/// @eq{A.12}  @derivation{paper/a12_phase}  @domain{AQ - BP not zero}
 /// @param p  coefficients, Eq. (A.11)
 /// @return   v_di sin(phi_j)
 template <class T>
@@ -208,7 +208,7 @@ template <class T>
 /// @brief \f$ v_{di}\cos\phi_j = (\eta_{i0}+\psi_{ji}R_i^2 g_i\beta)/(\psi_{li}R_i^2) \f$.
 ///
 /// With the reading of `complex.hpp` and divided by \f$ |v_{di}| \f$ this is the first line of (60).
-/// @eq{26,60,A.13}  @derivation{appendix/a12_phase}  @domain{psi_li not zero, R > 0, 0 <= zeta < 1}
+/// @eq{26,60,A.13}  @derivation{paper/a12_phase}  @domain{psi_li not zero, R > 0, 0 <= zeta < 1}
 /// @param m      the mode
 /// @param start  initial values, Eq. (24)
 /// @param g      second damping function of the mode, Eq. (29); dimensionless
@@ -222,7 +222,7 @@ template <class T>
 /// @brief \f$ v_{di}\sin\phi_j = -(\eta_{i0}'+\psi_{ji}R_i^2 u_{di}\beta)/(\psi_{li}R_i^2) \f$.
 ///
 /// With the reading of `complex.hpp` and divided by \f$ |v_{di}| \f$ this is the second line of (60).
-/// @eq{27,60,A.14}  @derivation{appendix/a12_phase}  @domain{psi_li not zero, R > 0, 0 <= zeta < 1}
+/// @eq{27,60,A.14}  @derivation{paper/a12_phase}  @domain{psi_li not zero, R > 0, 0 <= zeta < 1}
 /// @param m      the mode
 /// @param start  initial values, Eq. (24)
 /// @param u      first damping function of the mode, Eq. (28); dimensionless
@@ -236,7 +236,7 @@ template <class T>
 /// @brief \f$ \cos\phi_j \f$ from the initial values of one mode.
 /// \f[ \cos\phi_j = \frac{\eta_{i0}+\psi_{ji}R_i^2 g_i\beta}{\psi_{li}R_i^2}(1-R_i^2)
 ///     + \frac{\eta_{i0}'+\psi_{ji}R_i^2 u_{di}\beta}{\psi_{li}R_i^2}(2\zeta_i R_i) \f]
-/// @eq{62}  @derivation{section_2_6_domain_of_validity}  @domain{psi_li not zero, R > 0, 0 <= zeta < 1}
+/// @eq{62}  @derivation{paper/section_2_6_domain_of_validity}  @domain{psi_li not zero, R > 0, 0 <= zeta < 1}
 /// @param m      the mode
 /// @param start  initial values, Eq. (24)
 /// @param u      first damping function of the mode, Eq. (28); dimensionless
@@ -251,7 +251,7 @@ template <class T>
 
 /// @brief Non-harmonic part of a mode's motion under unit friction, the braces of (40).
 /// \f[ 1 - (1+g_i)\,d_i(\tau) - u_{di}R_i\,q_i(\tau) \f]
-/// @eq{40,41,46,A.15}  @erratum{40}  @derivation{appendix/a15_modal_displacement}
+/// @eq{40,41,46,A.15}  @erratum{40}  @derivation{paper/a15_modal_displacement}
 /// @domain{0 <= tau <= pi, R > 0, 0 <= zeta < 1}
 /// @param tau   non-dimensional time, Eq. (5); radians
 /// @param R     modal frequency ratio, Eq. (22); dimensionless
@@ -265,7 +265,7 @@ template <class T>
 }
 
 /// @brief Rate of `friction_motion`, \f$ (1+g_i)\,q_i/R_i - u_{di}R_i\,q_i' \f$.
-/// @eq{40}  @derivation{appendix/a15_modal_displacement}  @domain{0 <= tau <= pi, R > 0, 0 <= zeta < 1}
+/// @eq{40}  @derivation{paper/a15_modal_displacement}  @domain{0 <= tau <= pi, R > 0, 0 <= zeta < 1}
 /// @param tau   non-dimensional time, Eq. (5); radians
 /// @param R     modal frequency ratio, Eq. (22); dimensionless
 /// @param zeta  modal damping ratio; dimensionless
@@ -280,7 +280,7 @@ template <class T>
 /// @brief Modal displacement over the half-period.
 /// \f[ \eta_i = (\eta_{i0}+\psi_{ji}R_i^2 g_i\beta)\cos\tau + (\eta_{i0}'+\psi_{ji}R_i^2 u_{di}\beta)\sin\tau
 ///     + \beta\psi_{ji}R_i^2\left\{1 - (1+g_i)d_i(\tau) - u_{di}R_i q_i(\tau)\right\} \f]
-/// @eq{40,A.15}  @erratum{40}  @derivation{appendix/a15_modal_displacement}  @domain{0 <= tau <= pi, R > 0, 0 <= zeta < 1}
+/// @eq{40,A.15}  @erratum{40}  @derivation{paper/a15_modal_displacement}  @domain{0 <= tau <= pi, R > 0, 0 <= zeta < 1}
 /// @param tau    non-dimensional time, Eq. (5); radians
 /// @param m      the mode
 /// @param start  initial values, Eq. (24)

@@ -9,7 +9,7 @@
 namespace denhartog::paper {
 
 /// @brief Modal frequency ratio \f$ R_i = 1/\Omega_i = \omega/\omega_i \f$.
-/// @eq{22}  @derivation{appendix/a02_general_solution}  @domain{Omega > 0}
+/// @eq{22}  @derivation{paper/a02_general_solution}  @domain{Omega > 0}
 /// @param Omega  non-dimensional natural frequency of the mode, Eq. (15); dimensionless
 /// @return       R_i; dimensionless
 template <class T>
@@ -20,7 +20,7 @@ template <class T>
 /// @brief Complex response function \f$ v_{di} \f$ of a vibrating mode.
 /// \f[ v_{di} = \frac{1}{1 - R_i^2 + i\,2\zeta_i R_i} \f]
 /// The response of the mode to a unit harmonic load without Coulomb damping.
-/// @eq{23}  @derivation{appendix/a02_general_solution}  @domain{R > 0, 0 <= zeta < 1; at zeta = 0 a pole at R = 1}
+/// @eq{23}  @derivation{paper/a02_general_solution}  @domain{R > 0, 0 <= zeta < 1; at zeta = 0 a pole at R = 1}
 /// @param R     modal frequency ratio, Eq. (22); dimensionless
 /// @param zeta  modal damping ratio; dimensionless
 /// @return      v_di, complex; dimensionless
@@ -35,7 +35,7 @@ template <class T>
 /// \f[ u_{di} = \frac{\sin\theta}{R_i\,w\,(\cosh\delta + \cos\theta)}, \qquad
 ///     \theta = \pi w / R_i,\quad \delta = \pi\zeta_i / R_i \f]
 /// It multiplies the friction ratio in Eq. (27): how much the contact delays this mode.
-/// @eq{28}  @derivation{appendix/a12_phase}  @domain{R > 0, 0 <= zeta < 1; at zeta = 0 a pole at every R = 1/n, n odd}
+/// @eq{28}  @derivation{paper/a12_phase}  @domain{R > 0, 0 <= zeta < 1; at zeta = 0 a pole at every R = 1/n, n odd}
 /// @param R     modal frequency ratio, Eq. (22); dimensionless
 /// @param zeta  modal damping ratio; dimensionless
 /// @return      u_di; dimensionless
@@ -51,7 +51,7 @@ template <class T>
 /// \f[ g_i = \frac{\sinh\delta - \frac{\zeta_i}{w}\sin\theta}{\cosh\delta + \cos\theta}, \qquad
 ///     \theta = \pi w / R_i,\quad \delta = \pi\zeta_i / R_i \f]
 /// It multiplies the friction ratio in Eq. (26): how much the contact shrinks this mode. Zero without damping, never negative.
-/// @eq{29}  @derivation{appendix/a12_phase}  @domain{R > 0, 0 <= zeta < 1; at zeta = 0 undefined at every R = 1/n, n odd}
+/// @eq{29}  @derivation{paper/a12_phase}  @domain{R > 0, 0 <= zeta < 1; at zeta = 0 undefined at every R = 1/n, n odd}
 /// @param R     modal frequency ratio, Eq. (22); dimensionless
 /// @param zeta  modal damping ratio; dimensionless
 /// @return      g_i; dimensionless
@@ -65,7 +65,7 @@ template <class T>
 
 /// @brief Free motion from unit displacement, \f$ d_i(\tau) \f$.
 /// \f[ d_i = e^{-\zeta_i\tau/R_i}\left[\cos\frac{w\tau}{R_i} + \frac{\zeta_i}{w}\sin\frac{w\tau}{R_i}\right] \f]
-/// @eq{A.8}  @derivation{appendix/a06_displacement}  @domain{R > 0, 0 <= zeta < 1}
+/// @eq{A.8}  @derivation{paper/a06_displacement}  @domain{R > 0, 0 <= zeta < 1}
 /// @param tau   non-dimensional time, Eq. (5); radians
 /// @param R     modal frequency ratio, Eq. (22); dimensionless
 /// @param zeta  modal damping ratio; dimensionless
@@ -78,7 +78,7 @@ template <class T>
 
 /// @brief Free motion from unit velocity over \f$ R_i \f$, \f$ q_i(\tau) \f$.
 /// \f[ q_i = \frac{1}{w}\,e^{-\zeta_i\tau/R_i}\sin\frac{w\tau}{R_i} \f]
-/// @eq{A.8}  @derivation{appendix/a06_displacement}  @domain{R > 0, 0 <= zeta < 1}
+/// @eq{A.8}  @derivation{paper/a06_displacement}  @domain{R > 0, 0 <= zeta < 1}
 /// @param tau   non-dimensional time, Eq. (5); radians
 /// @param R     modal frequency ratio, Eq. (22); dimensionless
 /// @param zeta  modal damping ratio; dimensionless
@@ -90,7 +90,7 @@ template <class T>
 }
 
 /// @brief Rate of \f$ d_i \f$: \f$ d_i' = -q_i/R_i \f$.
-/// @eq{A.9}  @derivation{appendix/a07_velocity}  @domain{R > 0, 0 <= zeta < 1}
+/// @eq{A.9}  @derivation{paper/a07_velocity}  @domain{R > 0, 0 <= zeta < 1}
 /// @param tau   non-dimensional time, Eq. (5); radians
 /// @param R     modal frequency ratio, Eq. (22); dimensionless
 /// @param zeta  modal damping ratio; dimensionless
@@ -102,7 +102,7 @@ template <class T>
 
 /// @brief Rate of \f$ q_i \f$.
 /// \f[ q_i' = \frac{1}{R_i}\,e^{-\zeta_i\tau/R_i}\left[\cos\frac{w\tau}{R_i} - \frac{\zeta_i}{w}\sin\frac{w\tau}{R_i}\right] \f]
-/// @eq{A.9}  @derivation{appendix/a07_velocity}  @domain{R > 0, 0 <= zeta < 1}
+/// @eq{A.9}  @derivation{paper/a07_velocity}  @domain{R > 0, 0 <= zeta < 1}
 /// @param tau   non-dimensional time, Eq. (5); radians
 /// @param R     modal frequency ratio, Eq. (22); dimensionless
 /// @param zeta  modal damping ratio; dimensionless
@@ -114,7 +114,7 @@ template <class T>
 }
 
 /// @brief Cosine of the argument of \f$ v_{di} \f$: \f$ |v_{di}|(1-R_i^2) \f$.
-/// @eq{61}  @derivation{section_2_6_domain_of_validity}  @domain{R > 0, 0 <= zeta < 1}
+/// @eq{61}  @derivation{paper/section_2_6_domain_of_validity}  @domain{R > 0, 0 <= zeta < 1}
 /// @param v     complex response function of the mode, Eq. (23)
 /// @param R     modal frequency ratio, Eq. (22); dimensionless
 /// @return      cosine of the argument of v; dimensionless
@@ -124,7 +124,7 @@ template <class T>
 }
 
 /// @brief Sine of the argument of \f$ v_{di} \f$: \f$ -|v_{di}|\,2\zeta_i R_i \f$.
-/// @eq{61}  @derivation{section_2_6_domain_of_validity}  @domain{R > 0, 0 <= zeta < 1}
+/// @eq{61}  @derivation{paper/section_2_6_domain_of_validity}  @domain{R > 0, 0 <= zeta < 1}
 /// @param v     complex response function of the mode, Eq. (23)
 /// @param R     modal frequency ratio, Eq. (22); dimensionless
 /// @param zeta  modal damping ratio; dimensionless
@@ -137,7 +137,7 @@ template <class T>
 /// @brief The function of time whose maximum over (0, pi) is \f$ s_{di} \f$.
 /// \f[ \frac{1}{\sin\tau}\left\{(1+g_i)R_i\,q_i(\tau) - u_{di}R_i^2\left[R_i q_i'(\tau) - \cos\tau\right]\right\} \f]
 /// The contact keeps sliding in mode i where the amplitude exceeds the friction ratio times this.
-/// @eq{57}  @erratum{57}  @derivation{section_2_6_domain_of_validity}  @domain{0 < tau < pi, R > 0, 0 <= zeta < 1}
+/// @eq{57}  @erratum{57}  @derivation{paper/section_2_6_domain_of_validity}  @domain{0 < tau < pi, R > 0, 0 <= zeta < 1}
 /// @param tau   non-dimensional time, Eq. (5); radians
 /// @param R     modal frequency ratio, Eq. (22); dimensionless
 /// @param zeta  modal damping ratio; dimensionless
@@ -152,7 +152,7 @@ template <class T>
 /// @brief \f$ s_{di} \f$ near the maximum of the displacement, to first order in \f$ \tau \f$ within the braces.
 /// \f[ \frac{1}{\tau}\left\{(1+g_i)\left(1-\frac{\zeta_i\tau}{R_i}\right)\tau
 ///     - u_{di}R_i^2\left[\left(1-\frac{\zeta_i\tau}{R_i}\right)^2 - 1\right]\right\} \f]
-/// @eq{70}  @erratum{70}  @derivation{section_2_6_domain_of_validity}  @domain{0 < tau << 1; error O(tau)}
+/// @eq{70}  @erratum{70}  @derivation{paper/section_2_6_domain_of_validity}  @domain{0 < tau << 1; error O(tau)}
 /// @param tau   non-dimensional time, Eq. (5); radians
 /// @param R     modal frequency ratio, Eq. (22); dimensionless
 /// @param zeta  modal damping ratio; dimensionless
@@ -166,7 +166,7 @@ template <class T>
 }
 
 /// @brief Value of the expression in (57) for \f$ \tau \to 0 \f$: \f$ 1 + g_i + 2\zeta_i R_i u_{di} \f$.
-/// @eq{71}  @derivation{section_2_6_domain_of_validity}
+/// @eq{71}  @derivation{paper/section_2_6_domain_of_validity}
 /// @domain{R > 0, 0 <= zeta < 1; equal to s_di where the maximum lies at tau = 0, a lower bound of it everywhere}
 /// @param R     modal frequency ratio, Eq. (22); dimensionless
 /// @param zeta  modal damping ratio; dimensionless

@@ -27,7 +27,7 @@ struct ModeTerms {
 /// @brief \f$ \zeta = x \to 0 \f$ at a fixed R that is not 1/n, n odd.
 /// \f[ |v|^2 \to \frac{1}{(1-R^2)^2}, \qquad u \to \frac{\sin\theta}{R\,(1+\cos\theta)}, \qquad
 ///     g \sim \frac{\theta-\sin\theta}{1+\cos\theta}\,x, \qquad \theta=\frac{\pi}{R} \f]
-/// @eq{23,28,29}  @derivation{mode_limits}  @domain{R > 0, R not 1/n, n odd}
+/// @eq{23,28,29}  @derivation{forms/mode_limits}  @domain{R > 0, R not 1/n, n odd}
 /// @param R  modal frequency ratio, Eq. (22)
 /// @return   leading terms
 template <class T>
@@ -39,7 +39,7 @@ template <class T>
 }
 
 /// @brief \f$ R \to 1 \f$ at a fixed damping ratio: the values at R = 1.
-/// @eq{23,28,29}  @derivation{mode_limits}  @domain{0 < zeta < 1}
+/// @eq{23,28,29}  @derivation{forms/mode_limits}  @domain{0 < zeta < 1}
 /// @param zeta  modal damping ratio
 /// @return      leading terms
 template <class T>
@@ -54,7 +54,7 @@ template <class T>
 /// @brief \f$ \zeta = x \to 0 \f$ at R = 1/n.
 /// \f[ n \text{ odd:}\quad u \to \frac{1}{\pi}, \quad g \sim \frac{2}{n\pi x}; \qquad
 ///     n \text{ even:}\quad u \sim -\frac{n^2\pi}{4}\,x^2, \quad g \sim \frac{n\pi}{2}\,x \f]
-/// @eq{23,28,29}  @derivation{mode_limits}
+/// @eq{23,28,29}  @derivation{forms/mode_limits}
 /// @param n  a positive integer
 /// @return   leading terms
 template <class T>
@@ -68,7 +68,7 @@ template <class T>
 /// @brief \f$ \zeta = c\,x \to 0 \f$ and \f$ R = (1+sx)/n \to 1/n \f$ in proportion.
 /// \f[ n \text{ odd:}\quad u \sim \frac{2s}{\pi(1+c^2)\,x}, \quad g \sim \frac{2c}{n\pi(1+c^2)\,x}; \qquad
 ///     n \text{ even:}\quad u \sim -\frac{sn^2\pi}{2}\,x, \quad g \sim \frac{cn\pi}{2}\,x \f]
-/// @eq{23,28,29}  @derivation{mode_limits}
+/// @eq{23,28,29}  @derivation{forms/mode_limits}
 /// @param n     an integer, at least 2
 /// @param side  s, 1 or -1
 /// @param c     slope of the path
@@ -87,7 +87,7 @@ template <class T>
 /// All follow from \f$ |v|^2 \sim \frac{1}{4D}, u \sim \frac{2sx^a+c^2x^{2b}}{\pi D}, g \sim \frac{2cx^b}{\pi D} \f$ with
 /// \f$ D = x^{2a}+c^2x^{2b} \f$: |v| and g turn from one limit to the other where \f$ \zeta = |R-1| \f$, u once more where
 /// \f$ \zeta^2 = 2|R-1| \f$.
-/// @eq{23,28,29}  @derivation{mode_limits}
+/// @eq{23,28,29}  @derivation{forms/mode_limits}
 /// @param a     power of the distance from resonance, at least 1
 /// @param b     power of the damping ratio, at least 1
 /// @param side  s, 1 or -1
@@ -106,7 +106,7 @@ template <class T>
 
 /// @brief \f$ R = 1/x \to \infty \f$ at a fixed damping ratio.
 /// \f[ |v|^2 \sim x^4, \qquad u \sim \frac{\pi}{2}\,x^2, \qquad g \sim \frac{\pi^3\zeta}{12}\,x^3 \f]
-/// @eq{23,28,29}  @derivation{mode_limits}  @domain{0 < zeta < 1}
+/// @eq{23,28,29}  @derivation{forms/mode_limits}  @domain{0 < zeta < 1}
 /// @param zeta  modal damping ratio
 /// @return      leading terms
 template <class T>
@@ -117,7 +117,7 @@ template <class T>
 /// @brief \f$ \zeta \to 1 \f$ at a fixed R.
 /// \f[ |v|^2 \to \frac{1}{(1+R^2)^2}, \qquad u \to \frac{q}{R\,(\cosh q+1)}, \qquad g \to \frac{\sinh q-q}{\cosh q+1}, \qquad
 ///     q=\frac{\pi}{R} \f]
-/// @eq{23,28,29}  @derivation{mode_limits}  @domain{R > 0}
+/// @eq{23,28,29}  @derivation{forms/mode_limits}  @domain{R > 0}
 /// @param R  modal frequency ratio, Eq. (22)
 /// @return   leading terms
 template <class T>
@@ -133,7 +133,7 @@ template <class T>
 /// Hence u and g have none along this path.
 /// \f[ n \text{ even:}\quad u \to -\frac{\pi c^2}{2(\cosh\pi c+1)}, \quad g \to \tanh\frac{\pi c}{2}; \qquad
 ///     n \text{ odd:}\quad u \to \frac{\pi c^2}{2(\cosh\pi c-1)}, \quad g \to \coth\frac{\pi c}{2} \f]
-/// @eq{23,28,29}  @derivation{mode_limits}  @domain{n -> infinity, all even or all odd; c > 0}
+/// @eq{23,28,29}  @derivation{forms/mode_limits}  @domain{n -> infinity, all even or all odd; c > 0}
 /// @param odd  whether n is odd
 /// @param c    zeta over R
 /// @return     leading terms
@@ -147,7 +147,7 @@ template <class T>
 
 /// @brief How (28) vanishes for \f$ R \to 0 \f$ at a fixed damping ratio: faster than every power of R.
 /// \f[ u \sim \frac{2e^{-\delta}\sin\theta}{R\,w}, \qquad \theta = \pi w/R,\quad \delta = \pi\zeta/R \f]
-/// @eq{28}  @derivation{mode_limits}  @domain{R -> 0, 0 < zeta < 1}
+/// @eq{28}  @derivation{forms/mode_limits}  @domain{R -> 0, 0 < zeta < 1}
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio
 /// @return      what u is to leading order
@@ -160,7 +160,7 @@ template <class T>
 /// @brief How (29) tends to 1 for \f$ R \to 0 \f$ at a fixed damping ratio: faster than every power of R.
 /// \f[ g - 1 \sim -2e^{-\delta}\left(\cos\theta+\frac{\zeta}{w}\sin\theta\right), \qquad \theta = \pi w/R,\quad
 ///     \delta = \pi\zeta/R \f]
-/// @eq{29}  @derivation{mode_limits}  @domain{R -> 0, 0 < zeta < 1}
+/// @eq{29}  @derivation{forms/mode_limits}  @domain{R -> 0, 0 < zeta < 1}
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio
 /// @return      what g - 1 is to leading order

@@ -15,7 +15,7 @@ namespace denhartog::paper {
 
 /// @brief Non-harmonic part of the motion of a mass under unit friction, the sum in (41) and (46).
 /// \f[ \sum_i \psi_{ki}\psi_{ji}R_i^2\left\{1-(1+g_i)d_i(\tau)-u_{di}R_i q_i(\tau)\right\} \f]
-/// @eq{41,46}  @erratum{41}  @derivation{section_2_4_time_response}  @domain{0 <= tau <= pi; arrays of one length N}
+/// @eq{41,46}  @erratum{41}  @derivation{paper/section_2_4_time_response}  @domain{0 <= tau <= pi; arrays of one length N}
 /// @param tau    non-dimensional time, Eq. (5); radians
 /// @param psi_k  mode shapes at the mass k, N values
 /// @param psi_j  mode shapes at the mass in contact, N values
@@ -38,7 +38,7 @@ template <class T>
 /// @brief Displacement of a mass from its initial values.
 /// \f[ \bar{x}_k = (\bar{x}_{k0}+\beta G_k)\cos\tau + (\bar{x}_{k0}'+\beta U_{dk})\sin\tau
 ///     + \beta\sum_i\psi_{ki}\psi_{ji}R_i^2\left\{1-(1+g_i)d_i(\tau)-u_{di}R_i q_i(\tau)\right\} \f]
-/// @eq{41}  @erratum{41}  @derivation{section_2_4_time_response}  @domain{0 <= tau <= pi, sliding regime, Eq. (69)}
+/// @eq{41}  @erratum{41}  @derivation{paper/section_2_4_time_response}  @domain{0 <= tau <= pi, sliding regime, Eq. (69)}
 /// @param tau        non-dimensional time, Eq. (5); radians
 /// @param x_k0       displacement at tau = 0, Eq. (44)
 /// @param x_prime_k0 velocity at tau = 0, Eq. (45)
@@ -54,7 +54,7 @@ template <class T>
 }
 
 /// @brief \f$ V_{dk}\cos\phi_j = \bar{x}_{k0}+\beta G_k \f$, with the reading of `complex.hpp`.
-/// @eq{42}  @derivation{section_2_4_time_response}  @domain{sliding regime, Eq. (69)}
+/// @eq{42}  @derivation{paper/section_2_4_time_response}  @domain{sliding regime, Eq. (69)}
 /// @param x_k0  displacement at tau = 0
 /// @param G_k   second damping function of the mass, Eq. (35)
 /// @param beta  friction ratio, Eq. (11)
@@ -65,7 +65,7 @@ template <class T>
 }
 
 /// @brief \f$ V_{dk}\sin\phi_j = -(\bar{x}_{k0}'+\beta U_{dk}) \f$, with the reading of `complex.hpp`.
-/// @eq{43}  @derivation{section_2_4_time_response}  @domain{sliding regime, Eq. (69)}
+/// @eq{43}  @derivation{paper/section_2_4_time_response}  @domain{sliding regime, Eq. (69)}
 /// @param x_prime_k0  velocity at tau = 0
 /// @param U_dk        first damping function of the mass, Eq. (34)
 /// @param beta        friction ratio, Eq. (11)
@@ -78,7 +78,7 @@ template <class T>
 /// @brief Displacement of a mass at the maximum of the displacement of the mass in contact.
 /// \f[ \bar{x}_{k0} = -\beta G_k + \frac{|V_{dk}|}{|V_{dj}|}\left[\sqrt{|V_{dj}|^2-(\beta U_{dj})^2}\cos\Delta
 ///     + \beta U_{dj}\sin\Delta\right], \qquad \Delta = \angle V_{dk}-\angle V_{dj} \f]
-/// @eq{44}  @erratum{44}  @derivation{section_2_4_time_response}  @domain{sliding regime, Eq. (69)}
+/// @eq{44}  @erratum{44}  @derivation{paper/section_2_4_time_response}  @domain{sliding regime, Eq. (69)}
 /// @param V_dk  complex response function of the mass, Eq. (33)
 /// @param V_dj  complex response function of the mass in contact, Eq. (33)
 /// @param U_dj  first damping function of the mass in contact, Eq. (34)
@@ -94,7 +94,7 @@ template <class T>
 /// @brief Velocity of a mass at the maximum of the displacement of the mass in contact.
 /// \f[ \bar{x}_{k0}' = -\beta U_{dk} + \frac{|V_{dk}|}{|V_{dj}|}\left[\beta U_{dj}\cos\Delta
 ///     - \sqrt{|V_{dj}|^2-(\beta U_{dj})^2}\sin\Delta\right], \qquad \Delta = \angle V_{dk}-\angle V_{dj} \f]
-/// @eq{45}  @erratum{45}  @derivation{section_2_4_time_response}  @domain{sliding regime, Eq. (69)}
+/// @eq{45}  @erratum{45}  @derivation{paper/section_2_4_time_response}  @domain{sliding regime, Eq. (69)}
 /// @param V_dk  complex response function of the mass, Eq. (33)
 /// @param V_dj  complex response function of the mass in contact, Eq. (33)
 /// @param U_dj  first damping function of the mass in contact, Eq. (34)
@@ -111,7 +111,7 @@ template <class T>
 /// @brief Displacement of a mass in the steady state.
 /// \f[ \bar{x}_k = \frac{|V_{dk}|}{|V_{dj}|}\left[\sqrt{|V_{dj}|^2-(\beta U_{dj})^2}\cos(\tau+\Delta)
 ///     + \beta U_{dj}\sin(\tau+\Delta)\right] + \beta\sum_i\psi_{ki}\psi_{ji}R_i^2\{1-(1+g_i)d_i-u_{di}R_i q_i\} \f]
-/// @eq{46}  @erratum{46}  @derivation{section_2_4_time_response}  @domain{0 <= tau <= pi, sliding regime, Eq. (69)}
+/// @eq{46}  @erratum{46}  @derivation{paper/section_2_4_time_response}  @domain{0 <= tau <= pi, sliding regime, Eq. (69)}
 /// @param tau   non-dimensional time, Eq. (5); radians
 /// @param V_dk  complex response function of the mass, Eq. (33)
 /// @param V_dj  complex response function of the mass in contact, Eq. (33)
@@ -128,7 +128,7 @@ template <class T>
 }
 
 /// @brief Phase of a mass from the instant of its largest displacement: \f$ \phi_j+\tau_{k,\max} \f$, plus pi for a minimum.
-/// @eq{47}  @derivation{section_2_5_other_masses}  @domain{0 <= tau_k_max <= pi}
+/// @eq{47}  @derivation{paper/section_2_5_other_masses}  @domain{0 <= tau_k_max <= pi}
 /// @param phi_j      phase of the mass in contact, Eq. (39); radians
 /// @param tau_k_max  instant of the largest absolute displacement in [0, pi]; radians
 /// @param minimum    0 where the displacement is positive there, 1 where it is negative

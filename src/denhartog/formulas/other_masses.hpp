@@ -7,7 +7,7 @@
 namespace denhartog::paper {
 
 /// @brief Monoharmonic approximation of a displacement, \f$ \bar{x}_{k0}\cos\tau + \bar{x}_{k0}'\sin\tau \f$.
-/// @eq{48,49}  @derivation{section_2_5_other_masses}
+/// @eq{48,49}  @derivation{paper/section_2_5_other_masses}
 /// @domain{sliding regime; exact at tau = 0 and pi, error of first order in beta between}
 /// @param tau         non-dimensional time, Eq. (5); radians
 /// @param x_k0        displacement at tau = 0, Eq. (44)
@@ -21,7 +21,7 @@ template <class T>
 /// @brief Factor of \f$ \cos\tau \f$ in (49).
 /// \f[ \overline{X}_{k_C} = \frac{|V_{dk}|}{|V_{dj}|}\left[\sqrt{|V_{dj}|^2-(\beta U_{dj})^2}\cos\Delta
 ///     + \beta U_{dj}\sin\Delta\right] - \beta G_k, \qquad \Delta = \angle V_{dk}-\angle V_{dj} \f]
-/// @eq{50}  @erratum{50}  @derivation{section_2_5_other_masses}  @domain{sliding regime, Eq. (69)}
+/// @eq{50}  @erratum{50}  @derivation{paper/section_2_5_other_masses}  @domain{sliding regime, Eq. (69)}
 /// @param V_dk  complex response function of the mass, Eq. (33)
 /// @param V_dj  complex response function of the mass in contact, Eq. (33)
 /// @param U_dj  first damping function of the mass in contact, Eq. (34)
@@ -39,7 +39,7 @@ template <class T>
 /// @brief Factor of \f$ \sin\tau \f$ in (49).
 /// \f[ \overline{X}_{k_S} = \frac{|V_{dk}|}{|V_{dj}|}\left[\beta U_{dj}\cos\Delta
 ///     - \sqrt{|V_{dj}|^2-(\beta U_{dj})^2}\sin\Delta\right] - \beta U_{dk}, \qquad \Delta = \angle V_{dk}-\angle V_{dj} \f]
-/// @eq{51}  @derivation{section_2_5_other_masses}  @domain{sliding regime, Eq. (69)}
+/// @eq{51}  @derivation{paper/section_2_5_other_masses}  @domain{sliding regime, Eq. (69)}
 /// @param V_dk  complex response function of the mass, Eq. (33)
 /// @param V_dj  complex response function of the mass in contact, Eq. (33)
 /// @param U_dj  first damping function of the mass in contact, Eq. (34)
@@ -57,7 +57,7 @@ template <class T>
 /// \f[ \overline{X}_k \cong \Big\{|V_{dk}|^2 + \beta^2(G_k^2+U_{dk}^2) - 2\beta\frac{|V_{dk}|}{|V_{dj}|}\Big[
 ///     \sqrt{|V_{dj}|^2-(\beta U_{dj})^2}\,(G_k\cos\Delta - U_{dk}\sin\Delta)
 ///     + \beta U_{dj}\,(G_k\sin\Delta + U_{dk}\cos\Delta)\Big]\Big\}^{1/2} \f]
-/// @eq{52}  @erratum{52}  @derivation{section_2_5_other_masses}  @domain{sliding regime, Eq. (69)}
+/// @eq{52}  @erratum{52}  @derivation{paper/section_2_5_other_masses}  @domain{sliding regime, Eq. (69)}
 /// @param V_dk  complex response function of the mass, Eq. (33)
 /// @param V_dj  complex response function of the mass in contact, Eq. (33)
 /// @param U_dj  first damping function of the mass in contact, Eq. (34)
@@ -77,7 +77,7 @@ template <class T>
 
 /// @brief Monoharmonic phase of a mass behind the mass in contact, \f$ \phi_{kj} \f$.
 /// \f[ \cos\phi_{kj} = \overline{X}_{k_C}/\overline{X}_k, \qquad \sin\phi_{kj} = \overline{X}_{k_S}/\overline{X}_k \f]
-/// @eq{53}  @derivation{section_2_5_other_masses}  @domain{sliding regime; X_kC and X_kS not both zero}
+/// @eq{53}  @derivation{paper/section_2_5_other_masses}  @domain{sliding regime; X_kC and X_kS not both zero}
 /// @param X_kC  factor of the cosine, Eq. (50)
 /// @param X_kS  factor of the sine, Eq. (51)
 /// @return      phi_kj, radians, in (-pi, pi]

@@ -20,7 +20,7 @@ template <class T>
 }
 
 /// @brief Complex response function of a mass at the resonance of mode i, \f$ V_{dk} \cong -i\,\psi_{ki}\psi_{li}/(2\zeta_i) \f$.
-/// @eq{76}  @derivation{section_4_1_resonance}  @domain{R_i = 1, 0 < zeta_i << 1, psi_ki and psi_li not zero}
+/// @eq{76}  @derivation{paper/section_4_1_resonance}  @domain{R_i = 1, 0 < zeta_i << 1, psi_ki and psi_li not zero}
 /// @param psi_ki  mode shape at the mass k, normalised by (17)
 /// @param psi_li  mode shape at the loaded mass
 /// @param zeta    modal damping ratio of mode i; dimensionless
@@ -31,7 +31,7 @@ template <class T>
 }
 
 /// @brief Amplitude of the complex response function at resonance, \f$ |V_{dk}| \cong |\psi_{ki}\psi_{li}|/(2\zeta_i) \f$.
-/// @eq{77}  @derivation{section_4_1_resonance}  @domain{R_i = 1, 0 < zeta_i << 1, psi_ki and psi_li not zero}
+/// @eq{77}  @derivation{paper/section_4_1_resonance}  @domain{R_i = 1, 0 < zeta_i << 1, psi_ki and psi_li not zero}
 /// @param psi_ki  mode shape at the mass k, normalised by (17)
 /// @param psi_li  mode shape at the loaded mass
 /// @param zeta    modal damping ratio of mode i; dimensionless
@@ -42,7 +42,7 @@ template <class T>
 }
 
 /// @brief Cosine of \f$ \angle V_{dk}-\angle V_{dj} \f$ at resonance, \f$ \mathrm{sgn}(\psi_{ki}\psi_{ji}) \f$; the sine is zero.
-/// @eq{78}  @derivation{section_4_1_resonance}  @domain{R_i = 1, 0 < zeta_i << 1, psi_ki, psi_ji and psi_li not zero}
+/// @eq{78}  @derivation{paper/section_4_1_resonance}  @domain{R_i = 1, 0 < zeta_i << 1, psi_ki, psi_ji and psi_li not zero}
 /// @param psi_ki  mode shape at the mass k
 /// @param psi_ji  mode shape at the mass in contact
 /// @return        1 or -1
@@ -53,7 +53,7 @@ template <class T>
 
 /// @brief Second damping function of mode i at its resonance.
 /// \f[ g_i \cong \frac{\sinh(\pi\zeta_i)}{\cosh(\pi\zeta_i)-1} \f]
-/// @eq{79}  @derivation{section_4_1_resonance}  @domain{R_i = 1, 0 < zeta_i << 1; relative error 3 zeta_i^2 / 4}
+/// @eq{79}  @derivation{paper/section_4_1_resonance}  @domain{R_i = 1, 0 < zeta_i << 1; relative error 3 zeta_i^2 / 4}
 /// @param zeta  modal damping ratio of mode i; dimensionless
 /// @return      g_i; dimensionless
 template <class T>
@@ -64,7 +64,7 @@ template <class T>
 
 /// @brief Second damping function of a mass at the resonance of mode i.
 /// \f[ G_k \cong \psi_{ki}\psi_{ji}\frac{\sinh(\pi\zeta_i)}{\cosh(\pi\zeta_i)-1} \f]
-/// @eq{80}  @derivation{section_4_1_resonance}  @domain{R_i = 1, 0 < zeta_i << 1, psi_ki and psi_ji not zero}
+/// @eq{80}  @derivation{paper/section_4_1_resonance}  @domain{R_i = 1, 0 < zeta_i << 1, psi_ki and psi_ji not zero}
 /// @param psi_ki  mode shape at the mass k, normalised by (17)
 /// @param psi_ji  mode shape at the mass in contact
 /// @param zeta    modal damping ratio of mode i; dimensionless
@@ -78,7 +78,7 @@ template <class T>
 /// \f[ \overline{X}_k \cong \left[|V_{dk}|^2 + \beta^2(G_k^2+U_{dk}^2)
 ///     - 2\beta\left(|V_{dk}||G_k| + \beta\frac{\psi_{ki}}{\psi_{ji}}U_{dj}U_{dk}\right)\right]^{1/2} \f]
 /// The quotient of the mode shapes is \f$ |V_{dk}|/|V_{dj}| \f$ by (77) with the sign (78).
-/// @eq{81}  @erratum{81}  @derivation{section_4_1_resonance}  @domain{R_i = 1, 0 < zeta_i << 1, psi_ki and psi_ji not zero}
+/// @eq{81}  @erratum{81}  @derivation{paper/section_4_1_resonance}  @domain{R_i = 1, 0 < zeta_i << 1, psi_ki and psi_ji not zero}
 /// @param V_k_abs  amplitude of the complex response function of the mass, Eq. (77)
 /// @param U_k      first damping function of the mass, Eq. (34)
 /// @param U_j      first damping function of the mass in contact, Eq. (34)
@@ -95,7 +95,7 @@ template <class T>
 }
 
 /// @brief The same without the first damping functions, \f$ \overline{X}_k \cong \big||V_{dk}|-\beta|G_k|\big| \f$.
-/// @eq{82}  @erratum{82}  @derivation{section_4_1_resonance}  @domain{R_i = 1, 0 < zeta_i << 1, beta below (85)}
+/// @eq{82}  @erratum{82}  @derivation{paper/section_4_1_resonance}  @domain{R_i = 1, 0 < zeta_i << 1, beta below (85)}
 /// @param V_k_abs  amplitude of the complex response function of the mass, Eq. (77)
 /// @param G_k      second damping function of the mass, Eq. (80)
 /// @param beta     friction ratio, Eq. (11)
@@ -109,7 +109,7 @@ template <class T>
 /// \f[ \overline{X}_k \cong \frac{|\psi_{ki}\psi_{li}|}{2\zeta_i}
 ///     - |\psi_{ki}\psi_{ji}|\frac{\sinh(\pi\zeta_i)}{\cosh(\pi\zeta_i)-1}\,\beta \f]
 /// Falls linearly with the friction ratio and reaches zero at (85).
-/// @eq{83}  @derivation{section_4_1_resonance}  @domain{R_i = 1, 0 < zeta_i << 1, beta below (85)}
+/// @eq{83}  @derivation{paper/section_4_1_resonance}  @domain{R_i = 1, 0 < zeta_i << 1, beta below (85)}
 /// @param psi_ki  mode shape at the mass k, normalised by (17)
 /// @param psi_li  mode shape at the loaded mass
 /// @param psi_ji  mode shape at the mass in contact
@@ -124,7 +124,7 @@ template <class T>
 
 /// @brief Height of the resonant peak of a single mass.
 /// \f[ \overline{X} = \frac{1}{2\zeta} - \frac{\sinh(\pi\zeta)}{\cosh(\pi\zeta)-1}\,\beta \f]
-/// @eq{84}  @derivation{section_4_1_resonance}  @domain{r = 1, 0 < zeta << 1, beta below (85)}
+/// @eq{84}  @derivation{paper/section_4_1_resonance}  @domain{r = 1, 0 < zeta << 1, beta below (85)}
 /// @param zeta  damping ratio; dimensionless
 /// @param beta  friction ratio, Eq. (11)
 /// @return      the approximate amplitude, in units of P / k_1
@@ -137,7 +137,7 @@ template <class T>
 /// \f[ \beta_{n,i} \cong \left|\frac{\psi_{li}}{\psi_{ji}}\right|\frac{\cosh(\pi\zeta_i)-1}{2\zeta_i\sinh(\pi\zeta_i)} \f]
 /// For \f$ \zeta_i \to 0 \f$ it tends to \f$ \tfrac{\pi}{4}|\psi_{li}/\psi_{ji}| \f$. It is where (83) reaches zero, and for
 /// small damping ratios it lies above the boundary (69).
-/// @eq{85}  @derivation{section_4_1_resonance}
+/// @eq{85}  @derivation{paper/section_4_1_resonance}
 /// @domain{R_i = 1, 0 < zeta_i << 1, psi_ji not zero; relative error of first order in zeta_i}
 /// @param psi_li  mode shape at the loaded mass
 /// @param psi_ji  mode shape at the mass in contact

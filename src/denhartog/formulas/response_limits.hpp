@@ -14,7 +14,7 @@ namespace denhartog::limits {
 /// between the two \f$ \lambda = r_n^2 \f$, and tends to minus its derivative:
 /// \f[ V_{d1} \to -f'(1) = \frac{1+i\zeta r}{(1-r^2+2i\zeta r)^2} \f]
 /// (34) and (35) tend to (28) and (29) of the mass alone.
-/// @eq{33}  @derivation{response_limits}  @domain{both damping ratios equal; 0 < zeta < 1, or r not 1}
+/// @eq{33}  @derivation{forms/response_limits}  @domain{both damping ratios equal; 0 < zeta < 1, or r not 1}
 /// @param r     frequency ratio, Eq. (10)
 /// @param zeta  damping ratio of both modes
 /// @return      V_dj, complex; dimensionless
@@ -30,7 +30,7 @@ template <class T>
 
 /// @brief (38) at the boundary (67), where its root is \f$ \beta S \f$.
 /// \f[ \overline{X}_j = \beta_{\lim}\,(S - G_j), \qquad S = H_j+\mu\textstyle\sum_i\psi_{ji}^2 \f]
-/// @eq{38,67}  @derivation{response_limits}  @domain{beta = beta_lim by (67)}
+/// @eq{38,67}  @derivation{forms/response_limits}  @domain{beta = beta_lim by (67)}
 /// @param beta_lim  friction ratio at the boundary
 /// @param S         H_j, Eq. (64), and what static friction adds to it in (67)
 /// @param G_j       second damping function of the mass in contact, Eq. (35)
@@ -43,7 +43,7 @@ template <class T>
 /// @brief How (38) approaches its value at the boundary (67) from below.
 /// \f[ \overline{X}_j\big|_{\beta_{\lim}(1-x)} - \overline{X}_j\big|_{\beta_{\lim}} \sim
 ///     \beta_{\lim}\left(\frac{U_{dj}^2}{S}+G_j\right)x \f]
-/// @eq{38,67}  @derivation{response_limits}  @domain{x -> 0 from above}
+/// @eq{38,67}  @derivation{forms/response_limits}  @domain{x -> 0 from above}
 /// @param beta_lim  friction ratio at the boundary
 /// @param S         H_j, Eq. (64), and what static friction adds to it in (67)
 /// @param U_dj      first damping function of the mass in contact, Eq. (34)

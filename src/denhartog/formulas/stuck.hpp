@@ -12,7 +12,7 @@ namespace denhartog::paper {
 /// @brief Load on the contact other than friction and inertia, with its sign; \f$ \Sigma_j \f$ is its size.
 /// \f[ \sum_k \overline{C}_{jk}\bar{x}_k' + \sum_k \overline{K}_{jk}\bar{x}_k - \delta_{lj}\cos\tau \f]
 /// While the contact rests, friction balances it.
-/// @eq{75}  @derivation{section_3_1_numerical}  @domain{diagonal mass matrix; arrays of one length N}
+/// @eq{75}  @derivation{paper/section_3_1_numerical}  @domain{diagonal mass matrix; arrays of one length N}
 /// @param C_j      row j of the non-dimensional damping matrix, Eq. (7), N values
 /// @param K_j      row j of the non-dimensional stiffness matrix, Eq. (7), N values
 /// @param x        displacements, N values
@@ -30,7 +30,7 @@ template <class T>
 
 /// @brief Amount by which static friction exceeds the load: a contact at rest stays at rest where it is not negative, (74).
 /// \f[ \mu\beta - \Sigma_j \f]
-/// @eq{74}  @derivation{section_3_1_numerical}  @domain{contact at rest}
+/// @eq{74}  @derivation{paper/section_3_1_numerical}  @domain{contact at rest}
 /// @param Sigma_j  size of the load on the contact, Eq. (75)
 /// @param mu       ratio of static to kinetic friction, Eq. (3)
 /// @param beta     friction ratio, Eq. (11)
@@ -45,7 +45,7 @@ template <class T>
 ///
 /// Without damping \f$ \overline{X}_k^2 = V_k^2 + \beta^2U_k^2 \f$ times this. The amplitude is as independent of friction where
 /// \f$ U_k = 0 \f$, a factor that the equation divides out.
-/// @eq{87}  @derivation{section_4_3_stuck}  @domain{all zeta_i = 0; V_j and U_k not zero}
+/// @eq{87}  @derivation{paper/section_4_3_stuck}  @domain{all zeta_i = 0; V_j and U_k not zero}
 /// @param V_k  response function of the mass, Eq. (33), real without damping
 /// @param V_j  response function of the mass in contact, Eq. (33)
 /// @param U_k  first damping function of the mass, Eq. (34)
@@ -58,7 +58,7 @@ template <class T>
 
 /// @brief Complex amplitude of the load on the held contact.
 /// \f[ \sum_k\left(\overline{K}_{jk} + i\,\overline{C}_{jk}\right)\overline{X}_k^* - \delta_{lj} \f]
-/// @eq{88}  @derivation{section_4_3_stuck}  @domain{contact held at zero, X_j = 0; arrays of one length}
+/// @eq{88}  @derivation{paper/section_4_3_stuck}  @domain{contact held at zero, X_j = 0; arrays of one length}
 /// @param C_j      row j of the non-dimensional damping matrix, Eq. (7)
 /// @param K_j      row j of the non-dimensional stiffness matrix, Eq. (7); less that of the mass matrix where it is not diagonal
 /// @param X        complex amplitudes of the displacements with the contact held, \f$ \bar{x}_k = \mathrm{Re}\{X_ke^{i\tau}\} \f$
@@ -75,7 +75,7 @@ template <class T>
 
 /// @brief Smallest friction ratio that holds the contact for ever, \f$ \beta^*_{\lim} \f$.
 /// \f[ \frac{1}{\mu}\left|\sum_k\left(\overline{K}_{jk}+i\,\overline{C}_{jk}\right)\overline{X}_k^* - \delta_{lj}\right| \f]
-/// @eq{88}  @erratum{88}  @derivation{section_4_3_stuck}  @domain{mu >= 1}
+/// @eq{88}  @erratum{88}  @derivation{paper/section_4_3_stuck}  @domain{mu >= 1}
 /// @param load  complex amplitude of the load on the held contact
 /// @param mu    ratio of static to kinetic friction, Eq. (3)
 /// @return      the friction ratio; dimensionless
@@ -88,7 +88,7 @@ template <class T>
 ///
 /// The spring between the contact and its neighbour on the side of the load. The damping forces of the moving masses on the
 /// contact are left out.
-/// @eq{88}  @derivation{section_4_3_stuck}
+/// @eq{88}  @derivation{paper/section_4_3_stuck}
 /// @domain{chain, j not l; exact where row j of the damping matrix is zero off its diagonal}
 /// @param kappa  stiffness ratio of the spring: kappa_j where j > l, kappa_{j+1} where j < l
 /// @param X      amplitude of the neighbour with the contact held
@@ -100,7 +100,7 @@ template <class T>
 }
 
 /// @brief The third line of (88): \f$ \beta^*_{\lim} = 1/\mu \f$ where the load acts on the contact, as no other mass moves then.
-/// @eq{88}  @derivation{section_4_3_stuck}  @domain{j = l; mu >= 1}
+/// @eq{88}  @derivation{paper/section_4_3_stuck}  @domain{j = l; mu >= 1}
 /// @param mu  ratio of static to kinetic friction, Eq. (3)
 /// @return    the friction ratio; dimensionless
 template <class T>

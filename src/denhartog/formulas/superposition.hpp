@@ -13,7 +13,7 @@
 namespace denhartog::paper {
 
 /// @brief Complex response function of a mass, \f$ V_{dk} = \sum_i \psi_{ki}\psi_{li}R_i^2 v_{di} \f$.
-/// @eq{33}  @derivation{section_2_3_mass_in_contact}  @domain{arrays of one length N}
+/// @eq{33}  @derivation{paper/section_2_3_mass_in_contact}  @domain{arrays of one length N}
 /// @param psi_k  mode shapes at the mass k, N values
 /// @param psi_l  mode shapes at the loaded mass, N values
 /// @param R      modal frequency ratios, Eq. (22), N values
@@ -31,7 +31,7 @@ template <class T>
 /// @brief First damping function of a mass, \f$ U_{dk} = \sum_i \psi_{ki}\psi_{ji}R_i^2 u_{di} \f$.
 ///
 /// With \f$ g_i \f$ in place of \f$ u_{di} \f$ it is the second damping function, \f$ G_k \f$, Eq. (35).
-/// @eq{34,35}  @derivation{section_2_3_mass_in_contact}  @domain{arrays of one length N}
+/// @eq{34,35}  @derivation{paper/section_2_3_mass_in_contact}  @domain{arrays of one length N}
 /// @param psi_k  mode shapes at the mass k, N values
 /// @param psi_j  mode shapes at the mass in contact, N values
 /// @param R      modal frequency ratios, Eq. (22), N values
@@ -50,7 +50,7 @@ template <class T>
 ///
 /// With the values of (57)'s expression at one \f$ \tau \f$ it is the sum whose maximum over \f$ \tau \f$ bounds the sliding
 /// regime exactly; with the maxima \f$ s_{di} \f$ of the single modes it is the paper's \f$ S_{dj} \f$, which is never smaller.
-/// @eq{56}  @derivation{section_2_6_domain_of_validity}  @domain{arrays of one length N}
+/// @eq{56}  @derivation{paper/section_2_6_domain_of_validity}  @domain{arrays of one length N}
 /// @param psi_j  mode shapes at the mass in contact, N values
 /// @param s      values of the modes, N values
 /// @param so_far sum over the modes before these
@@ -63,7 +63,7 @@ template <class T>
 }
 
 /// @brief \f$ H_j = \sum_i \psi_{ji}^2(g_i + 2\zeta_i R_i u_{di}) \f$, never negative.
-/// @eq{64}  @derivation{section_2_6_domain_of_validity}  @domain{arrays of one length N}
+/// @eq{64}  @derivation{paper/section_2_6_domain_of_validity}  @domain{arrays of one length N}
 /// @param psi_j  mode shapes at the mass in contact, N values
 /// @param R      modal frequency ratios, Eq. (22), N values
 /// @param zeta   modal damping ratios, N values
@@ -80,7 +80,7 @@ template <class T>
 }
 
 /// @brief \f$ \sum_i \psi_{ji}^2 = 1/(\gamma_j r^2) \f$ for a diagonal mass matrix.
-/// @eq{65}  @derivation{section_2_6_domain_of_validity}  @domain{gamma_j > 0, r > 0; diagonal mass matrix}
+/// @eq{65}  @derivation{paper/section_2_6_domain_of_validity}  @domain{gamma_j > 0, r > 0; diagonal mass matrix}
 /// @param gamma_j  mass ratio of the mass in contact, Eq. (9); dimensionless
 /// @param r        frequency ratio, Eq. (10); dimensionless
 /// @return         the sum of squares of the mode shapes at the mass in contact

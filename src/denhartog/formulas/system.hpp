@@ -13,7 +13,7 @@
 namespace denhartog::paper {
 
 /// @brief Stiffness matrix of the chain of Fig. 1: spring i joins mass i to the mass before it, the first one to the ground.
-/// @eq{1}  @derivation{section_2_1_formulation}  @domain{N >= 1}
+/// @eq{1}  @derivation{paper/section_2_1_formulation}  @domain{N >= 1}
 /// @param k  stiffnesses of the springs, N values
 /// @return   K, N x N, row-major, in the units of k
 template <class T>
@@ -30,7 +30,7 @@ template <class T>
 }
 
 /// @brief Friction force on the mass in contact, \f$ F_f = -F\,\mathrm{sgn}(\dot{x}_j) \f$.
-/// @eq{2}  @erratum{2}  @derivation{section_2_1_formulation}
+/// @eq{2}  @erratum{2}  @derivation{paper/section_2_1_formulation}
 /// @param F         kinetic friction force
 /// @param sgn_x_dot a value of Eq. (3)'s set at the velocity of the mass in contact
 /// @return          the force, in the units of F
@@ -40,7 +40,7 @@ template <class T>
 }
 
 /// @brief Non-dimensional time, \f$ \tau = \omega t \f$.
-/// @eq{5}  @derivation{section_2_1_formulation}
+/// @eq{5}  @derivation{paper/section_2_1_formulation}
 /// @param omega  circular frequency of the load
 /// @param t      time
 /// @return       tau; radians
@@ -50,7 +50,7 @@ template <class T>
 }
 
 /// @brief Non-dimensional displacement, \f$ \bar{x} = k_1 x/P \f$.
-/// @eq{5}  @derivation{section_2_1_formulation}  @domain{P not zero}
+/// @eq{5}  @derivation{paper/section_2_1_formulation}  @domain{P not zero}
 /// @param x    displacement
 /// @param k_1  stiffness of the first spring
 /// @param P    amplitude of the load
@@ -61,7 +61,7 @@ template <class T>
 }
 
 /// @brief Entry of the non-dimensional mass matrix, \f$ \omega^2 m/k_1 \f$.
-/// @eq{7}  @derivation{section_2_1_formulation}  @domain{k_1 > 0}
+/// @eq{7}  @derivation{paper/section_2_1_formulation}  @domain{k_1 > 0}
 /// @param m      entry of M
 /// @param omega  circular frequency of the load
 /// @param k_1    stiffness of the first spring
@@ -72,7 +72,7 @@ template <class T>
 }
 
 /// @brief Entry of the non-dimensional damping matrix, \f$ \omega c/k_1 \f$.
-/// @eq{7}  @derivation{section_2_1_formulation}  @domain{k_1 > 0}
+/// @eq{7}  @derivation{paper/section_2_1_formulation}  @domain{k_1 > 0}
 /// @param c      entry of C
 /// @param omega  circular frequency of the load
 /// @param k_1    stiffness of the first spring
@@ -83,7 +83,7 @@ template <class T>
 }
 
 /// @brief Stiffness over that of the first spring: entry of \f$ \overline{K} \f$ (7), stiffness ratio \f$ \kappa_i \f$ (73).
-/// @eq{7,73}  @derivation{section_2_1_formulation}  @domain{k_1 > 0}
+/// @eq{7,73}  @derivation{paper/section_2_1_formulation}  @domain{k_1 > 0}
 /// @param k    a stiffness, or an entry of K
 /// @param k_1  stiffness of the first spring
 /// @return     the ratio; dimensionless
@@ -93,7 +93,7 @@ template <class T>
 }
 
 /// @brief Entry of the non-dimensional mass matrix by ratios, \f$ \gamma_i r^2 \f$.
-/// @eq{8}  @derivation{section_2_1_formulation}
+/// @eq{8}  @derivation{paper/section_2_1_formulation}
 /// @param gamma  mass ratio, Eq. (9)
 /// @param r      frequency ratio, Eq. (10)
 /// @return       the entry; dimensionless
@@ -103,7 +103,7 @@ template <class T>
 }
 
 /// @brief Mass ratio, \f$ \gamma_i = m_i/m_1 \f$.
-/// @eq{9}  @derivation{section_2_1_formulation}  @domain{m_1 > 0}
+/// @eq{9}  @derivation{paper/section_2_1_formulation}  @domain{m_1 > 0}
 /// @param m_i  a mass
 /// @param m_1  the first mass
 /// @return     the ratio; dimensionless
@@ -113,7 +113,7 @@ template <class T>
 }
 
 /// @brief Frequency ratio, \f$ r = \omega\sqrt{m_1/k_1} \f$.
-/// @eq{10}  @derivation{section_2_1_formulation}  @domain{m_1 > 0, k_1 > 0}
+/// @eq{10}  @derivation{paper/section_2_1_formulation}  @domain{m_1 > 0, k_1 > 0}
 /// @param omega  circular frequency of the load
 /// @param m_1    the first mass
 /// @param k_1    stiffness of the first spring
@@ -124,7 +124,7 @@ template <class T>
 }
 
 /// @brief Friction ratio, \f$ \beta = F/P \f$.
-/// @eq{11}  @derivation{section_2_1_formulation}  @domain{P not zero}
+/// @eq{11}  @derivation{paper/section_2_1_formulation}  @domain{P not zero}
 /// @param F  kinetic friction force
 /// @param P  amplitude of the load
 /// @return   beta; dimensionless
@@ -134,7 +134,7 @@ template <class T>
 }
 
 /// @brief An entry of a product of two matrices, one more factor pair after the other.
-/// @eq{19}  @derivation{section_2_1_formulation}
+/// @eq{19}  @derivation{paper/section_2_1_formulation}
 /// @param row     of the first, N values
 /// @param column  of the second, N values
 /// @param so_far  sum over the pairs before these
@@ -148,7 +148,7 @@ template <class T>
 
 /// @brief An entry of the damping matrix, mode by mode.
 /// \f[ \overline{C}_{kn} = \sum_i 2\zeta_i\Omega_i(\overline{M}\psi_i)_k(\overline{M}\psi_i)_n \f]
-/// @eq{19}  @derivation{section_2_1_formulation}
+/// @eq{19}  @derivation{paper/section_2_1_formulation}
 /// @param Omega    non-dimensional natural frequencies, N values, Eq. (15)
 /// @param zeta     modal damping ratios, N values, Eq. (18)
 /// @param M_psi_k  entries k of mass matrix times mode shape, N values
@@ -165,7 +165,7 @@ template <class T>
 
 /// @brief Non-dimensional damping matrix from modal damping ratios.
 /// \f[ \overline{C} = \sum_i 2\zeta_i\Omega_i(\overline{M}\psi_i)(\overline{M}\psi_i)^T \f]
-/// @eq{19}  @derivation{section_2_1_formulation}  @domain{mode shapes normalised by (17)}
+/// @eq{19}  @derivation{paper/section_2_1_formulation}  @domain{mode shapes normalised by (17)}
 /// @param M      non-dimensional mass matrix, N x N, row-major, Eq. (8)
 /// @param Psi    modal matrix, N x N, row-major, mass by mode, Eq. (14)
 /// @param Omega  non-dimensional natural frequencies, N values, Eq. (15)

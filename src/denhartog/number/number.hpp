@@ -10,7 +10,7 @@
 /// It asks for no comparison and no conversion from a floating-point literal, so that the derivation can instantiate the same
 /// source with a symbolic scalar. `double` is served by `elementary.hpp`, with the same digits on every machine; `float` and
 /// `long double`, which only the formulas know, by the system;
-/// the symbolic scalar is served in `derivation/symbolic.hpp`.
+/// the symbolic scalar is served in `derivation/algebra/symbolic.hpp`.
 #pragma once
 
 #include <cmath>
