@@ -9,6 +9,7 @@
 ///     solve                scene, r, beta, mu, digits, proved
 ///     motion               scene, r, beta, mu, samples
 ///     map                  scene, r, beta, mu, masses
+///     find                 scene, vary, between, so_that, samples
 ///
 /// Each but `version` returns a struct. Regimes and states of points are the numbers of the C interface.
 #include <denhartog.h>
@@ -257,6 +258,53 @@ static mxArray* map(size_t N, const mxArray* const* arguments) {
     return result;
 }
 
+/// Text of an argument, which Octave frees at the end of the call.
+static char* text_of(const mxArray* argument, const char* fault) {
+    char* text = mxIsChar(argument) ? mxArrayToString(argument) : NULL;
+    if (!text || strlen(text) < mxGetNumberOfElements(argument)) fail("denhartog:input", fault);
+    return text;
+}
+
+/// The inverse question; a row a place.
+static mxArray* find(const mxArray* const* arguments) {
+    static const char* const names[] = {"at", "from", "to", "amplitude", "error_bound"};
+    const Numbers between = numbers(arguments[2], "between must be two numbers");
+    const double samples = number(arguments[4], "samples must be one number");
+    char* scene = text_of(arguments[0], "the scene must be text in JSON; denhartog_json makes it of a struct");
+    dh_find_request request = {.size = sizeof request, .scene = scene, .scene_length = strlen(scene)};
+    dh_places places = {.size = sizeof places};
+    mxArray* result = empty_struct();
+    size_t n, k;
+    if (between.count != 2) fail("denhartog:input", "between must be two numbers");
+    if (!whole_number(samples, 2, 100000)) fail("denhartog:input", "samples must be a whole number from 2 to 100000");
+    request.vary = text_of(arguments[1], "vary must be text");
+    request.so_that = text_of(arguments[3], "so_that must be text");
+    request.from = between.values[0];
+    request.to = between.values[1];
+    request.samples = (int)samples;
+    places.room = 4 * (size_t)samples + 64;
+    double* found[5];
+    for (k = 0; k < 5; ++k) found[k] = (double*)mxCalloc(places.room, sizeof(double));
+    int* is = (int*)mxCalloc(places.room, sizeof(int));
+    places.at = found[0];
+    places.from = found[1];
+    places.to = found[2];
+    places.amplitude = found[3];
+    places.error = found[4];
+    places.is = is;
+    need(dh_find(&request, &places));
+    for (k = 0; k < 5; ++k) {
+        double* to = doubles(result, names[k], places.count, 1);
+        for (n = 0; n < places.count; ++n) to[n] = found[k][n];
+        mxFree(found[k]);
+    }
+    int* kinds = (int*)field(result, "is", mxINT32_CLASS, places.count, 1);
+    for (n = 0; n < places.count; ++n) kinds[n] = is[n];
+    mxFree(is);
+    *doubles(result, "unanswered", 1, 1) = (double)places.unanswered;
+    return result;
+}
+
 typedef struct Command {
     const char* name;
     int arguments; // after the command
@@ -280,12 +328,16 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
         plhs[0] = mxCreateString(dh_version());
         return;
     }
+    if (strcmp(name, "find") == 0 && nrhs == 6) {
+        plhs[0] = find(prhs + 1);
+        return;
+    }
     for (n = 0; n < sizeof commands / sizeof commands[0]; ++n)
         if (strcmp(name, commands[n].name) == 0 && nrhs == commands[n].arguments + 1) {
             plhs[0] = commands[n].answer(hold_system(prhs[1]), prhs + 2);
             release();
             return;
         }
-    fail("denhartog:input", "the first argument must be version, natural_frequencies, boundary, solve, motion or map, "
+    fail("denhartog:input", "the first argument must be version, natural_frequencies, boundary, solve, motion, map or find, "
                             "and as many arguments must follow as it takes");
 }

@@ -45,7 +45,7 @@ std::vector<std::string> motion_of_page() {
 TEST_CASE("the shared library exports the names of its list and no other", "[c_interface][symbols]") {
     std::istringstream names(
         "dh_abi_version dh_boundaries dh_boundaries_proved dh_boundary_errors dh_displacement dh_displacement_errors "
-        "dh_high_frequency_limit dh_high_frequency_limit_error dh_last_message dh_map dh_modal_function_errors "
+        "dh_find dh_high_frequency_limit dh_high_frequency_limit_error dh_last_message dh_map dh_modal_function_errors "
         "dh_modal_functions dh_mode_shape_errors dh_mode_shapes dh_natural_frequency_ratio_errors "
         "dh_natural_frequency_ratios dh_quantity dh_quantity_errors dh_set_effort dh_sliding_motion "
         "dh_sliding_motion_errors dh_solution_contact dh_solution_destroy dh_solution_is_from_rest dh_solution_is_proved "

@@ -210,6 +210,36 @@ typedef struct dh_systems_request {
     void* context;
 } dh_systems_request;
 DH_EXPORT int dh_solve_systems(const dh_systems_request* request, const dh_points* points) DH_NOEXCEPT;
+enum dh_place_kind {
+    DH_CROSSING = 0,
+    DH_JUMP = 1,
+    DH_UNDECIDED = 2,
+    DH_EXTREME = 3,
+    DH_END_OF_INTERVAL = 4
+};
+typedef struct dh_find_request {
+    size_t size;
+    const char* scene;
+    size_t scene_length;
+    const char* vary;
+    double from;
+    double to;
+    const char* so_that;
+    int samples;
+} dh_find_request;
+typedef struct dh_places {
+    size_t size;
+    size_t room;
+    double* at;
+    double* from;
+    double* to;
+    double* amplitude;
+    double* error;
+    int* is;
+    size_t count;
+    size_t unanswered;
+} dh_places;
+DH_EXPORT int dh_find(const dh_find_request* request, dh_places* places) DH_NOEXCEPT;
 DH_EXPORT int dh_quantity(const dh_system* system, const char* name, double r, double beta, double mu, size_t mass, double tau,
                           size_t size, double* values, size_t* count) DH_NOEXCEPT;
 DH_EXPORT int dh_quantity_errors(const dh_system* system, const char* name, double r, double beta, double mu, size_t mass,

@@ -570,6 +570,50 @@ typedef struct dh_systems_request {
 /// @return         as dh_map()
 DH_EXPORT int dh_solve_systems(const dh_systems_request* request, const dh_points* points) DH_NOEXCEPT;
 
+/// @brief What a place is that dh_find() found.
+enum dh_place_kind {
+    DH_CROSSING = 0,       ///< the amplitude is certainly below the value at one end, and above it at the other
+    DH_JUMP = 1,           ///< the same at neighbouring doubles or nearly so, and it does not come near the value
+    DH_UNDECIDED = 2,      ///< it may reach the value or only come near; of an extreme: beside a place without an answer
+    DH_EXTREME = 3,        ///< the extreme of all that were seen: the amplitude is certainly less, or more, at both ends
+    DH_END_OF_INTERVAL = 4 ///< the same, at an end of the interval
+};
+
+/// @brief An inverse question: what a number of a scene has to be.
+typedef struct dh_find_request {
+    size_t size;         ///< sizeof(dh_find_request), set by the caller
+    const char* scene;   ///< a scene in JSON, with r and beta, or frequency, force and friction
+    size_t scene_length; ///< its length in bytes
+    const char* vary;    ///< the key of the number that varies, such as `friction`; of a list with the place, `damping_ratios/2`
+    double from;         ///< lower end of its interval
+    double to;           ///< upper end
+    const char* so_that; ///< e.g. `amplitude of mass 2 = 0.075`, as `denhartog find --so-that` has it
+    int samples;         ///< parts into which the interval is divided at first, from 2 to 100000
+} dh_find_request;
+
+/// @brief Where the places go that dh_find() finds. An array that is null is not asked for.
+typedef struct dh_places {
+    size_t size;       ///< sizeof(dh_places), set by the caller
+    size_t room;       ///< length of the arrays, set by the caller
+    double* at;        ///< receives where each place most likely is, ascending
+    double* from;      ///< receives the lower ends of the intervals that hold them
+    double* to;        ///< receives the upper ends
+    double* amplitude; ///< receives the amplitude at each, in the scene's unit of length, or in units of P / k_1
+    double* error;     ///< receives the bounds of the amplitudes' errors
+    int* is;           ///< receives enum dh_place_kind
+    size_t count;      ///< receives how many there are
+    size_t unanswered; ///< receives at how many values of the number no steady motion was certain
+} dh_places;
+
+/// @brief What a number of a scene has to be so that an amplitude is as wanted: what `denhartog find` finds.
+///
+/// What lies between two samples and shows at neither is not found. The limit of dh_set_effort() is not used.
+/// @param request  the question; the caller has set its size
+/// @param places   where the places go, written when all are there; the caller has set size, room and arrays
+/// @return         #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE if there is too little room, #DH_ERROR_INPUT, #DH_ERROR_PRECISION,
+///                 #DH_ERROR_MEMORY
+DH_EXPORT int dh_find(const dh_find_request* request, dh_places* places) DH_NOEXCEPT;
+
 /// @brief Any quantity of docs/protocol.md by its name there, with the conventions of that page; the regime as enum dh_regime.
 ///
 /// This function is for languages in which structs are hard to pass. Every call solves for the steady motion again, to 12 digits,

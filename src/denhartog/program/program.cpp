@@ -28,6 +28,7 @@ int run(int argc, char** argv, const Build& build, ExitStatus& status) {
     add_motion_command(app, status);
     add_boundary_command(app, status);
     add_map_command(app, status);
+    add_find_command(app, status);
     add_integrate_command(app, status);
     add_functions_command(app, status);
     add_equations_command(app);

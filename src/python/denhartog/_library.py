@@ -50,10 +50,14 @@ SystemsRequest = _struct("dh_systems_request", "size_t count; void* systems; ptr
 Points = _struct("dh_points", "ptrdiff_t step; void* status, regime, stops, periods; ptrdiff_t masses_step, mass_step; "
                               "void* amplitude, amplitude_error, phase, phase_error")
 
+FindRequest = _struct("dh_find_request", "void* scene; size_t scene_length; void* vary; double from_, to; void* so_that; "
+                                         "int samples")
+Places = _struct("dh_places", "size_t room; void* at, from_, to, amplitude, error, is_; size_t count, unanswered")
+
 _LETTERS = {"p": c_void_p, "n": c_size_t, "i": c_int, "d": c_double}
 _FUNCTIONS = {  # by their arguments
     "p": "dh_system_destroy dh_solution_destroy",
-    "pp": "dh_solution_is_proved dh_solution_is_from_rest dh_solution_summary dh_solution_contact dh_solve_systems",
+    "pp": "dh_solution_is_proved dh_solution_is_from_rest dh_solution_summary dh_solution_contact dh_solve_systems dh_find",
     "ppp": "dh_map dh_solve_points",
     "pppp": "dh_system_masses",
     "pnp": "dh_system_from_json dh_solution_mass",

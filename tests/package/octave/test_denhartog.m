@@ -275,6 +275,19 @@ says('denhartog:precision', 'work allowed is spent', @() denhartog_solve(one, 1e
 assert(denhartog_solve(chain).status, 'answered');
 printf("errors have an identifier and the library's words, and the next call is well\n");
 
+linear = struct('mass_ratios', 1, 'stiffness_ratios', 1, 'damping_ratios', 0.1, 'contact', 1, 'load', 1, 'r', 1, 'beta', 0);
+found = denhartog_find(linear, 'r', [0.05, 3], 'amplitude of mass 1 = 2', 16);
+half = 1 - 2 * 0.1^2; % (1 - s)^2 + 4 zeta^2 s = 1 / 4 of s = r^2
+close_to(found.at, sqrt(half + [-1; 1] * sqrt(half^2 - 0.75)));
+assert(double(found.is), [0; 0]);
+assert(all(found.from <= found.at & found.at <= found.to));
+assert(found.unanswered, 0);
+says('denhartog:input', 'vary must', @() denhartog_find(linear, 'omega', [1, 2], 'amplitude of mass 1 = 2'));
+says('denhartog:input', 'so-that must', @() denhartog_find(linear, 'r', [1, 2], 'phase'));
+says('denhartog:input', 'two numbers', @() denhartog_find(linear, 'r', 1, 'amplitude of mass 1 = 2'));
+says('denhartog:input', 'samples must', @() denhartog_find(linear, 'r', [1, 2], 'amplitude of mass 1 = 2', 1));
+printf("the inverse question has the textbook's roots\n");
+
 page = fileread(fullfile(fileparts(mfilename('fullpath')), '..', '..', '..', 'docs', 'octave.md'));
 examples = regexp(page, '```matlab\n(.*?)```\s*```text\n(.*?)```', 'tokens');
 assert(numel(examples), 6);

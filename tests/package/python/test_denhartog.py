@@ -4,6 +4,7 @@ The environment names what is tested: DENHARTOG_PROGRAM the program, DENHARTOG_S
 the shared library where the package has none of its own.
 """
 import json
+import math
 import os
 import pathlib
 import pickle
@@ -297,6 +298,25 @@ class InPython(unittest.TestCase):
             system.solve(np.linspace(0.1, 3, 100000), 0.3, progress=lambda done, all: True)
         with self.assertRaises(ZeroDivisionError):
             system.map(np.linspace(0.1, 3, 5000), beta, progress=lambda done, all: done // 0)
+
+    def test_the_inverse_question(self):
+        scene = {"mass_ratios": 1, "stiffness_ratios": 1, "damping_ratios": 0.1, "contact": 1, "load": 1, "r": 1, "beta": 0}
+        found = denhartog.find(scene, "r", (0.05, 3), "amplitude of mass 1 = 2", samples=16)
+        self.assertEqual([place.is_ for place in found.places], ["crossing", "crossing"])
+        half = 1 - 2 * 0.1**2  # (1 - s)^2 + 4 zeta^2 s = 1 / 4 of s = r^2
+        for place, sign in zip(found.places, (-1, 1)):
+            root = math.sqrt(half + sign * math.sqrt(half**2 - 0.75))
+            self.assertTrue(place.between[0] - 1e-15 <= root <= place.between[1] + 1e-15)
+            self.assertLess(abs(place.amplitude - 2), 1e-13)
+        self.assertEqual(found.unanswered, 0)
+        self.assertEqual(denhartog.find(json.dumps(scene), "r", (0.05, 3), "amplitude of mass 1 = 2", samples=16), found)
+        for part, call in (("between", lambda: denhartog.find(scene, "r", (1,), "amplitude of mass 1 = 2")),
+                           ("samples", lambda: denhartog.find(scene, "r", (1, 2), "amplitude of mass 1 = 2", samples=1)),
+                           ("vary", lambda: denhartog.find(scene, "omega", (1, 2), "amplitude of mass 1 = 2")),
+                           ("so-that", lambda: denhartog.find(scene, "r", (1, 2), "phase of mass 1 = 2"))):
+            with self.subTest(part), self.assertRaises(denhartog.InputError) as caught:
+                call()
+            self.assertIn(part, str(caught.exception))
 
     def test_an_interruption_ends_a_map(self):
         system = System(**CHAIN)

@@ -1,0 +1,207 @@
+/// @file
+/// @brief Where an amplitude that depends on one number has a value, or is largest or least, from amplitudes with bounds.
+#pragma once
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "denhartog/solve/find.hpp"
+
+namespace denhartog {
+
+/// @brief What is known at one value of the number.
+struct SeenAmplitude {
+    std::optional<Certified> amplitude{}; ///< none if no steady motion is certain
+    std::string why{};                    ///< the reason, if so
+};
+
+/// @brief The amplitude at a value of the number.
+using AmplitudeAt = std::function<SeenAmplitude(double)>;
+
+/// @brief The sign of an amplitude less a value; 0 if the digits do not tell.
+[[nodiscard]] inline int sign_of(const Certified& a, double value) {
+    if (a.value - a.error > value) return 1;
+    return a.value + a.error < value ? -1 : 0;
+}
+
+/// @brief A search over one number, which remembers what it has seen.
+class AmplitudeSearch {
+public:
+    /// @brief Asks for the amplitude at the first places, which ascend.
+    AmplitudeSearch(std::vector<double> first, AmplitudeAt amplitude) : at_(std::move(first)), amplitude_(std::move(amplitude)) {
+        for (const double x : at_) (void)look(x);
+    }
+
+    /// @brief Where it has a value.
+    FoundPlaces value(double target) {
+        struct Known {
+            double x;
+            int sign;
+        };
+        std::optional<Known> last;  // the last place with a certain sign, with no place without an answer behind it
+        std::optional<double> open; // the first place behind it whose sign the digits do not tell
+        for (std::size_t n = 0; n < at_.size(); ++n) {
+            const SeenAmplitude& seen = look(at_[n]);
+            if (!seen.amplitude) {
+                last.reset();
+                open.reset();
+                continue;
+            }
+            const int sign = sign_of(*seen.amplitude, target);
+            if (sign == 0) {
+                if (!open) open = at_[n];
+                continue;
+            }
+            if (last && sign != last->sign)
+                cross(last->x, at_[n], target);
+            else if (open)
+                add(PlaceIs::undecided, last ? last->x : *open, at_[n], *open);
+            else if (last)
+                look_between(n, sign, target);
+            last = Known{at_[n], sign};
+            open.reset();
+        }
+        if (open) add(PlaceIs::undecided, last ? last->x : *open, at_.back(), *open);
+        return finish();
+    }
+
+    /// @brief Where it is largest, or least.
+    FoundPlaces extreme(bool largest) {
+        const auto better = [&](const Certified& a, const Certified& b) {
+            return largest ? a.value > b.value : a.value < b.value;
+        };
+        std::optional<double> best;
+        const auto take = [&](double x) {
+            const SeenAmplitude& seen = look(x);
+            if (seen.amplitude && (!best || better(*seen.amplitude, *look(*best).amplitude))) best = x;
+        };
+        for (const double x : at_) take(x);
+        for (std::size_t n = 1; n + 1 < at_.size(); ++n) {
+            const auto &before = look(at_[n - 1]).amplitude, &here = look(at_[n]).amplitude, &after = look(at_[n + 1]).amplitude;
+            if (!before || !here || !after || better(*before, *here) || better(*after, *here)) continue;
+            take(nearest(at_[n - 1], at_[n + 1], [&](const Certified& a) { return largest ? -a.value : a.value; }));
+        }
+        if (best) {
+            const double x = *best, from = certainly_worse(x, -1, better), to = certainly_worse(x, 1, better);
+            const bool gap = std::ranges::any_of(found_.unanswered, [&](double at) { return from <= at && at <= to; });
+            const bool inside = from < x && to > x;
+            add(gap ? PlaceIs::undecided : inside ? PlaceIs::extreme : PlaceIs::end_of_range, from, to, x);
+        }
+        return finish();
+    }
+
+private:
+    static constexpr double eps = std::numeric_limits<double>::epsilon();
+    static constexpr int bits_of_extreme = 24;       // to which its place is followed: the amplitude is flat there
+    static constexpr std::uintmax_t most_steps = 60; // of narrowing a crossing or an extreme
+
+    static bool is_certainly_less(const Certified& a, const Certified& b) { return a.value + a.error < b.value - b.error; }
+
+    const SeenAmplitude& look(double x) {
+        const auto known = seen_.find(x);
+        if (known != seen_.end()) return known->second;
+        ++found_.questions;
+        const SeenAmplitude& now = seen_.emplace(x, amplitude_(x)).first->second;
+        if (!now.amplitude) {
+            found_.unanswered.push_back(x);
+            if (found_.why.empty()) found_.why = now.why;
+        }
+        return now;
+    }
+
+    void add(PlaceIs is, double from, double to, double at) { found_.places.push_back({is, from, to, at, *look(at).amplitude}); }
+
+    // A place between two where a function of the amplitude is least.
+    template <class Function>
+    double nearest(double from, double to, const Function& f) {
+        std::uintmax_t steps = most_steps;
+        const auto at = [&](double x) {
+            const SeenAmplitude& seen = look(x);
+            return seen.amplitude ? f(*seen.amplitude) : std::numeric_limits<double>::max();
+        };
+        return boost::math::tools::brent_find_minima(at, from, to, bits_of_extreme, steps).first;
+    }
+
+    // Between the neighbours of a place that is nearer to the value than both, the amplitude may cross it twice.
+    void look_between(std::size_t n, int sign, double target) {
+        if (n < 2) return;
+        const auto &first = look(at_[n - 2]).amplitude, &middle = look(at_[n - 1]).amplitude, &last = look(at_[n]).amplitude;
+        if (!first || !middle || !last || sign_of(*first, target) != sign || sign_of(*middle, target) != sign) return;
+        const auto away = [&](const Certified& a) { return sign * (a.value - target); };
+        if (away(*middle) > away(*first) || away(*middle) > away(*last)) return;
+        const double x = nearest(at_[n - 2], at_[n], away);
+        if (!look(x).amplitude) return;
+        const int there = sign_of(*look(x).amplitude, target);
+        if (there == -sign) {
+            cross(at_[n - 2], x, target);
+            cross(x, at_[n], target);
+        } else if (there == 0) {
+            add(PlaceIs::undecided, at_[n - 2], at_[n], x);
+        }
+    }
+
+    // Narrows an interval with certain and different signs at its ends.
+    void cross(double from, double to, double target) {
+        double low = from, high = to;
+        const int sign = sign_of(*look(from).amplitude, target);
+        const auto g = [&](double x) {
+            const SeenAmplitude& seen = look(x);
+            if (!seen.amplitude) return 0.0; // ends the narrowing
+            const int there = sign_of(*seen.amplitude, target);
+            if (there == sign) low = std::max(low, x);
+            if (there == -sign) high = std::min(high, x);
+            return seen.amplitude->value - target;
+        };
+        std::uintmax_t steps = most_steps;
+        const auto done = [](double a, double b) { return std::abs(b - a) <= 2 * eps * std::max(std::abs(a), std::abs(b)); };
+        const auto [a, b] = boost::math::tools::toms748_solve(g, from, to, g(from), g(to), done, steps);
+        double at = a + (b - a) / 2;
+        if (!look(at).amplitude) at = look(low).amplitude ? low : from;
+        // From there outwards to where the sign is certain.
+        for (const bool up : {false, true})
+            for (double width = std::max(4 * eps * std::abs(at), b - a); (up ? high - at : at - low) > width; width *= 4)
+                (void)g(up ? at + width : at - width);
+        const Certified &below = *look(low).amplitude, &above = *look(high).amplitude;
+        const double step = std::abs(above.value - below.value), unsure = below.error + above.error;
+        const bool narrow = high - low <= 64 * eps * std::max(std::abs(low), std::abs(high));
+        const bool near = std::abs(look(at).amplitude->value - target) <= 8 * unsure;
+        add(narrow && !near && step > 64 * unsure ? PlaceIs::jump : PlaceIs::crossing, low, high, at);
+    }
+
+    // From a place on, a step in one direction, the first place at which the amplitude is certainly worse; the end of the interval
+    // if there is none.
+    template <class Better>
+    double certainly_worse(double x, int direction, const Better& better) {
+        const double end = direction < 0 ? at_.front() : at_.back();
+        const Certified here = *look(x).amplitude;
+        for (double width = (at_.back() - at_.front()) * 0x1p-40; std::abs(end - x) > width; width *= 2) {
+            const double next = x + direction * width;
+            const std::optional<Certified> there = look(next).amplitude;
+            if (!there) return next;
+            if (better(here, *there) && (is_certainly_less(here, *there) || is_certainly_less(*there, here))) return next;
+        }
+        return end;
+    }
+
+    FoundPlaces finish() {
+        std::ranges::sort(found_.unanswered);
+        std::ranges::sort(found_.places, {}, &FoundPlace::at);
+        return std::move(found_);
+    }
+
+    std::vector<double> at_;
+    AmplitudeAt amplitude_;
+    std::map<double, SeenAmplitude> seen_;
+    FoundPlaces found_;
+};
+
+} // namespace denhartog

@@ -1,0 +1,100 @@
+/// @file
+/// @brief `find`: where a number of the scene has to be so that an amplitude has a given value, or is largest or least.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "denhartog/answer/scene_source.hpp"
+#include "denhartog/number/certified.hpp"
+
+namespace denhartog {
+
+/// @brief A number of a scene, and the interval in which it varies.
+struct VariedNumber {
+    std::string key; ///< its key, such as `friction`; of a list with the place, counted from 1, such as `damping_ratios/2`
+    double from = 0; ///< lower end
+    double to = 0;   ///< upper end
+};
+
+/// @brief What an amplitude has to be.
+enum class AmplitudeIs : unsigned char {
+    value,   ///< a given value
+    largest, ///< the largest over the interval
+    least    ///< the least over the interval
+};
+
+/// @brief What is wanted of an amplitude.
+struct Wanted {
+    Mass mass{};                           ///< the mass
+    AmplitudeIs is = AmplitudeIs::value;   ///< what its amplitude has to be
+    double value = 0;                      ///< the value that it has to have; in the scene's unit of length, else of P / k_1
+    std::optional<VariedNumber> over{};    ///< if it is not the amplitude at one point that counts: what it is taken over
+    AmplitudeIs of = AmplitudeIs::largest; ///< whether the largest or the least amplitude over that counts
+};
+
+/// @brief Reads `amplitude of mass 2 = 0.075`, `amplitude of mass 2 is least`, `largest amplitude of mass 2 over r 0.5:2 is least`.
+/// @param text  the sentence
+/// @return      what it wants
+/// @throws      InputError if it is no such sentence
+[[nodiscard]] Wanted wanted_from(std::string_view text);
+
+/// @brief An interval from the text `A:B`.
+/// @param key   the number that varies in it
+/// @param ends  the text
+/// @return      the interval; none if the text is not two numbers
+[[nodiscard]] std::optional<VariedNumber> interval_from(std::string_view key, std::string_view ends);
+
+/// @brief What a place that was found is.
+enum class PlaceIs : unsigned char {
+    crossing,    ///< the amplitude is certainly below the value at one end, and above it at the other
+    jump,        ///< the same at two neighbouring doubles or nearly so, and it does not come near the value
+    undecided,   ///< it may reach the value, or only come near, which the digits do not tell; of an extreme: beside a gap
+    extreme,     ///< the amplitude is certainly less, or more, at both ends: an extreme lies between
+    end_of_range ///< the extreme is at an end of the interval
+};
+
+/// @brief The name of a kind of place, as answers have it. @param is the kind @return its name
+[[nodiscard]] std::string_view name_of(PlaceIs is);
+
+/// @brief A place that was found.
+struct FoundPlace {
+    PlaceIs is{};          ///< what it is
+    double from = 0;       ///< lower end of the interval that holds it
+    double to = 0;         ///< upper end
+    double at = 0;         ///< where it most likely is
+    Certified amplitude{}; ///< the amplitude there
+};
+
+/// @brief What a search found.
+struct FoundPlaces {
+    std::vector<FoundPlace> places; ///< ascending; of an extreme the one that is the largest, or the least, of all that were seen
+    std::vector<double> unanswered; ///< values of the number at which there is no steady motion that is certain
+    std::string why;                ///< the reason at the first of them
+    long questions = 0;             ///< how many motions were asked for
+};
+
+/// @brief Seeks the places in the interval.
+///
+/// The amplitude is asked for at `samples` + 1 places and, if the frequency varies, at the natural frequencies, sliding and stuck.
+/// Two neighbours at which it certainly is on different sides of the value hold a crossing, which is then narrowed by bracketing.
+/// Where it comes nearer to the value than at the places beside, it is followed to where it is nearest. What lies between two
+/// places and shows at neither is not found: the list is not proved to be whole, whereas each crossing in it is proved to the
+/// bounds of the amplitudes at its ends. An amplitude that is taken over a second number is the largest, or the least, that was
+/// seen there.
+/// @param scene    the text of a scene with masses in a chain or any other; the number that varies has to be in it
+/// @param varied   the number and its interval
+/// @param wanted   what the amplitude has to be
+/// @param samples  from 2 to `most_samples_to_find`
+/// @param damping_tolerance  as in `System`
+/// @return         what was found
+/// @throws         InputError if the scene or the request breaks a rule
+[[nodiscard]] FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, const Wanted& wanted, int samples,
+                                      double damping_tolerance = 0);
+
+/// @brief The largest number of samples of a search.
+inline constexpr int most_samples_to_find = 100'000;
+
+} // namespace denhartog

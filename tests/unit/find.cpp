@@ -1,0 +1,182 @@
+// The inverse question, against roots that the textbook has, and against functions whose places are known.
+#include "denhartog/solve/find.hpp"
+
+#include <cmath>
+
+#include "denhartog/number/errors.hpp"
+#include "denhartog/scene/scene_json.hpp"
+#include "denhartog/solve/amplitude_search.hpp"
+#include "tests/catch.hpp"
+#include "tests/support/closed_form.hpp"
+#include "tests/unit/program_runs.hpp"
+
+using namespace denhartog;
+
+namespace {
+
+const std::string one = R"({"mass_ratios": 1, "stiffness_ratios": 1, "damping_ratios": 0.1, "contact": 1, "load": 1,)";
+const std::string without_friction = one + R"( "r": 1, "beta": 0})";
+constexpr double zeta = 0.1;
+
+bool holds(const FoundPlace& p, const Real50& x) { return Real50(p.from) <= x && x <= Real50(p.to); }
+
+std::vector<double> even(double from, double to, int parts) {
+    std::vector<double> at;
+    for (int n = 0; n <= parts; ++n) at.push_back(from + (to - from) * n / parts);
+    return at;
+}
+
+// A search for a function that is known to an error.
+AmplitudeSearch search_of(const std::function<double(double)>& f, int parts = 10, double error = 1e-13) {
+    return {even(0, 1, parts), [=](double x) -> SeenAmplitude {
+                const double value = f(x);
+                if (std::isnan(value)) return {std::nullopt, "there is none"};
+                return {Certified{value, error}, {}};
+            }};
+}
+
+std::vector<std::string> kinds_of(const FoundPlaces& found) {
+    std::vector<std::string> kinds;
+    for (const FoundPlace& p : found.places) kinds.emplace_back(name_of(p.is));
+    return kinds;
+}
+
+using Kinds = std::vector<std::string>;
+
+} // namespace
+
+TEST_CASE("the frequencies at which a mass without friction has an amplitude are the textbook's", "[find][eq:38]") {
+    const FoundPlaces found = find_places(without_friction, {"r", 0.05, 3}, wanted_from("amplitude of mass 1 = 2"), 16);
+    REQUIRE(kinds_of(found) == Kinds{"crossing", "crossing"});
+    // (1 - s)^2 + 4 zeta^2 s = 1 / 4 of s = r^2
+    const Real50 z(zeta), half = 1 - 2 * z * z, root = sqrt(Real50(half * half - Real50(3) / 4));
+    CHECK(holds(found.places[0], sqrt(Real50(half - root))));
+    CHECK(holds(found.places[1], sqrt(Real50(half + root))));
+    for (const FoundPlace& p : found.places) {
+        CHECK(p.to - p.from < 1e-13);
+        CHECK(std::abs(p.amplitude.value - 2) < 1e-13);
+    }
+}
+
+TEST_CASE("the friction at which a mass has an amplitude is the root of (38)", "[find][eq:38]") {
+    const std::string scene = one + R"( "r": 0.7, "beta": 0.1})";
+    const Scene<double> s = read_scene<double>(scene);
+    const ModeSums<Real50> sums = mode_sums(modal_basis(converted<Real50>(s).system), Mass{0}, Mass{0}, Real50(0.7));
+    const Real50 V2 = sums.V[0].re * sums.V[0].re + sums.V[0].im * sums.V[0].im, U = sums.U[0], G = sums.G[0], X(1.625);
+    // (X + beta G)^2 = |V|^2 - beta^2 U^2, Eq. (38)
+    const Real50 a = G * G + U * U, root = (sqrt(Real50(X * X * G * G - a * (X * X - V2))) - X * G) / a;
+    const FoundPlaces found = find_places(scene, {"beta", 0, 0.8}, wanted_from("amplitude of mass 1 = 1.625"), 16);
+    REQUIRE(kinds_of(found) == Kinds{"crossing"});
+    CHECK(holds(found.places[0], root));
+}
+
+TEST_CASE("the largest amplitude over the frequency is the textbook's, and so is the damping that it asks for", "[find]") {
+    const FoundPlaces peak = find_places(without_friction, {"r", 0.05, 3}, wanted_from("amplitude of mass 1 is largest"), 16);
+    REQUIRE(kinds_of(peak) == Kinds{"extreme"});
+    const Real50 z(zeta);
+    CHECK(holds(peak.places[0], sqrt(Real50(1 - 2 * z * z))));
+    CHECK(std::abs(peak.places[0].amplitude.value - 1 / (2 * zeta * std::sqrt(1 - zeta * zeta))) < 1e-12);
+    const FoundPlaces damping = find_places(without_friction, {"damping_ratios", 0.05, 0.6},
+                                            wanted_from("largest amplitude of mass 1 over r 0.05:3 = 2"), 16);
+    REQUIRE(kinds_of(damping) == Kinds{"crossing"});
+    CHECK(std::abs(damping.places[0].at - std::sqrt((1 - std::sqrt(0.75)) / 2)) < 1e-7); // the peak is known to its samples
+    const FoundPlaces least = find_places(without_friction, {"r", 0.05, 3}, wanted_from("amplitude of mass 1 is least"), 16);
+    REQUIRE(kinds_of(least) == Kinds{"end of the interval"});
+    CHECK(least.places[0].at == 3);
+}
+
+TEST_CASE("a scene in units has its amplitude in them", "[find]") {
+    const std::string scene = R"({"masses": [10], "stiffnesses": [4000], "damping_ratios": 0.1, "contact": 1, "load": 1,
+        "force": 100, "friction": 0, "frequency": 20})"; // at resonance X = P / (2 zeta k)
+    const FoundPlaces found = find_places(scene, {"force", 1, 200}, wanted_from("amplitude of mass 1 = 0.075"), 8);
+    REQUIRE(kinds_of(found) == Kinds{"crossing"});
+    CHECK(std::abs(found.places[0].at - 0.075 * 0.2 * 4000) < 1e-9);
+    const FoundPlaces ratio = find_places(scene, {"masses/1", 5, 20}, wanted_from("amplitude of mass 1 is least"), 8);
+    REQUIRE(ratio.places.size() == 1);
+    CHECK(ratio.places[0].at == 20);
+}
+
+TEST_CASE("a search over a known function finds crossings, jumps, touches, gaps and extremes", "[find]") {
+    const auto parabola = [](double x) { return 1 - (x - 0.37) * (x - 0.37); };
+    FoundPlaces pair = search_of(parabola, 2).value(0.9999); // both crossings lie within one part
+    REQUIRE(kinds_of(pair) == Kinds{"crossing", "crossing"});
+    CHECK(std::abs(pair.places[0].at - 0.36) < 1e-10);
+    CHECK(std::abs(pair.places[1].at - 0.38) < 1e-10);
+    CHECK(kinds_of(search_of(parabola).value(1)) == Kinds{"undecided"});
+    CHECK(search_of(parabola).value(1.0001).places.empty());
+    const FoundPlaces jump = search_of([](double x) { return x < 0.314 ? 1.0 : 2.0; }).value(1.5);
+    REQUIRE(kinds_of(jump) == Kinds{"jump"});
+    CHECK(jump.places[0].from < 0.314);
+    CHECK(jump.places[0].to >= 0.314);
+    CHECK(jump.places[0].to - jump.places[0].from < 1e-14);
+    CHECK(kinds_of(search_of([](double x) { return x; }, 10, 1e-3).value(0.5)) == Kinds{"crossing"});
+    const auto gap = [](double x) { return std::abs(x - 0.5) < 0.07 ? std::nan("") : x; };
+    const FoundPlaces beside = search_of(gap).value(0.5); // no crossing where nothing is known
+    CHECK(beside.places.empty());
+    CHECK(beside.unanswered == std::vector<double>{0.5});
+    CHECK(beside.why == "there is none");
+    const FoundPlaces top = search_of(parabola).extreme(true);
+    REQUIRE(kinds_of(top) == Kinds{"extreme"});
+    CHECK(top.places[0].from < 0.37);
+    CHECK(top.places[0].to > 0.37);
+    CHECK(top.places[0].to - top.places[0].from < 2e-6);
+    CHECK(kinds_of(search_of(parabola).extreme(false)) == Kinds{"end of the interval"});
+    const auto pole = [](double x) { return x == 0.5 ? std::nan("") : 1 / std::abs(x - 0.5); };
+    CHECK(kinds_of(search_of(pole).extreme(true)) == Kinds{"undecided"});
+    CHECK(search_of([](double) { return std::nan(""); }).extreme(true).places.empty());
+}
+
+TEST_CASE("sentences are read", "[find]") {
+    const Wanted plain = wanted_from("  amplitude of mass 2=0.075 ");
+    CHECK((plain.mass.index == 1 && plain.is == AmplitudeIs::value && plain.value == 0.075 && !plain.over));
+    const Wanted nested = wanted_from("largest amplitude of mass 3 over frequency_hz 1:10 is least");
+    REQUIRE(nested.over);
+    CHECK((nested.mass.index == 2 && nested.is == AmplitudeIs::least && nested.of == AmplitudeIs::largest));
+    CHECK((nested.over->key == "frequency_hz" && nested.over->from == 1 && nested.over->to == 10));
+    for (const char* wrong :
+         {"", "amplitude", "amplitude of mass", "amplitude of mass 0 = 1", "amplitude of mass 1.5 = 1", "amplitude of mass 1 = x",
+          "amplitude of mass 1 = -1", "amplitude of mass 1 = 1 2", "amplitude of mass 1 is small", "amplitude of mass 1 is",
+          "largest amplitude of mass 1 = 1", "amplitude of mass 1 over r 1:2 = 1", "largest amplitude of mass 1 over r 1-2 = 1",
+          "largest amplitude of mass 1 over r", "amplitude of mass 1 = nan", "phase of mass 1 = 1",
+          "amplitude of mass 1e300 = 1"}) {
+        INFO(wrong);
+        CHECK_THROWS_AS(wanted_from(wrong), InputError);
+    }
+}
+
+TEST_CASE("what cannot be varied is refused by name", "[find][program]") {
+    using tests::Run;
+    using tests::run_program;
+    const std::string chain = R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 1], "damping_ratios": 0.1, "contact": 1,)"
+                              R"( "load": 1, "r": 0.4, "beta": 0.1})";
+    const auto asked = [&](const std::string& vary, const std::string& between, const std::string& more = "") {
+        return run_program("find - --vary " + vary + " --between=" + between + " --so-that 'amplitude of mass 1 = 1' " + more,
+                           chain);
+    };
+    for (const auto& [vary, between, says] : {std::tuple("foo", "0:1", "vary must be a key of the scene"),
+                                              {"mass_ratios", "1:2", "mass_ratios/1"},
+                                              {"mass_ratios/3", "1:2", "a place in it"},
+                                              {"mass_ratios/0", "1:2", "a place in it"},
+                                              {"r/1", "1:2", "a list"},
+                                              {"beta", "1:0", "the lower one first"},
+                                              {"beta", "0", "must be A:B"},
+                                              {"beta", "0:inf", "must be A:B"},
+                                              {"beta", "-1:1", "beta must"},
+                                              {"contact", "0.5:1.5", "contact must"},
+                                              {"damping_ratios/1", "0:1", "a list"}}) {
+        INFO(vary << " " << between);
+        const Run run = asked(vary, between);
+        CHECK(run.status == 2);
+        CHECK(run.output.empty());
+        CHECK(run.error.find(says) != std::string::npos);
+    }
+    CHECK(asked("beta", "0:1", "--samples 1").status == 2);
+    CHECK(asked("beta", "0:1", "--samples 1000000").status == 2);
+    const Run good = asked("beta", "0:0.9", "--json");
+    REQUIRE(good.status == 0);
+    const auto answer = nlohmann::json::parse(good.output);
+    REQUIRE(answer["places"].size() == 1);
+    CHECK(answer["places"][0]["is"] == "crossing");
+    CHECK(answer["complete"] == "not known");
+    CHECK(answer["unanswered"].empty());
+}
