@@ -16,8 +16,9 @@ int dh_find(const dh_find_request* request, dh_places* places) noexcept {
         need(request->scene, "scene");
         need(request->vary, "vary");
         need(request->so_that, "so_that");
-        const FoundPlaces found = find_places({request->scene, request->scene_length}, {request->vary, request->from, request->to},
-                                              wanted_from(request->so_that), request->samples);
+        const FoundPlaces found =
+            find_places({request->scene, request->scene_length}, {request->vary, request->from, request->to},
+                        wanted_from(request->so_that), request->samples);
         std::vector<double> numbers;
         for (const FoundPlace& p : found.places)
             numbers.insert(numbers.end(), {p.at, p.from, p.to, p.amplitude.value, p.amplitude.error});

@@ -6,43 +6,18 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/json_document.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/scene/scene_json.hpp"
 #include "denhartog/solve/amplitude_search.hpp"
-#include "denhartog/solve/decision.hpp"
-#include "denhartog/stick_slip/exact_motion.hpp"
+#include "denhartog/solve/varied_scene.hpp"
 
 namespace denhartog {
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
-
-// The place of a number in the scene.
-Json::json_pointer place_of(const std::string& key, const Json& scene) {
-    const std::size_t slash = key.find('/');
-    const std::string name = key.substr(0, slash);
-    const auto refuse = [&](const std::string& rule) { throw InputError("vary", rule, key); };
-    if (!scene.contains(name)) refuse("must be a key of the scene that has a number");
-    std::string path = pointer_step(name);
-    const Json& value = scene.at(name);
-    if (slash != std::string::npos) {
-        double place = 0;
-        const bool is_number = number_from_text(key.substr(slash + 1), place) == NumberFault::none;
-        if (!value.is_array() || !is_number || !(place >= 1 && place <= static_cast<double>(value.size())) ||
-            place != std::floor(place))
-            refuse("must name a list of the scene and a place in it, counted from 1");
-        path += "/" + std::to_string(static_cast<long>(place) - 1);
-    } else if (value.is_array()) {
-        refuse("must name the place in the list too, counted from 1, such as " + name + "/1");
-    }
-    const Json::json_pointer pointer(path);
-    if (!scene.at(pointer).is_number() && !scene.at(pointer).is_string()) refuse("must be a key of the scene that has a number");
-    return pointer;
-}
 
 void check_interval(const std::string& name, const VariedNumber& varied) {
     if (!std::isfinite(varied.from) || !std::isfinite(varied.to) || !(varied.from < varied.to))
@@ -62,8 +37,8 @@ std::vector<double> first_places(const VariedNumber& varied, const Json& scene, 
     if (varied.key == "frequency" && units) unit = angular_frequency(*units, 1);
     if (varied.key == "frequency_hz" && units) unit = angular_frequency(*units, 1) / (2 * pi<double>());
     if (unit > 0) {
-        const ContactSystem system = contact_system(source->in_double().system);
-        for (const auto* frequencies : {&system.basis.r_n, &system.stuck.r_n})
+        const std::shared_ptr<const ContactSystem> system = moving_in_double(source, modes_in_double(source));
+        for (const auto* frequencies : {&system->basis.r_n, &system->stuck.r_n})
             for (const double r_n : *frequencies)
                 if (r_n * unit > varied.from && r_n * unit < varied.to) at.push_back(r_n * unit);
     }
@@ -72,23 +47,10 @@ std::vector<double> first_places(const VariedNumber& varied, const Json& scene, 
     return at;
 }
 
-// The amplitude of a mass at the point of a scene, in its unit of length.
 SeenAmplitude amplitude_of(const Json& scene, Mass mass, double damping_tolerance) {
-    const std::string text = scene.dump();
-    SceneSource source = scene_source(SceneText{text});
-    if (damping_tolerance > 0) source = with_damping_tolerance(source, damping_tolerance);
-    const Scene<double>& s = source->in_double();
-    Question question{Asked::amplitude, std::nullopt};
-    question.mass = mass;
-    const SolvePoint at{frequency_ratio_of(s), friction_ratio_of(s), &source};
-    const AnswerOrNone answer = decide(prepare(source, question), at, question);
-    if (!answer.is_answered()) return {std::nullopt, answer.refused};
-    const Certified& a = answer.solution.amplitude(mass);
-    double unit = 1;
-    if (s.units)
-        if (const std::optional<double> P = s.units->force_at(angular_frequency(*s.units, frequency_ratio_of(s))))
-            unit = displacement_unit(*s.units, *P);
-    return {Certified{a.value * unit, (a.error + 4 * eps * a.value) * unit, {}, a.proved}, {}};
+    const AmplitudesOfScene found = amplitudes_of(scene, mass, damping_tolerance);
+    if (found.amplitudes.empty()) return {std::nullopt, found.refused};
+    return {found.amplitudes.front(), {}};
 }
 
 } // namespace

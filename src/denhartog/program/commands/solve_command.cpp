@@ -9,6 +9,8 @@
 #include "denhartog/program/output/result_files.hpp"
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/scene/scene_rules.hpp"
+#include "denhartog/solve/condition.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
 
@@ -20,6 +22,7 @@ struct SolveOptions : SceneOptions {
     bool all = false;
     std::optional<long> mass;
     long samples = 0;
+    bool condition = false;
     std::string units{in_ratios};
 };
 
@@ -38,6 +41,27 @@ Question question_of(const SolveOptions& options, std::size_t N) {
     return question;
 }
 
+// The relative change of each amplitude over that of a number: to three digits, of which two are meant.
+void add_condition(Json& answer, const SceneText& part, const SolveOptions& options) {
+    for (const ConditionOfAmplitudes& c : conditions_of(part.text, options.damping == as_given ? 0 : largest_damping_tolerance)) {
+        Json row = Json::array();
+        for (const std::optional<double>& each : c.of_masses)
+            row.push_back(each ? Json::parse(number_in_digits(*each, 3)) : Json());
+        answer["condition"][c.number] = std::move(row);
+    }
+}
+
+std::string condition_table(const Json& answer) {
+    if (!answer.contains("condition")) return "";
+    Rows rows{{"relative change of the amplitude of mass"}};
+    for (std::size_t k = 1; k <= answer.at("condition").front().size(); ++k) rows.front().push_back(std::to_string(k));
+    for (const auto& [number, row] : answer.at("condition").items()) {
+        rows.push_back({"for one of " + number});
+        for (const Json& each : row) rows.back().push_back(each.is_null() ? "-" : in_table(each));
+    }
+    return aligned(rows) + "\n";
+}
+
 std::string solved(const SceneText& part, const SolveOptions& options) {
     if (options.samples < 0 || options.samples > static_cast<long>(most_samples))
         throw InputError("samples", "must be from 1 to " + std::to_string(most_samples), std::to_string(options.samples));
@@ -46,6 +70,8 @@ std::string solved(const SceneText& part, const SolveOptions& options) {
     if (options.samples == 0 && options.units != in_ratios)
         throw InputError("units", "must be given with --samples only: an answer has both", options.units);
     if (options.samples > 0 && options.json) throw InputError("samples", "must not be given with --json: samples are CSV", "");
+    if (options.condition && (options.samples > 0 || options.mass || options.ask == "regime"))
+        throw InputError("condition", "must be given without --samples, --mass and --ask regime", "");
     if (options.samples > 0 && options.mass) throw InputError("samples", "must be given without --mass", "");
     const SceneSource source = source_of(part, options.damping);
     const std::size_t N = number_of_masses(source->in_double().system);
@@ -59,9 +85,10 @@ std::string solved(const SceneText& part, const SolveOptions& options) {
     Json answer = solution_json(solution, NumberWriter{options.digits});
     add_damping(answer, source);
     add_dimensional(answer, source, solution);
+    if (options.condition) add_condition(answer, part, options);
     if (options.json) return answer.dump() + "\n";
     const std::string damping = damping_line(answer);
-    return solution_table(answer) + damping + (damping.empty() ? "" : "\n") + dimensional_table(answer);
+    return solution_table(answer) + damping + (damping.empty() ? "" : "\n") + dimensional_table(answer) + condition_table(answer);
 }
 
 } // namespace
@@ -81,6 +108,8 @@ void add_solve_command(CLI::App& app, ExitStatus& status) {
         "--samples", options->samples,
         "print the motion as CSV, this many instants in its period: tau from the maximum of the force, x_1..x_N,\n"
         "v_1..v_N (derivatives with respect to tau)");
+    command->add_flag("--condition", options->condition,
+                      "say how much each amplitude changes with each number of the scene: relative change over relative change");
     add_units_option(*command, options->units);
     command->footer(
         "The answer is that of `response` if the contact slides throughout. If it sticks and slips, amplitudes and phases\n"
@@ -99,6 +128,9 @@ void add_solve_command(CLI::App& app, ExitStatus& status) {
         "dimensional: the same in the units of a scene that was given by masses and stiffnesses; times from the maximum of the\n"
         "force.\n"
         "damping: for a damping matrix that couples the modes, whether the coupling was included, and how large it is.\n"
+        "condition (--condition): an estimate for each mass by each number of the scene that is not zero, null if it is not "
+        "known\n"
+        "to two digits.\n"
         "--all: motions lists each motion found, with its stability, from, a state at the maximum of the force that leads to\n"
         "it, and found, where that start comes from. A motion that is not listed may still exist.\n"
         "If no steady motion is found, or not to the digits asked for, the answer has a reason and the exit status is 3.");

@@ -1,0 +1,93 @@
+#include "denhartog/solve/condition.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "denhartog/number/errors.hpp"
+#include "denhartog/scene/json_document.hpp"
+#include "denhartog/solve/varied_scene.hpp"
+
+namespace denhartog {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr auto varied_keys = std::to_array<const char*>(
+    {"mass_ratios", "stiffness_ratios", "damping_ratios", "r", "beta", "masses", "stiffnesses", "force", "friction",
+     "normal_force", "friction_coefficient", "frequency", "frequency_hz", "base_displacement"});
+constexpr double first_step = 0x1p-15, last_step = 0x1p-44; // relative; they become shorter by a factor of 8
+constexpr double agreement = 0.01;                          // of two steps
+
+std::vector<std::string> numbers_of(const Json& scene) {
+    std::vector<std::string> numbers;
+    for (const char* key : varied_keys) {
+        if (!scene.contains(key)) continue;
+        const Json& value = scene.at(key);
+        const bool is_matrix = value.is_array() && !value.empty() && value.front().is_array();
+        if (value.is_array() && !is_matrix)
+            for (std::size_t n = 1; n <= value.size(); ++n) numbers.push_back(std::string(key) + "/" + std::to_string(n));
+        else if (!is_matrix)
+            numbers.emplace_back(key);
+    }
+    // The first of both ratios is 1 by its definition: it cannot vary by itself.
+    std::erase_if(numbers, [](const std::string& number) {
+        return number == "mass_ratios" || number == "mass_ratios/1" || number == "stiffness_ratios" ||
+               number == "stiffness_ratios/1";
+    });
+    return numbers;
+}
+
+// Conditions by one step on both sides; none where there is no answer.
+std::vector<std::optional<double>> by_step(Json& scene, const Json::json_pointer& place, double p, double step, std::size_t N,
+                                           double damping_tolerance) {
+    std::vector<std::optional<double>> found(N);
+    scene[place] = p * (1 + step);
+    const AmplitudesOfScene more = amplitudes_of(scene, std::nullopt, damping_tolerance);
+    scene[place] = p * (1 - step);
+    const AmplitudesOfScene less = amplitudes_of(scene, std::nullopt, damping_tolerance);
+    scene[place] = p;
+    if (more.amplitudes.size() != N || less.amplitudes.size() != N) return found;
+    for (std::size_t k = 0; k < N; ++k) {
+        const Certified &a = more.amplitudes[k], &b = less.amplitudes[k];
+        const double size = (a.value + b.value) / 2, change = a.value - b.value, unsure = a.error + b.error;
+        if (size > 0 && (unsure <= agreement / 4 * std::abs(change) || unsure <= 1e-6 * step * size))
+            found[k] = change / (2 * step * size);
+    }
+    return found;
+}
+
+bool agree(const std::optional<double>& x, const std::optional<double>& y) {
+    return x && y && std::abs(*x - *y) <= agreement * std::max({std::abs(*x), std::abs(*y), 1e-3});
+}
+
+} // namespace
+
+std::vector<ConditionOfAmplitudes> conditions_of(std::string_view text, double damping_tolerance) {
+    Json scene = read_json(text);
+    const AmplitudesOfScene here = amplitudes_of(scene, std::nullopt, damping_tolerance);
+    if (here.amplitudes.empty()) throw PrecisionError(here.refused);
+    const std::size_t N = here.amplitudes.size();
+    std::vector<ConditionOfAmplitudes> all;
+    for (const std::string& number : numbers_of(scene)) {
+        const Json::json_pointer place = place_of(number, scene);
+        const Json as_written = scene.at(place);
+        const double p =
+            as_written.is_string() ? Json::parse(as_written.get<std::string>()).get<double>() : as_written.get<double>();
+        if (p == 0) continue;
+        std::vector<std::optional<double>> settled(N), before(N);
+        for (double step = first_step; step >= last_step; step /= 8) {
+            const std::vector<std::optional<double>> now = by_step(scene, place, p, step, N, damping_tolerance);
+            for (std::size_t k = 0; k < N; ++k)
+                if (!settled[k] && agree(now[k], before[k])) settled[k] = now[k];
+            if (std::ranges::all_of(settled, [](const auto& each) { return each.has_value(); })) break;
+            before = now;
+        }
+        scene[place] = as_written;
+        all.push_back({number, settled});
+    }
+    return all;
+}
+
+} // namespace denhartog

@@ -1,0 +1,30 @@
+/// @file
+/// @brief How much amplitudes change with the numbers of a scene.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace denhartog {
+
+/// @brief The condition of the amplitudes for one number of a scene.
+struct ConditionOfAmplitudes {
+    std::string number;                           ///< its key; of a list with the place, counted from 1, behind a slash
+    std::vector<std::optional<double>> of_masses; ///< of each mass: the relative change of its amplitude over that of the number
+};
+
+/// @brief The conditions of all amplitudes, \f$ \frac{p}{X_k}\frac{\partial X_k}{\partial p} \f$, for each
+/// number p of a scene that is not zero: frequency, friction, force, masses, stiffnesses and damping ratios.
+///
+/// They are estimates to two digits, by differences of answers on both sides with two steps that agree. There is none where they
+/// do not agree, as where the regime changes, where an answer is missing, or where a mass does not move. Entries of matrices are
+/// left out, because one changes with its mirror image.
+/// @param scene              the text of the scene
+/// @param damping_tolerance  as in `System`
+/// @return                   one for each number, in the order of the scene
+/// @throws                   InputError if the scene breaks a rule
+[[nodiscard]] std::vector<ConditionOfAmplitudes> conditions_of(std::string_view scene, double damping_tolerance = 0);
+
+} // namespace denhartog
