@@ -180,6 +180,7 @@ std::string filled(std::string_view field, const Reason& reason) {
 
 std::string in_words(const Reasons& reasons) {
     std::string words;
+    words.reserve(160); // at once: the everyday answer needs no more
     for (const Reason& reason : reasons) {
         std::string_view text = sentence(reason.says);
         const bool goes_on = words.empty() || words.back() == ' ' || words.back() == '(';
