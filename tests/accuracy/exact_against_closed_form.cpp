@@ -55,7 +55,7 @@ void compare_scene(const NamedScene<double>& named, Survey& survey) {
     search.follow_start = false;
     ExactSolver solver(system, {*scene.r, *scene.beta, scene.mu});
     const PeriodicOrbit orbit = periodic_orbit(solver, rest ? at_rest(N) : too_large(at_zero), search);
-    INFO(orbit.reason);
+    INFO(in_words(orbit.reason));
     REQUIRE(orbit.status == OrbitStatus::periodic);
     REQUIRE(orbit.masses.size() == N);
     CHECK(orbit.symmetric);

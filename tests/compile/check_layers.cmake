@@ -2,7 +2,7 @@
 # derivation refutes (as_printed.hpp) is included by the conformance kit, which has to know it, and by nothing else that is
 # shipped. The rooms from the bottom to the top; those of one line know nothing of each other.
 set(rank 0)
-foreach(rooms version elementary number "search;formulas" evaluation scene model sums sliding stick_slip orbit "paper_algorithm;reference" answer "solve;ledger" map denhartog "c;conformance" program)
+foreach(rooms version elementary number "search;formulas" evaluation scene model sums sliding stick_slip orbit "paper_algorithm;reference" answer "solve;ledger" map messages denhartog "c;conformance" program)
   math(EXPR rank "${rank} + 1")
   foreach(room IN LISTS rooms)
     set(rank_of_${room} ${rank})

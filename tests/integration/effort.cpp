@@ -35,7 +35,7 @@ PeriodicOrbit orbit_from_rest(const System<double>& s, const Excitation& e, Effo
 
 void say(const char* scene, const PeriodicOrbit& orbit) {
     std::printf("%s: %ld operations, %d periods; %s\n", scene, orbit.effort_spent, orbit.periods_propagated,
-                orbit.reason.c_str());
+                in_words(orbit.reason).c_str());
 }
 
 } // namespace
@@ -59,7 +59,7 @@ TEST_CASE("friction beyond all measure stops any motion at once", "[effort][exac
         for (int n = 0; n < 20; ++n) {
             const auto draw = [&] { return std::ldexp(static_cast<double>(random() >> 11), -52) - 1; };
             const PeriodicOrbit orbit = periodic_orbit(solver, State{{draw()}, {draw()}});
-            INFO("beta " << beta << ": " << orbit.reason);
+            INFO("beta " << beta << ": " << in_words(orbit.reason));
             CHECK(orbit.status == OrbitStatus::permanently_stuck);
             CHECK(orbit.effort_spent <= 1000);
         }
@@ -87,7 +87,7 @@ TEST_CASE("an orbit whose effort is spent says how far it came", "[effort][exact
     Effort effort{2000};
     const PeriodicOrbit orbit = orbit_from_rest(two_masses(0.001), {0.3, 0.4, 2.5}, &effort);
     CHECK(orbit.status == OrbitStatus::not_converged);
-    CHECK_THAT(orbit.reason,
+    CHECK_THAT(in_words(orbit.reason),
                Catch::Contains("the work allowed is spent") && Catch::Contains("comes to no periodic motion within"));
     CHECK(orbit.effort_spent == effort.spent);
     CHECK(orbit.effort_spent <= 2100);

@@ -37,7 +37,7 @@ PeriodicOrbit orbit_of(const Scene<double>& scene, int most_periods = 2000) {
 
 std::string text(const Scene<double>& scene, const PeriodicOrbit& orbit) {
     return "N = " + std::to_string(number_of_masses(scene.system)) + ", r = " + hexadecimal(*scene.r) +
-           ", beta = " + hexadecimal(*scene.beta) + ", mu = " + hexadecimal(scene.mu) + "; " + orbit.reason;
+           ", beta = " + hexadecimal(*scene.beta) + ", mu = " + hexadecimal(scene.mu) + "; " + in_words(orbit.reason);
 }
 
 void check_finite(const PeriodicOrbit& orbit) {
@@ -270,7 +270,7 @@ TEST_CASE("a motion that grows without end has a status and a reason, and no num
     const Scene<double> grows = scene_of(single_mass(0.0), 1, 0.5); // resonance, friction below pi/4
     const PeriodicOrbit orbit = orbit_of(grows, 500);
     CHECK(orbit.status == OrbitStatus::not_converged);
-    CHECK_THAT(orbit.reason, Catch::Contains("grows"));
+    CHECK_THAT(in_words(orbit.reason), Catch::Contains("grows"));
     CHECK(orbit.masses.empty());
     CHECK(orbit.stops.empty());
     CHECK_THROWS(solve(scene_source(grows), {Asked::amplitude, 6, false}));
@@ -280,10 +280,10 @@ TEST_CASE("a motion that does not settle in the time allowed has a status and a 
           "[hard][non-convergence]") {
     const System<double> chain = equal_chain<double>(4, 4, 3, {0.01, 0.005, 0.01, 0.1});
     const PeriodicOrbit orbit = orbit_of(scene_of(chain, 0.671875, 0.57, 3), 40);
-    INFO(orbit.reason);
+    INFO(in_words(orbit.reason));
     CHECK(orbit.status == OrbitStatus::not_from_start);
-    CHECK_THAT(orbit.reason, Catch::Contains("no periodic motion within"));
-    CHECK_THAT(orbit.reason, Catch::Contains("not certainly stable"));
+    CHECK_THAT(in_words(orbit.reason), Catch::Contains("no periodic motion within"));
+    CHECK_THAT(in_words(orbit.reason), Catch::Contains("not certainly stable"));
     CHECK_FALSE(orbit.stable);
     CHECK(orbit.masses.size() == 4);
     CHECK(orbit.error_bound < 1e-9 * orbit.contact.amplitude);

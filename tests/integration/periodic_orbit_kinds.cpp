@@ -35,7 +35,7 @@ bool overlap(const Multiplier& a, const Multiplier& b) {
 /// What a search must find and propagation must confirm: an orbit of a period and no shorter one.
 void check_kind(const Prepared& p, int periods, bool symmetric, std::size_t stops) {
     const PeriodicOrbit orbit = orbit_of(p);
-    INFO(orbit.reason);
+    INFO(in_words(orbit.reason));
     REQUIRE(orbit.status == OrbitStatus::periodic);
     CHECK(orbit.periods == periods);
     CHECK(orbit.symmetric == symmetric);
@@ -88,14 +88,14 @@ TEST_CASE("where motions are not unique the orbit is the one that propagation fr
 TEST_CASE("a contact whose load reaches the friction exactly is on the boundary of rest", "[eq:74][exact-solver][shooting]") {
     const PeriodicOrbit on = orbit_of(prepared_oscillator(0.0625, 0.5, 1));
     CHECK(on.status == OrbitStatus::permanently_stuck);
-    CHECK(on.reason.find("boundary") != std::string::npos);
+    CHECK(in_words(on.reason).find("boundary") != std::string::npos);
     const PeriodicOrbit below = orbit_of(prepared_oscillator(0.0625, 0.5, 1 - 0x1p-20));
     REQUIRE(below.status == OrbitStatus::periodic);
     CHECK(below.stops.size() == 2);
     CHECK(below.contact.amplitude > 0);
     const PeriodicOrbit above = orbit_of(prepared_oscillator(0.0625, 0.5, 1 + 0x1p-20));
     CHECK(above.status == OrbitStatus::permanently_stuck);
-    CHECK(above.reason.find("boundary") == std::string::npos);
+    CHECK(in_words(above.reason).find("boundary") == std::string::npos);
 }
 
 TEST_CASE("the bounds of multipliers take in that the instants of events are off, and no smaller error would do",
@@ -259,7 +259,7 @@ TEST_CASE("fifty masses, slow forcing, no damping: hard cases end in an orbit", 
     const Prepared chain = prepared_chain(ones, ones, zeta, 2, 1, 0.0625, 0.25);
     OrbitSearch search;
     const PeriodicOrbit long_chain = orbit_of(chain, search);
-    INFO(long_chain.reason);
+    INFO(in_words(long_chain.reason));
     REQUIRE(long_chain.status == OrbitStatus::periodic);
     CHECK(long_chain.stable);
     CHECK(all_finite(long_chain));
@@ -274,7 +274,7 @@ TEST_CASE("fifty masses, slow forcing, no damping: hard cases end in an orbit", 
     for (const double r : {0.0625, 0.4375, 0.8125, 1.5}) {
         const Prepared undamped = prepared_oscillator(0, r, 0.25);
         const PeriodicOrbit orbit = orbit_of(undamped);
-        INFO(r << " " << orbit.reason);
+        INFO(r << " " << in_words(orbit.reason));
         REQUIRE(orbit.status == OrbitStatus::periodic);
         CHECK(orbit.stable); // friction alone makes it so
         CHECK(orbit.error_bound < 1e-11 * orbit.contact.amplitude);
@@ -286,7 +286,7 @@ TEST_CASE("a motion that tends to no orbit is no answer", "[exact-solver][shooti
     search.most_periods = 400;
     const PeriodicOrbit resonance = orbit_of(prepared_oscillator(0, 1, 0.5), search);
     CHECK(resonance.status == OrbitStatus::not_converged);
-    CHECK(resonance.reason.find("grows") != std::string::npos);
+    CHECK(in_words(resonance.reason).find("grows") != std::string::npos);
     // The contact is at a node of the second mode, which nothing else damps.
     System<double> s;
     s.mass_ratios = {1, 1, 1};
@@ -296,7 +296,7 @@ TEST_CASE("a motion that tends to no orbit is no answer", "[exact-solver][shooti
     s.contact = Mass{1};
     const PeriodicOrbit node = orbit_of({"", contact_system(s), {0.3125, 0.0625, 1}});
     CHECK(node.status == OrbitStatus::not_from_start);
-    CHECK(node.reason.find("not certainly stable") != std::string::npos);
+    CHECK(in_words(node.reason).find("not certainly stable") != std::string::npos);
     s.load = Mass{1}; // does not reach that mode: the motion from rest tends to an orbit that attracts nothing else
     const PeriodicOrbit reached = orbit_of({"", contact_system(s), {0.3125, 0.0625, 1}});
     CHECK(reached.status == OrbitStatus::periodic);
@@ -305,7 +305,7 @@ TEST_CASE("a motion that tends to no orbit is no answer", "[exact-solver][shooti
     const PeriodicOrbit chaotic = orbit_of(irregular, search);
     CHECK(chaotic.status == OrbitStatus::not_from_start);
     CHECK_FALSE(chaotic.stable);
-    CHECK(chaotic.reason.find("no periodic motion within 400 periods") != std::string::npos);
+    CHECK(in_words(chaotic.reason).find("no periodic motion within 400 periods") != std::string::npos);
     CHECK(chaotic.periods_propagated >= 400);
 }
 
@@ -333,7 +333,7 @@ TEST_CASE("every number of an answer is finite, for every kind of scene", "[exac
                 OrbitSearch search;
                 search.most_periods = 60;
                 const PeriodicOrbit orbit = orbit_of(p, search);
-                INFO(p.name << " " << factor << " " << orbit.reason);
+                INFO(p.name << " " << factor << " " << in_words(orbit.reason));
                 (orbit.status == OrbitStatus::periodic        ? periodic
                  : !is_from_start(orbit)                      ? open
                                                               : stuck) += 1;

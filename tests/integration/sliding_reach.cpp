@@ -175,7 +175,7 @@ TEST_CASE("a motion that comes to a subharmonic one slowly is seen to do so, whe
           "[eq:3][exact-solver][shooting]") {
     const Prepared p = prepared_chain({1, 1}, {1, 1}, {0.02, 0.05}, 2, 1, 0.47085427135678387, 0.46937875751503005, 1.2);
     const PeriodicOrbit orbit = orbit_of(p);
-    INFO(orbit.reason);
+    INFO(in_words(orbit.reason));
     REQUIRE(orbit.status == OrbitStatus::periodic);
     CHECK(orbit.periods == 3);
     CHECK(orbit.stops.size() == 4);

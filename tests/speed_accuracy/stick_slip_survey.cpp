@@ -163,7 +163,7 @@ StickSlipSurvey on_orbits(const std::vector<StickSlipScene>& scenes, double tole
         settings.cycles = 2 * orbit.periods;
         const PaperMotion paper = paper_algorithm(named.scene, settings);
         if (orbit.status != OrbitStatus::periodic || paper.status != IntegrationStatus::complete) {
-            survey.differently.push_back(named.name + ": " + orbit.reason + paper.reason);
+            survey.differently.push_back(named.name + ": " + in_words(orbit.reason) + paper.reason);
             return;
         }
         compare_states(paper.end, orbit.start, named.name, survey);
@@ -180,7 +180,7 @@ StickSlipSurvey against_proved(const std::vector<StickSlipScene>& scenes) {
     each_with_solver(scenes, [&](const StickSlipScene& named, ExactSolver& solver) {
         const PeriodicOrbit orbit = orbit_of(solver);
         if (orbit.status != OrbitStatus::periodic) {
-            survey.differently.push_back(named.name + ": " + orbit.reason);
+            survey.differently.push_back(named.name + ": " + in_words(orbit.reason));
             return;
         }
         const SceneSource source = scene_source(named.scene);

@@ -76,7 +76,7 @@ TEST_CASE("where double has not the digits more precision is taken and said so",
     const Solution found = answer(scene_source(scene));
     CHECK(found.method.precision != "double");
     CHECK(found.digits_reached);
-    CHECK(found.method.why.find("in double: ") == 0);
+    CHECK(in_words(found.method.why).find("in double: ") == 0);
 }
 
 TEST_CASE("a friction ratio on a boundary that is known exactly is no open question", "[regime]") {

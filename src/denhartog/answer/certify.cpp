@@ -11,11 +11,6 @@ namespace {
 
 std::atomic<long> steps{0};
 
-void append_in_words(std::string& words, const Aim& aim) {
-    words.append(std::to_string(aim.digits)).append(aim.digits == 1 ? " digit" : " digits");
-    words.append(aim.asked_for ? " asked for" : " aimed at");
-}
-
 } // namespace
 
 double tolerance_of(int digits) {
@@ -38,12 +33,6 @@ Aim aim_of(std::optional<int> digits) {
     return {aimed_at, digits.has_value(), tolerance_of(aimed_at)};
 }
 
-std::string in_words(const Aim& aim) {
-    std::string words;
-    append_in_words(words, aim);
-    return words;
-}
-
 int digits_of(double error) {
     constexpr int most = 17;
     int digits = 0;
@@ -51,13 +40,10 @@ int digits_of(double error) {
     return digits;
 }
 
-std::string verdict(const Attempted& attempted, const Aim& aim) {
-    std::string words;
-    words.reserve(64); // one allocation: a point of a map costs little more
-    words = attempted.relative <= aim.tolerance ? "the error bound guarantees the " : "the error bound does not guarantee the ";
-    append_in_words(words, aim);
-    if (!attempted.decided) words.append(", but ").append(attempted.doubt);
-    return words;
+Reasons verdict(const Attempted& attempted, const Aim& aim) {
+    Reasons why{Why::bound, attempted.relative <= aim.tolerance, aim.digits, aim.digits == 1, aim.asked_for};
+    if (!attempted.decided) why += Reasons(Why::but) + attempted.doubt;
+    return why;
 }
 
 long precision_steps() { return steps; }

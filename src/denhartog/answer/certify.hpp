@@ -5,13 +5,11 @@
 
 #include <cmath>
 #include <limits>
-#include <string>
-#include <string_view>
 
 #include "denhartog/answer/solution.hpp"
 #include "denhartog/number/bounded.hpp"
 #include "denhartog/number/certified.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 
 namespace denhartog {
 
@@ -25,9 +23,6 @@ struct Aim {
 /// @brief What a number of digits aims at, or `digits_by_default` where none is given; InputError where they are not from 1 to
 /// `most_digits`.
 [[nodiscard]] Aim aim_of(std::optional<int> digits);
-
-/// @brief The same in words, e.g. `6 digits aimed at`.
-[[nodiscard]] std::string in_words(const Aim& aim);
 
 /// @brief The relative error that leaves so many digits: ten to the minus that.
 [[nodiscard]] double tolerance_of(int digits);
@@ -52,9 +47,9 @@ inline constexpr int most_digits_in_double = 14;
 
 /// @brief What double came to.
 struct Attempted {
-    double relative;                                    ///< largest error of what must have the digits, relative as they count
-    bool decided = true;                                ///< whether its regime is certain
-    std::string_view doubt = "beta lies on a boundary"; ///< why it is not
+    double relative;                ///< largest error of what must have the digits, relative as they count
+    bool decided = true;            ///< whether its regime is certain
+    Why doubt = Why::on_boundary; ///< why it is not
 };
 
 /// @brief Whether what double came to has the digits, and its regime is certain.
@@ -65,8 +60,8 @@ struct Attempted {
 /// @brief Counts a question for which double did not have the digits, for `precision_steps`.
 void count_precision_step();
 
-/// @brief What is said of an attempt, as a clause.
-[[nodiscard]] std::string verdict(const Attempted& attempted, const Aim& aim);
+/// @brief What is said of an attempt.
+[[nodiscard]] Reasons verdict(const Attempted& attempted, const Aim& aim);
 
 /// @brief Whether a mass does not move, as far as numbers tell: its amplitude is no larger than its error, and that is next to
 /// nothing of the largest amplitude.

@@ -5,7 +5,8 @@
 
 #include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/model/contact_and_load.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/tried.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/paper_algorithm/last_period.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/steady_state.hpp"
@@ -17,8 +18,7 @@ bool failed(const ExactMotion& run, PaperMotion& motion) {
     motion.phases += static_cast<long>(run.phases.size());
     if (run.status == MotionStatus::complete) return false;
     motion.status = IntegrationStatus::chattering;
-    motion.reason = run.status == MotionStatus::open ? "the motion changes faster than the number type can follow"
-                                                     : "phases of zero length follow each other";
+    motion.reason = in_words(run.status == MotionStatus::open ? Why::too_fast : Why::chattering);
     return true;
 }
 
@@ -26,20 +26,17 @@ bool failed(const ExactMotion& run, PaperMotion& motion) {
 void require_digits_of_contact(const ContactSystem& s) {
     if (!s.stuck.contact.b) return;
     const double of_one = compliance(s.basis, static_cast<Eigen::Index>(s.stuck.contact.a));
-    if (unit_of<double>() * of_one * s.stuck.k_contact > 3e-7)
-        throw PrecisionError("the two masses in contact are tied so stiffly that double does not tell their displacements apart");
+    if (unit_of<double>() * of_one * s.stuck.k_contact > 3e-7) throw PrecisionError(Why::masses_tied);
 }
 
 // Nothing bounds the errors of the motion: its modes are those of the reference where double does not have nine digits of their
 // frequencies.
 ContactSystem system_of(const SceneSource& source) {
     constexpr double most = 1e-9;
-    try {
-        ContactSystem system = contact_system(source->in_double().system);
-        if (std::ranges::all_of(system.detuned, [](double part) { return part <= most; })) return system;
-    } catch (const PrecisionError&) { // it has none
-    }
-    return moving_by_reference(source, "double does not have the digits of a natural frequency");
+    Tried<ContactSystem> system = tried([&] { return contact_system(source->in_double().system); });
+    if (system.value && std::ranges::all_of(system.value->detuned, [](double part) { return part <= most; }))
+        return *std::move(system.value);
+    return moving_by_reference(source, Why::frequency_without_digits);
 }
 
 } // namespace

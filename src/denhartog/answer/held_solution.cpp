@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/model/linear_algebra.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
@@ -21,9 +20,8 @@ namespace {
 using std::abs;
 
 // A number that is written as a double has to be one.
-void require_in_range(double number, const char* name) {
-    if (!std::isfinite(number))
-        throw PrecisionError(std::string(name) + " is beyond the range of a double; 16 digits and more are written as text");
+void require_in_range(double number, int what) {
+    if (!std::isfinite(number)) throw PrecisionError({Why::out_of_double, what});
 }
 
 // Bounds of what errors of the modes make of the damping matrix (19): those of frequencies, of ratios and of the modes' sizes, and
@@ -87,7 +85,7 @@ std::optional<Certified> limit_by_88(const Scene<double>& scene, const StuckConf
         X = X + modes.phi(before ? n - 1 : 0, i) * amplitude_of_mode(modes.phi(load, i), a, b);
     }
     const Bounded<double> limit = paper::sticking_limit_by_spring(as_input(*chain->kappa), modulus(X), mu);
-    require_in_range(limit.x, "permanent sticking by (88)");
+    require_in_range(limit.x, 1);
     return certified(limit);
 }
 
@@ -133,8 +131,7 @@ HeldResponse held_response(const Scene<double>& scene, const StuckConfiguration&
     std::vector<Bounded<double>> C_j, K_j;
     for (std::size_t i = 0; i + 1 < N; ++i) {
         const Complex<Bounded<double>>& X = held.X[stuck.masses[i].index] = moving[i];
-        if (!std::isfinite(X.re.e + X.im.e))
-            throw DomainError("the load excites a resonance of the system with the contact held");
+        if (!std::isfinite(X.re.e + X.im.e)) throw DomainError(Why::held_system_resonates);
         const double c = stuck.c_j[i], of_c = of_damping(static_cast<Eigen::Index>(a), others[i]);
         C_j.push_back(r * Bounded<double>(c, of_c + unit_of<double>() * abs(c)));
         K_j.push_back(as_input(stuck.k_j[i]) - r * r * as_input(stuck.m_j[i]));
@@ -179,7 +176,7 @@ HeldSolution held_solution(const Scene<double>& scene, const StuckConfiguration&
         solution.relative = std::max(solution.relative, 1.0);
     }
     to.x = std::max(to.x, 0.0); // on the boundary rounding may leave less than nothing
-    require_in_range(to.x, "the interval of rest");
+    require_in_range(to.x, 2);
     solution.rest_interval = {certified(-to), certified(to), std::nullopt};
     solution.sticking_by_88 = limit_by_88(scene, stuck, of_damping);
     return solution;

@@ -10,7 +10,7 @@
 #include "denhartog/answer/reference_point.hpp"
 #include "denhartog/formulas/mode.hpp"
 #include "denhartog/model/natural_modes.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 
 namespace denhartog {
 
@@ -141,7 +141,7 @@ bool is_nearly_rounded(const ModalBasis<Bounded<double>>& basis) {
 // Whether all modes are told apart. If twice the bits do not help, nothing will.
 bool told_apart(const ModesInBalls& m, slong bits) {
     if (m.clusters.empty()) return true;
-    if (bits > first_bits) throw PrecisionError("natural frequencies coincide, as far as they are told apart");
+    if (bits > first_bits) throw PrecisionError(Why::frequencies_coincide);
     return false;
 }
 
@@ -236,7 +236,7 @@ std::vector<evaluation::ModeFunctions<Bounded<double>>> mode_functions_by_refere
             const Ball zeta = s.zeta.empty() ? D(n, n) * m.R[i] * s.r / 2 : s.zeta[i];
             const evaluation::ModeFunctions<Ball> f = functions_of_mode(m.R[i], zeta);
             const Ball size = root_of_positive(squared_modulus(f.v));
-            if (!size.finite() || !f.u.finite() || !f.g.finite()) throw Unproved("a mode without damping may be at a pole");
+            if (!size.finite() || !f.u.finite() || !f.g.finite()) throw Unproved(Why::may_be_pole);
             functions->push_back({{in_double(f.v.re), in_double(f.v.im)}, in_double(f.u), in_double(f.g)});
             for (const Bounded<double>& x : {in_double(size), functions->back().u, functions->back().g})
                 enough = enough && relative_error(x) <= tolerance;

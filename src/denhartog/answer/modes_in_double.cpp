@@ -8,13 +8,13 @@
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/answer/modes_by_reference.hpp"
 #include "denhartog/model/modal_damping.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/tried.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
 
 namespace denhartog {
 namespace {
 
-std::shared_ptr<const ContactSystem> rounded_system(const SceneSource& source, const std::string& because) {
+std::shared_ptr<const ContactSystem> rounded_system(const SceneSource& source, const Reasons& because) {
     return std::make_shared<const ContactSystem>(moving_by_reference(source, because));
 }
 
@@ -52,23 +52,18 @@ bool is_for_reference(const SceneSource& source, double error) {
 } // namespace
 
 ModesInDouble modes_in_double(const SceneSource& source) {
-    try {
-        return {modes_with_errors(source->in_double().system)};
-    } catch (const PrecisionError& e) {
-        return {std::make_shared<const ModalBasis<Bounded<double>>>(modes_by_reference(source, true)), e.what()};
-    }
+    const auto found = tried([&] { return modes_with_errors(source->in_double().system); });
+    if (found.value) return {*found.value};
+    return {std::make_shared<const ModalBasis<Bounded<double>>>(modes_by_reference(source, true)), found.why};
 }
 
 std::shared_ptr<const ContactSystem> moving_in_double(const SceneSource& source, const ModesInDouble& modes) {
     if (!modes.rounded_because.empty()) return rounded_system(source, modes.rounded_because);
-    try {
-        return std::make_shared<const ContactSystem>(contact_system(source->in_double().system, *modes.basis));
-    } catch (const PrecisionError& e) { // of the system with the contact held
-        return rounded_system(source, e.what());
-    }
+    Tried<ContactSystem> held = tried([&] { return contact_system(source->in_double().system, *modes.basis); });
+    return held.value ? std::make_shared<const ContactSystem>(*std::move(held.value)) : rounded_system(source, held.why);
 }
 
-ContactSystem moving_by_reference(const SceneSource& source, const std::string& because) {
+ContactSystem moving_by_reference(const SceneSource& source, const Reasons& because) {
     const System<double>& system = source->in_double().system;
     const SystemByReference found = system_by_reference(source);
     ContactSystem moving = contact_system(system, found.basis, &found.held);
@@ -91,29 +86,18 @@ std::optional<CoupledDamping> coupled_damping(const SceneSource& source) {
 std::shared_ptr<const ModalBasis<Bounded<double>>>
 certain_modes(const SceneSource& source, const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis) {
     if (!is_for_reference(source, relative_error(*basis))) return basis;
-    try {
-        return std::make_shared<const ModalBasis<Bounded<double>>>(modes_by_reference(source, false));
-    } catch (const PrecisionError&) {
-        return basis;
-    }
+    Tried<ModalBasis<Bounded<double>>> modes = tried([&] { return modes_by_reference(source, false); });
+    return modes.value ? std::make_shared<const ModalBasis<Bounded<double>>>(*std::move(modes.value)) : basis;
 }
 
 ModeFunctionsInDouble certain_mode_functions(const SceneSource& source,
                                              const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis) {
-    ModeFunctionsInDouble functions;
-    std::optional<DomainError> pole;
-    try {
-        functions = mode_functions_at(*basis, as_input(*source->in_double().r));
-    } catch (const DomainError& e) {
-        pole = e;
+    Tried<ModeFunctionsInDouble> functions = tried([&] { return mode_functions_at(*basis, as_input(*source->in_double().r)); });
+    if (is_for_reference(source, functions.at_pole ? 1 : relative_error(functions.required()))) {
+        Tried<ModeFunctionsInDouble> proved = tried([&] { return mode_functions_by_reference(source); });
+        if (proved.value) return *std::move(proved.value);
     }
-    if (!is_for_reference(source, pole ? 1 : relative_error(functions))) return functions;
-    try {
-        return mode_functions_by_reference(source);
-    } catch (const PrecisionError&) {
-        if (pole) throw *pole;
-        return functions;
-    }
+    return std::move(functions.required());
 }
 
 } // namespace denhartog

@@ -5,7 +5,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "denhartog/answer/scene_source.hpp"
@@ -17,7 +16,7 @@ namespace denhartog {
 /// @brief The modal basis in double.
 struct ModesInDouble {
     std::shared_ptr<const ModalBasis<Bounded<double>>> basis; ///< with bounds of its errors
-    std::string rounded_because{};                            ///< why double has none, where the reference found it; else empty
+    Reasons rounded_because{};                                ///< why double has none, where the reference found it; else empty
 };
 
 /// @brief Finds the modes of a system.
@@ -27,7 +26,7 @@ struct ModesInDouble {
 [[nodiscard]] std::shared_ptr<const ContactSystem> moving_in_double(const SceneSource& source, const ModesInDouble& modes);
 
 /// @brief The same with the modes of the reference; `because` says why double has none, or not their digits.
-[[nodiscard]] ContactSystem moving_by_reference(const SceneSource& source, const std::string& because);
+[[nodiscard]] ContactSystem moving_by_reference(const SceneSource& source, const Reasons& because);
 
 /// @brief A damping matrix that couples the modes.
 struct CoupledDamping {

@@ -6,7 +6,8 @@
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/answer/held_solution.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/tried.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
 
@@ -30,25 +31,25 @@ public:
              const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis_)
         : scene(scene_), system(system_), basis(*basis_), solver(system, at(*scene.r, *scene.beta)), N(system.basis.r_n.size()),
           size(std::max(N, system.contact.index + 1), 1) {
-        try {
+        const auto slides = [&] {
             const ModeSums<double> sums = values_of(bounded_sums(scene.system, basis, as_input(*scene.r)));
             for (std::size_t k = 0; k < size.size(); ++k) size[k] = std::max(modulus(sums.V[k]), 1e-3);
             const Boundary<double> limits = boundary(sums, scene.mu);
             if (*scene.beta < limits.exact) sliding = sliding_at_maximum_of_force(sums, *scene.beta);
-        } catch (const DomainError&) {
-        } catch (const PrecisionError&) {
-        }
+            return sliding.has_value();
+        };
+        (void)tried(slides);
     }
 
     std::vector<OtherMotion> all() {
-        follow(at_rest(N), "start from rest");
+        follow(at_rest(N), Why::start_from_rest);
         if (scene.mu == 1 && every_motion_is_damped(system.basis)) return motions;
         from_displaced_contact();
         from_sliding();
         from_seeds();
         for (const double side : {-1.0, 1.0}) {
-            sweep(side * sweep_reach, 0, side < 0 ? "sweep of r upwards" : "sweep of r downwards");
-            sweep(0, side * 2 * sweep_reach, side < 0 ? "sweep of beta upwards" : "sweep of beta downwards");
+            sweep(side * sweep_reach, 0, {Why::sweep, 0, side > 0});
+            sweep(0, side * 2 * sweep_reach, {Why::sweep, 1, side > 0});
         }
         return motions;
     }
@@ -58,8 +59,8 @@ private:
 
     void from_sliding() {
         if (!sliding) return;
-        for (const double factor : {1.0, 0.5, 2.0})
-            try_start(scaled(*sliding, factor), "sliding motion times " + std::to_string(factor).substr(0, 3));
+        constexpr double factors[] = {1.0, 0.5, 2.0};
+        for (int n = 0; n < 3; ++n) try_start(scaled(*sliding, factors[n]), {Why::scaled_sliding, n});
     }
 
     void from_displaced_contact() {
@@ -67,7 +68,7 @@ private:
         for (const double x : {0.5, 1.0, -1.0, 3.0}) {
             State z = at_rest(N);
             z.x[contact.a] = contact.sign * x * size[system.contact.index];
-            try_start(z, "contact displaced, all at rest");
+            try_start(z, Why::displaced);
         }
     }
 
@@ -81,12 +82,12 @@ private:
                 z.x[k] = scale * size[k] * uniform();
                 z.x_prime[k] = scale * size[k] * uniform();
             }
-            try_start(z, "random start " + std::to_string(n + 1));
+            try_start(z, {Why::random_start, n + 1});
         }
     }
 
     // Orbits of points on the way to the scene's, each started from the one before.
-    void sweep(double r_away, double beta_away, const std::string& found) {
+    void sweep(double r_away, double beta_away, const Reasons& found) {
         std::optional<State> z = sliding && beta_away < 0 ? *sliding : at_rest(N);
         for (int n = 0; n < sweep_steps; ++n) {
             const double left = 1 - static_cast<double>(n) / sweep_steps;
@@ -106,33 +107,24 @@ private:
         return how;
     }
 
-    void try_start(const State& start, const std::string& found) {
+    void try_start(const State& start, const Reasons& found) {
         follow(start, found);
         const PeriodicOrbit orbit = periodic_orbit(solver, start, search(false));
-        if (orbit.status == OrbitStatus::periodic) add(orbit, orbit.start, "Newton's method from: " + found);
+        if (orbit.status == OrbitStatus::periodic) add(orbit, orbit.start, Reasons(Why::newton) + found);
     }
 
-    void follow(const State& start, const std::string& found) {
+    void follow(const State& start, const Reasons& found) {
         const PeriodicOrbit orbit = periodic_orbit(solver, start, search(true));
         if (is_from_start(orbit)) add(orbit, start, found);
     }
 
-    void add(const PeriodicOrbit& orbit, const State& from, const std::string& found) {
+    void add(const PeriodicOrbit& orbit, const State& from, const Reasons& found) {
         const bool rests = orbit.status == OrbitStatus::permanently_stuck;
         for (const OtherMotion& known : motions)
             if (rests ? known.regime == Regime::permanent_sticking : same(known, orbit)) return;
-        OtherMotion motion{rests                 ? Regime::permanent_sticking
-                           : orbit.stops.empty() ? Regime::continuous
-                                                 : Regime::stick_slip,
-                           from,
-                           found,
-                           orbit.periods,
-                           orbit.symmetric,
-                           stability_of(orbit),
-                           {},
-                           {},
-                           orbit.start,
-                           std::nullopt};
+        const Regime moves = orbit.stops.empty() ? Regime::continuous : Regime::stick_slip;
+        const Regime regime = rests ? Regime::permanent_sticking : moves;
+        OtherMotion motion{regime, from, found, orbit.periods, orbit.symmetric, stability_of(orbit), {}, {}, orbit.start, {}};
         if (rests) {
             const HeldSolution held = held_solution(scene, system.stuck, basis);
             motion.masses = held.masses;

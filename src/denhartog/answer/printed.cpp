@@ -9,6 +9,7 @@
 #include <string>
 
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/reference/scene_in_balls.hpp"
 
 namespace denhartog {
@@ -56,10 +57,9 @@ Certified printed(const Ball& x, int digits) {
 }
 
 Certified WrittenNumbers::shown(const Ball& x) const {
-    if (!x.finite()) throw reference::Unproved("a number has no bound");
+    if (!x.finite()) throw reference::Unproved(Why::no_bound);
     const Certified number = printed(x, digits_);
-    if (!std::isfinite(number.value) && digits_ <= most_digits_of_a_double)
-        throw PrecisionError("a number is beyond the range of a double; 16 digits and more are written as text");
+    if (!std::isfinite(number.value) && digits_ <= most_digits_of_a_double) throw PrecisionError({Why::out_of_double, 0});
     return number;
 }
 

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "denhartog/answer/printed.hpp"
 #include "denhartog/answer/reference_attempts.hpp"
 #include "denhartog/answer/reference_point.hpp"
 #include "denhartog/model/contact_and_load.hpp"
+#include "denhartog/number/tried.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/reference/orbit.hpp"
 #include "denhartog/reference/sliding.hpp"
 #include "denhartog/sliding/regime.hpp"
@@ -19,18 +20,13 @@ namespace {
 
 using namespace reference;
 
-// A motion of the regime that is meant is proved not to exist.
-struct RegimeDisproved : PrecisionError {
-    using PrecisionError::PrecisionError;
-};
-
 // The regime of a friction ratio, as far as balls tell it.
 Regime regime_by(const Ball& beta, const Ball& exact, const std::optional<Ball>& sticking) {
     if (beta < exact) return Regime::continuous;
-    if (!(beta >= exact)) throw Unproved("beta may lie on the boundary of the sliding regime");
-    if (!sticking) throw Unproved("the system may resonate with the contact held");
+    if (!(beta >= exact)) throw Unproved({Why::may_be_boundary, 0});
+    if (!sticking) throw Unproved(Why::may_resonate_held);
     if (beta >= *sticking) return Regime::permanent_sticking;
-    if (!(beta < *sticking)) throw Unproved("beta may lie on the boundary of permanent sticking");
+    if (!(beta < *sticking)) throw Unproved({Why::may_be_boundary, 1});
     return Regime::stick_slip;
 }
 
@@ -100,10 +96,11 @@ void write_sliding(const PointInBalls& p, const Scene<double>& scene, const Refe
     s.method.model = "closed form";
 }
 
-void write_stuck(const PointInBalls& p, const Scene<double>& scene, const ReferenceQuestion& q, WrittenNumbers& w, Solution& s) {
-    if (!p.stuck) throw Unproved("the system may resonate with the contact held");
-    if (*p.scene.beta < *p.sticking) throw RegimeDisproved("the reference disproves that static friction holds the contact");
-    if (!(*p.scene.beta >= *p.sticking)) throw Unproved("beta may lie on the boundary of permanent sticking");
+// False where static friction does not hold the contact.
+bool write_stuck(const PointInBalls& p, const Scene<double>& scene, const ReferenceQuestion& q, WrittenNumbers& w, Solution& s) {
+    if (!p.stuck) throw Unproved(Why::may_resonate_held);
+    if (*p.scene.beta < *p.sticking) return false;
+    if (!(*p.scene.beta >= *p.sticking)) throw Unproved({Why::may_be_boundary, 1});
     const bool phases = q.asked != Asked::amplitude;
     Ball largest = p.stuck->compliance * size_of(p.stuck->load); // no mass moves where the load acts on the contact
     for (const Complex<Ball>& X : p.stuck->X) largest = larger(largest, size_of(X));
@@ -119,6 +116,7 @@ void write_stuck(const PointInBalls& p, const Scene<double>& scene, const Refere
     const Ball to = (p.scene.mu * *p.scene.beta - size_of(p.stuck->load)) * p.stuck->compliance;
     s.rest_interval = RestInterval{w.shown(-to), w.shown(to), std::nullopt};
     s.method.model = "stuck response";
+    return true;
 }
 
 bool is_loaded_contact(const Scene<double>& scene) {
@@ -143,10 +141,9 @@ void set_regime_by_stops(const PointInBalls& p, const OrbitInBalls& o, Solution&
     const bool slides = p.boundary && *p.scene.beta < p.boundary->exact;
     set_regime(p, o.stops.empty() ? Regime::continuous : Regime::stick_slip, s);
     if (o.stops.empty())
-        s.regime.reason += slides ? "; the motion from rest is the sliding motion"
-                                  : "; the contact does not stop, but the motion is not that of the closed form";
+        s.regime.reason += slides ? Why::rest_leads_to_sliding : Why::slides_otherwise;
     else if (slides)
-        s.regime.reason += "; the motion from rest is another, which stops in every period";
+        s.regime.reason += Why::rest_leads_to_stops;
 }
 
 void write_orbit(const OrbitInBalls& o, const Scene<double>& scene, const ReferenceQuestion& q, WrittenNumbers& w, Solution& s) {
@@ -184,11 +181,15 @@ OrbitInBalls orbit_in_balls(const SceneSource& source, const ReferenceQuestion& 
         [&](const OrbitGuess& guess) { return proved_orbit(scene, guess, bits, wanted, q.asked == Asked::motion); });
 }
 
-// `s` has the regime where nothing else can be proved.
-void attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, bool last, OrbitGuesses& guesses, Solution& s,
-             bool& enough) {
+// Whether the bits are enough for an answer, or to disprove the regime. It has the regime where nothing else can be proved.
+bool attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, bool last, OrbitGuesses& guesses,
+             AnswerOrNone& answer) {
     const Scene<double>& scene = source->in_double();
-    s = {};
+    Solution& s = answer.solution = {};
+    const auto disproved = [&](const Reasons& why) {
+        answer = {Outcome::regime_disproved, {}, why};
+        return true;
+    };
     WrittenNumbers w(q.digits, last);
     const PointInBalls p = point_in_balls(source, !q.met || *q.met == Regime::continuous || !scene.beta);
     s.asked = q.asked;
@@ -206,7 +207,7 @@ void attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, 
             regime = Regime::permanent_sticking;
         if (p.boundary && regime != Regime::stick_slip && regime != s.regime.regime &&
             std::ranges::find(s.regime.other, regime) == s.regime.other.end())
-            throw RegimeDisproved("the reference disproves the regime: " + s.regime.reason);
+            return disproved(Reasons(Why::regime_disproved) + s.regime.reason);
         if (q.met && regime != Regime::stick_slip) set_regime(p, regime, s);
         if (q.asked == Asked::regime || (q.closed_form_alone && regime != Regime::continuous)) {
             s.method.model = q.closed_form_alone ? "boundary of the sliding regime" : "boundaries";
@@ -215,7 +216,7 @@ void attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, 
         } else if (regime == Regime::continuous) {
             write_sliding(p, scene, q, w, s);
         } else if (regime == Regime::permanent_sticking) {
-            write_stuck(p, scene, q, w, s);
+            if (!write_stuck(p, scene, q, w, s)) return disproved(Why::hold_disproved);
         } else {
             const OrbitInBalls orbit = orbit_in_balls(source, q, bits, guesses);
             write_orbit(orbit, scene, q, w, s);
@@ -226,11 +227,11 @@ void attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, 
     } else {
         s.method.model = "boundary of the sliding regime";
     }
-    enough = w.enough();
     s.relative_error = w.largest_error();
     s.method.precision = "reference";
-    s.method.why = "every number is proved, with balls of " + std::to_string(bits) + " bits";
+    s.method.why = {Why::proved, bits};
     s.method.proved = true;
+    return w.enough();
 }
 
 } // namespace
@@ -243,21 +244,17 @@ AnswerOrNone solution_by_reference(const SceneSource& source, const ReferenceQue
     const slong most = std::max<slong>(8192, 4 * first);
     OrbitGuesses guesses(made);
     AnswerOrNone answer{Outcome::answered};
-    Solution& s = answer.solution;
-    try {
-        with_enough_bits(number_of_masses(source->in_double().system), first, most, [&](slong bits, bool last) {
-            bool enough = false;
-            attempt(source, q, bits, last, guesses, s, enough);
-            return enough;
-        });
-    } catch (const RegimeDisproved& e) {
-        answer = {Outcome::regime_disproved, {}, e.what()};
-    } catch (const PrecisionError& e) {
-        answer.refused = e.what();
-        const bool told = !q.met && s.regime.regime == Regime::stick_slip && !s.regime.reason.empty();
-        answer.outcome = told ? Outcome::motion_unproved : Outcome::not_certain;
-        if (told) answer.refused += ". This much is certain: " + s.regime.reason;
-    }
+    const auto proved = tried([&] {
+        with_enough_bits(number_of_masses(source->in_double().system), first, most,
+                         [&](slong bits, bool last) { return attempt(source, q, bits, last, guesses, answer); });
+        return true;
+    });
+    if (proved.value) return answer;
+    const RegimeAtPoint& regime = answer.solution.regime;
+    const bool told = !q.met && regime.regime == Regime::stick_slip && !regime.reason.empty();
+    answer.outcome = told ? Outcome::motion_unproved : Outcome::not_certain;
+    answer.refused = proved.why;
+    if (told) answer.refused += Reasons(Why::certain) + regime.reason;
     return answer;
 }
 

@@ -16,10 +16,6 @@ namespace denhartog {
 /// @brief Whether the library was built with the reference. @return false of one built with `DENHARTOG_REFERENCE=OFF`
 [[nodiscard]] bool has_reference();
 
-/// @brief What is said where there is none.
-inline constexpr const char* built_without_reference =
-    "this needs the reference, and the library was built without it (DENHARTOG_REFERENCE=OFF)";
-
 /// @brief A question to the reference.
 struct ReferenceQuestion {
     Asked asked = Asked::motion;    ///< what is asked

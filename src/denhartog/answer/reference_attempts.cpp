@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "denhartog/number/effort.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/reference/series.hpp"
 
 namespace denhartog {
@@ -20,21 +20,20 @@ struct ConstantsOfBalls {
 void with_enough_bits(std::size_t N, slong first, slong most, const std::function<bool(slong bits, bool last)>& attempt) {
     thread_local const ConstantsOfBalls freed_at_its_end;
     const QuestionEffort effort(N);
-    std::string why;
+    Reasons why;
     for (slong bits = first;; bits = std::min(2 * bits, most)) {
-        const bool last = bits == most;
+        bool last = bits == most;
         QuestionEffort::pay(static_cast<long>(N * N * (N + 8)) * (bits / 64) / 4);
         try {
             const Bits all(bits);
             reference::bits_of_search = 64 * (bits / first);
             if (attempt(bits, last)) return;
-            why = "the digits are not certain with " + std::to_string(bits) + " bits";
-        } catch (const reference::Disproved& e) {
-            throw PrecisionError(std::string("the reference does not prove it: ") + e.what());
+            why = {Why::bits_too_few, bits};
         } catch (const reference::Unproved& e) {
-            why = e.what();
+            why = e.why;
+            last = last || is_disproved(e);
         }
-        if (last) throw PrecisionError("the reference does not prove it: " + why);
+        if (last) throw PrecisionError(Reasons(Why::not_proved) + why);
     }
 }
 

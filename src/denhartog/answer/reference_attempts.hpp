@@ -4,7 +4,6 @@
 #pragma once
 
 #include <functional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -28,6 +27,11 @@ template <class Attempt>
     return *std::move(found);
 }
 
+/// @brief Whether more bits will not help.
+[[nodiscard]] inline bool is_disproved(const reference::Unproved& e) {
+    return dynamic_cast<const reference::Disproved*>(&e) != nullptr;
+}
+
 /// @brief Guesses of a motion with stops.
 class OrbitGuesses {
 public:
@@ -47,12 +51,12 @@ public:
                 auto found = prove(std::as_const(guesses_[n]));
                 std::swap(guesses_[n], guesses_.front());
                 return found;
-            } catch (const reference::Disproved& e) {
-                if (first) why_ = e.what();
-                guesses_.erase(guesses_.begin() + static_cast<std::ptrdiff_t>(n));
             } catch (const reference::Unproved& e) {
-                if (first) why_ = e.what();
-                ++n;
+                if (first) why_ = e.why;
+                if (is_disproved(e))
+                    guesses_.erase(guesses_.begin() + static_cast<std::ptrdiff_t>(n));
+                else
+                    ++n;
             }
         }
         if (guesses_.empty()) throw reference::Disproved(why_);
@@ -63,7 +67,7 @@ private:
     const std::function<std::vector<OrbitGuess>()>& made_;
     std::vector<OrbitGuess> guesses_{};
     bool known_ = false;
-    std::string why_ = "double precision finds no motion with stops to start from";
+    Reasons why_ = Why::no_guess;
 };
 
 } // namespace denhartog

@@ -5,7 +5,7 @@
 
 #include "denhartog/answer/printed.hpp"
 #include "denhartog/answer/sliding_point.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/scene/scene_rules.hpp"
 
 namespace denhartog {
@@ -23,8 +23,7 @@ SceneInBalls by_themselves(SceneInBalls s, const ModesInBalls& m, BallMatrix D) 
         for (slong i = first; i < last; ++i) {
             all = either(all, D(i, i));
             for (slong k = first; k < last; ++k) {
-                if (!(i == k ? D(i, i) - D(first, first) : D(i, k)).may_vanish())
-                    throw Unproved("modes are not told apart, and neither is the damping of each by itself");
+                if (!(i == k ? D(i, i) - D(first, first) : D(i, k)).may_vanish()) throw Unproved(Why::modes_may_coincide);
                 if (i != k) squares += D(i, k) * D(i, k);
             }
         }
@@ -69,8 +68,7 @@ bool counts_as_modal(const ModesInBalls& m, const BallMatrix& D, double toleranc
         }
     }
     const Ball most = Ball(tolerance) * Ball(tolerance) * of_K * of_C;
-    if (!(apart <= most || apart > most))
-        throw Unproved("the coupling of modes by the damping matrix may equal damping_tolerance");
+    if (!(apart <= most || apart > most)) throw Unproved({Why::coupling_may_count, 0});
     return apart <= most;
 }
 
@@ -90,7 +88,7 @@ std::optional<Ball> paper_limit_of_modes(const SceneInBalls& s, const Ball& exac
     }
     const Ball change = abs(b->exact - exact), most = Ball(hardly_changed) * exact;
     if (change > most) return std::nullopt;
-    if (!(change <= most)) throw Unproved("whether the coupling of modes counts in (56) takes more bits");
+    if (!(change <= most)) throw Unproved({Why::coupling_may_count, 1});
     return b->paper;
 }
 
@@ -154,7 +152,7 @@ PointInBalls point_in_balls(const SceneSource& source, bool needs_boundary) {
             r = responses_of_state(p.scene); // where the load does not reach the contact it is zero, and not next to it
         r.modes = std::move(modes);
         const Complex<Ball>& V = r.V[r.contact()];
-        if (!(V.re.finite() && V.im.finite())) throw Unproved("the load may excite the resonance of a mode without damping");
+        if (!(V.re.finite() && V.im.finite())) throw Unproved(Why::may_resonate);
         p.boundary = boundary_in_balls(p.scene, r);
         if (p.scene.zeta.empty())
             p.boundary->paper = paper_limit_of_modes(p.scene, p.boundary->exact).value_or(p.boundary->paper);

@@ -8,6 +8,7 @@
 #include "denhartog/answer/reference_attempts.hpp"
 #include "denhartog/answer/reference_point.hpp"
 #include "denhartog/number/effort.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/reference/orbit.hpp"
 #include "denhartog/reference/sliding.hpp"
 
@@ -30,7 +31,7 @@ void require_start(const BallMatrix& state, const Solution& solution, double tol
     const std::size_t N = solution.masses.size();
     const auto require = [&](const Ball& proved, const Certified& answered, double size) {
         if (abs(proved - Ball(answered.value)) > Ball(answered.error) + Ball(tolerance * size))
-            throw Disproved("the motion that is proved is not that of the answer");
+            throw Disproved({Why::other_motion, 0});
     };
     for (std::size_t k = 0; k < N; ++k) {
         const double amplitude = solution.masses[k].amplitude.value;
@@ -45,7 +46,7 @@ MotionInBalls motion_with_stops(const SceneSource& source, const Solution& solut
     const auto scene = [&] { return damped_scene_in_balls(source); };
     return guesses.first_proved([&](const OrbitGuess& guess) -> MotionInBalls {
         const auto orbit = std::make_shared<const OrbitInPhases>(orbit_in_phases(scene, guess, bits));
-        if (orbit->orbit.at.periods != solution.periods) throw Disproved("the motion that is proved has another period");
+        if (orbit->orbit.at.periods != solution.periods) throw Disproved({Why::other_motion, 1});
         const auto motion = [orbit, bits](const Ball& tau) {
             const Bits all(bits);
             return orbit->at(tau);
@@ -56,14 +57,14 @@ MotionInBalls motion_with_stops(const SceneSource& source, const Solution& solut
 }
 
 MotionInBalls motion_at_rest(const PointInBalls& p) {
-    if (!p.stuck) throw Unproved("the system may resonate with the contact held");
+    if (!p.stuck) throw Unproved(Why::may_resonate_held);
     return [X = p.stuck->X](const Ball& tau) { return harmonic_in_balls(X, static_cast<slong>(X.size()), tau); };
 }
 
 MotionInBalls sliding_motion(const PointInBalls& p) {
     const Ball& beta = *p.scene.beta;
-    if (beta >= p.boundary->exact) throw Disproved("the contact does not slide throughout");
-    if (!(beta < p.boundary->exact)) throw Unproved("beta may lie on the boundary of the sliding regime");
+    if (beta >= p.boundary->exact) throw Disproved(Why::does_not_slide);
+    if (!(beta < p.boundary->exact)) throw Unproved({Why::may_be_boundary, 0});
     const auto motion = std::make_shared<const SlidingMotionInBalls>(*p.responses, beta);
     return [motion](const Ball& tau) { return motion->at(tau); };
 }

@@ -6,7 +6,7 @@
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/model/modal_damping.hpp"
-#include "denhartog/number/number_text.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
@@ -77,9 +77,7 @@ void check_poles(const ModalBasis<Number>& basis, Mass load, double r) {
         const double R = r / basis.r_n[i].x;
         const Number& loaded = basis.phi(static_cast<Eigen::Index>(load.index), static_cast<Eigen::Index>(i));
         if (basis.zeta[i].x == 0 && std::abs(loaded.x) > loaded.e && std::abs(R - 1) <= units * unit_of<double>())
-            throw PoleByRounding("mode " + std::to_string(i + 1) + " has no damping and R = " + number_to_text(R) +
-                                 (R == 1 ? "" : ", which is 1 to the last digits of a double") +
-                                 ": its complex response function (23) is infinite there, and so is the amplitude in the limit");
+            throw DomainError({Why::pole_by_rounding, i + 1, R, R == 1});
     }
 }
 
@@ -143,7 +141,7 @@ SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Number>&
     SlidingPoint point{boundary_with(at.sums(), as_input(scene.mu), at.demands()), std::nullopt, std::nullopt};
     if (at.sums().coupled) point.boundary.paper = paper_limit(scene, basis, point.boundary);
     const Boundary<Number>& b = point.boundary;
-    if (!is_finite(b)) throw PrecisionError("the boundary is beyond the range of the number type, or has no bound in it");
+    if (!is_finite(b)) throw PrecisionError(Why::boundary_out_of_range);
     if (wish.limits || !scene.beta) point.attempted = errors_of_boundary(b);
     if (!scene.beta) return point;
     point.regime = regime_at(b, *scene.beta);

@@ -25,11 +25,6 @@ inline constexpr double hardly_coupled = 1e-6;
 /// @brief See `hardly_coupled`: a part of (69).
 inline constexpr double hardly_changed = 1e-9;
 
-/// @brief A mode without damping resonates, as far as the last digits of a double tell.
-struct PoleByRounding : DomainError {
-    using DomainError::DomainError;
-};
-
 /// @brief The sums at a frequency ratio, and what searches for instants need of them, which is set up when it is first asked for:
 /// they look at values without bounds, and share many instants.
 class SearchedSums {
@@ -94,8 +89,8 @@ struct SlidingQuestion {
 ///
 /// Digits are relative to the amplitude of the mass for displacements, to the value for friction ratios, absolute for phases; a
 /// mass that does not move has none. Without beta there is the boundary alone, and outside the sliding regime there are no
-/// masses. A bad scene and bad digits are an InputError, a pole of a mode without damping is a DomainError: PoleByRounding if it is
-/// within a few units in the last place.
+/// masses. A bad scene and bad digits are an InputError, a pole of a mode without damping is a DomainError, which says
+/// `Why::pole_by_rounding` if it is within a few units in the last place.
 /// @eq{38,39,44,45,47,52,53,69}
 [[nodiscard]] Solution sliding_solution(const SceneSource& source, const SlidingQuestion& question);
 

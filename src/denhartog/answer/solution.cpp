@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 
 namespace denhartog {
 
@@ -33,9 +33,7 @@ Solution required(AnswerOrNone answer) {
 
 const SolvedMass& mass_of(const Solution& s, Mass k) {
     const std::size_t n = s.only == k ? 0 : k.index;
-    if (n >= s.masses.size() || (s.only && s.only != k))
-        throw DomainError("the answer has no amplitude of mass " + std::to_string(k.index + 1) +
-                          (s.masses.empty() ? ": the closed form does not hold, or the regime alone was asked for" : ""));
+    if (n >= s.masses.size() || (s.only && s.only != k)) throw DomainError({Why::no_amplitude, k.index + 1, s.masses.empty()});
     return s.masses[n];
 }
 

@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "denhartog/number/certified.hpp"
+#include "denhartog/number/errors.hpp"
 #include "denhartog/scene/scene.hpp"
 #include "denhartog/sliding/regime_at_point.hpp"
 #include "denhartog/stick_slip/motion_record.hpp"
@@ -44,7 +44,7 @@ struct Question {
 struct Method {
     std::string model;     ///< the model that answers, e.g. `closed form`
     std::string precision; ///< `double` or `reference`
-    std::string why;       ///< why this model answers, and in this precision
+    Reasons why;           ///< why this model answers, and in this precision
     bool proved = false;   ///< whether every number of the answer is proved; else bounds are estimates, docs/promises.md
 };
 
@@ -127,7 +127,7 @@ struct Work {
 struct OtherMotion {
     Regime regime;                             ///< how the contact moves
     State from;                                ///< a state at the maximum of the force that leads to it
-    std::string found;                         ///< how it was found, in words
+    Reasons found;                             ///< how it was found
     int periods = 1;                           ///< its period in periods of the force
     bool symmetric = false;                    ///< whether it mirrors itself after half its period
     Stability stability;                       ///< its stability
@@ -160,9 +160,9 @@ struct Solution {
     double relative_error = 0;                 ///< largest bound of a relative error among the numbers asked for
     bool digits_reached = true;                ///< whether they have the digits asked for, or aimed at
     bool unique = false;                       ///< whether the steady velocities are known not to depend on the start
-    std::string_view unique_because;           ///< the reason, or why it is not known
+    Reasons unique_because;                    ///< the reason, or why it is not known
     std::optional<KeptMode> kept_mode;         ///< if the closed form is one of a continuum of steady motions: what they differ by
-    std::string not_from_rest;                 ///< why the start from rest is not known to lead to this motion; empty if it does, and
+    Reasons not_from_rest;                     ///< why the start from rest is not known to lead to this motion; empty if it does, and
                                                ///< of a closed form that was asked for by itself
     int periods = 1;                           ///< period of the motion, in periods of the force
     bool symmetric = true;                     ///< whether the motion mirrors itself after half its period, Eq. (25)
@@ -191,7 +191,7 @@ enum class Outcome : std::uint8_t {
 struct AnswerOrNone {
     Outcome outcome = Outcome::not_certain; ///< what came of the question
     Solution solution{};                    ///< the answer, if there is one
-    std::string refused{};                  ///< else the reason
+    Reasons refused{};                      ///< else the reason
 
     /// @brief Whether there is an answer. @return true if so
     [[nodiscard]] bool is_answered() const { return outcome == Outcome::answered; }

@@ -2,11 +2,12 @@
 #include "denhartog/answer/modes_by_reference.hpp"
 #include "denhartog/answer/reference.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 
 namespace denhartog {
 namespace {
 
-[[noreturn]] void refuse() { throw PrecisionError(built_without_reference); }
+[[noreturn]] void refuse() { throw PrecisionError(Why::no_reference); }
 
 } // namespace
 
@@ -14,7 +15,7 @@ bool has_reference() { return false; }
 
 AnswerOrNone solution_by_reference(const SceneSource&, const ReferenceQuestion&,
                                    const std::function<std::vector<OrbitGuess>()>&) {
-    return {Outcome::not_certain, {}, built_without_reference};
+    return {Outcome::not_certain, {}, Why::no_reference};
 }
 
 std::vector<State> samples_by_reference(const SceneSource&, const Solution&, const std::vector<double>&, double,

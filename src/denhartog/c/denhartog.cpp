@@ -34,7 +34,7 @@ Solution closed_form_at(const dh_system* system, double r, double beta, double m
 void need_digits(const Solution& found) {
     if (!found.digits_reached)
         throw PrecisionError("the result does not have the " + std::to_string(digits_of_formulas) +
-                             " digits aimed at: " + found.method.why);
+                             " digits aimed at: " + in_words(found.method.why));
 }
 
 [[noreturn]] void throw_not_sliding(double beta, double beta_lim) {
@@ -130,7 +130,7 @@ Bounded<double> c_interface::limit_at_high_frequency(const dh_system* system, do
 Numbers c_interface::displacements_at(const dh_system* system, double r, double beta, double mu, Mass k,
                                       std::span<const double> tau) {
     const Quantities<Bounded<double>> q =
-        quantities(system->prepared, point_of(system, r, beta, mu), tau, digits_of_formulas, PointNumbers::motion).numbers;
+        quantities(point_of(system, r, beta, mu), tau, digits_of_formulas, PointNumbers::motion, system->prepared.bounded).numbers;
     if (!q.X_j) throw_not_sliding(beta, q.beta_lim.x);
     Numbers x;
     for (std::size_t n = k.index; n < q.x.size(); n += q.x_size.size()) x.push_back(q.x[n]);

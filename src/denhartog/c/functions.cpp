@@ -75,7 +75,7 @@ Numbers c_interface::frequency_ratios_at(const dh_system* system, double r) {
 }
 
 Quantities<Bounded<double>> c_interface::sums_at(const dh_system* system, double r) {
-    return quantities(system->prepared, point_of(system, r, 0, 1), {}, digits_of_formulas, PointNumbers::sums).numbers;
+    return quantities(point_of(system, r, 0, 1), {}, digits_of_formulas, PointNumbers::sums, system->prepared.bounded).numbers;
 }
 
 extern "C" {

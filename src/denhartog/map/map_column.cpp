@@ -9,6 +9,7 @@
 #include "denhartog/evaluation/contact.hpp"
 #include "denhartog/map/contact_arrays.hpp"
 #include "denhartog/number/effort.hpp"
+#include "denhartog/number/tried.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/solve/decision.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
@@ -22,13 +23,9 @@ constexpr double least_accuracy = 1e-6; // relative to an amplitude: what has le
 // What comes of a computation in double that answers, or does not: `failed` is one that is left to `decide`.
 template <class Compute>
 PointStatus status_of(const Compute& compute) {
-    try {
-        return compute() ? PointStatus::answered : PointStatus::failed;
-    } catch (const DomainError&) {
-        return PointStatus::at_a_pole;
-    } catch (const PrecisionError&) {
-        return PointStatus::failed;
-    }
+    const Tried<bool> made = tried(compute);
+    if (made.at_pole) return PointStatus::at_a_pole;
+    return made.value.value_or(false) ? PointStatus::answered : PointStatus::failed;
 }
 
 class MapColumn {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "denhartog/number/effort.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 
 namespace denhartog {
 namespace {
@@ -201,8 +201,7 @@ SingularValues iterate(std::vector<double> d, std::vector<double> e, Matrix<doub
         const Estimate found = test(block, tolerance);
         if (found.split) continue;
         rotations += static_cast<double>(block.size());
-        if (!(rotations <= rotations_allowed))
-            throw PrecisionError("the natural frequencies of " + std::to_string(N) + " masses did not converge");
+        if (!(rotations <= rotations_allowed)) throw PrecisionError({Why::chain_not_converged, N});
         QuestionEffort::pay_for_products(4 * static_cast<long>(block.size()) * V.rows());
         const double shift = shift_for(block, found, static_cast<int>(N));
         if (shift == 0)

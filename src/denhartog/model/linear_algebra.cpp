@@ -6,7 +6,7 @@
 
 #include "denhartog/model/product_of_doubles.hpp"
 #include "denhartog/number/effort.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 
 namespace denhartog {
 namespace {
@@ -31,7 +31,7 @@ void pay_for(int times, Eigen::Index order) {
 SymmetricEigenproblem symmetric_eigenproblem(const Matrix<double>& A) {
     pay_for(9, A.rows());
     const Eigen::SelfAdjointEigenSolver<Matrix<double>> solved(A);
-    if (solved.info() != Eigen::Success) throw PrecisionError("the natural frequencies of the system did not converge");
+    if (solved.info() != Eigen::Success) throw PrecisionError(Why::modes_not_converged);
     const Column values = solved.eigenvalues();
     return {{values.begin(), values.end()}, solved.eigenvectors()};
 }

@@ -10,7 +10,7 @@
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/model/natural_modes.hpp"
 #include "denhartog/number/bounded.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/number/work_counted.hpp"
 #include "denhartog/scene/cholesky.hpp"
 #include "denhartog/scene/point_rules.hpp"
@@ -55,7 +55,7 @@ void require_finite(const ModalBasis<double>& basis) {
     for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
         bool all = isfinite(basis.r_n[i]) && basis.r_n[i] > 0 && isfinite(basis.zeta[i]);
         for (Eigen::Index k = 0; k < basis.phi.rows(); ++k) all = all && isfinite(basis.phi(k, static_cast<Eigen::Index>(i)));
-        if (!all) throw PrecisionError("mode " + std::to_string(i + 1) + " is beyond the range of the number type");
+        if (!all) throw PrecisionError({Why::mode_out_of_range, i + 1});
     }
 }
 

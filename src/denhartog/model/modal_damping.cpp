@@ -8,8 +8,8 @@
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/natural_modes.hpp"
-#include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/scene/cholesky.hpp"
 #include "denhartog/scene/scene_rules.hpp"
 
@@ -28,8 +28,7 @@ void check_ratio(double zeta, std::size_t i, const Matrix<double>& C, const Moda
         const Column sizes = basis.phi.col(static_cast<Eigen::Index>(i)).cwiseAbs();
         return rounding_of_modes(basis.r_n.size()) * sizes.dot(product_of_sizes(C, sizes)) / basis.r_n[i];
     };
-    if (zeta < 0 && -zeta <= rounding())
-        throw PrecisionError("damping_matrix: rounding does not leave the damping of mode " + std::to_string(i + 1) + " a digit");
+    if (zeta < 0 && -zeta <= rounding()) throw PrecisionError({Why::damping_lost, i + 1});
     const std::string rule = "must give mode " + std::to_string(i + 1) + " a damping ratio ";
     if (zeta < 0) throw InputError("damping_matrix", rule + "that is not negative", number_to_text(zeta));
     if (!(zeta <= largest_damping_ratio)) throw InputError("damping_matrix", rule + "of at most 1e300", number_to_text(zeta));

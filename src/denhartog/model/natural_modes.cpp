@@ -6,7 +6,7 @@
 #include "denhartog/model/bidiagonal_singular_values.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/modal_basis.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 
 namespace denhartog {
 namespace {
@@ -78,7 +78,7 @@ NaturalModes general_modes(const Matrix<double>& L, const Matrix<double>& K) {
     if (std::optional<NaturalModes> modes = graded_modes(L, K)) return *std::move(modes);
     const SymmetricEigenproblem solved = symmetric_eigenproblem(divide_out(L, K));
     if (!(solved.values.front() > std::numeric_limits<double>::epsilon() * static_cast<int>(N) * solved.values.back()))
-        throw PrecisionError("the lowest natural frequency is too low beside the highest for the number type");
+        throw PrecisionError(Why::lowest_frequency_lost);
     NaturalModes modes{std::vector<double>(static_cast<std::size_t>(N)), Matrix<double>(N, N)};
     for (std::size_t i = 0; i < modes.r_n.size(); ++i) modes.r_n[i] = sqrt(solved.values[i]);
     modes.phi = divided_by_transpose(L, solved.vectors);

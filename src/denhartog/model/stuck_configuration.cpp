@@ -7,7 +7,7 @@
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/model/natural_modes.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/number/work_counted.hpp"
 #include "denhartog/scene/cholesky.hpp"
 
@@ -108,7 +108,7 @@ void require_finite(const StuckConfiguration& stuck) {
     for (std::size_t i = 0; i < stuck.r_n.size(); ++i) {
         bool all = isfinite(stuck.r_n[i]) && stuck.r_n[i] > 0;
         for (const double entry : stuck.phi.col(static_cast<Eigen::Index>(i))) all = all && isfinite(entry);
-        if (!all) throw PrecisionError("stuck mode " + std::to_string(i + 1) + " is beyond the range of the number type");
+        if (!all) throw PrecisionError({Why::stuck_mode_out_of_range, i + 1});
     }
 }
 

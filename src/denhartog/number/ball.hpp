@@ -14,7 +14,7 @@
 
 namespace denhartog {
 
-/// @brief Bits of all that this thread computes with balls.
+/// @brief Bits of all that this thread computes with balls: as an argument they would stand in every operation of a formula.
 inline thread_local slong ball_bits = 128;
 
 /// @brief Everything until the end of the scope is computed with so many bits.

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 
 namespace denhartog {
 
@@ -29,8 +29,8 @@ struct Effort {
     [[nodiscard]] bool exhausted() const { return spent >= allowed || is_cancelled(); }
     [[nodiscard]] bool is_cancelled() const { return cancelled != nullptr && (*cancelled)(); }
     // Why a search ended that has exhausted it.
-    [[nodiscard]] std::string ending() const {
-        return is_cancelled() ? "cancelled" : "the work allowed is spent, " + std::to_string(spent) + " operations";
+    [[nodiscard]] Reasons ending() const {
+        return is_cancelled() ? Reasons(Why::cancelled) : Reasons(Why::effort_spent, spent);
     }
 };
 

@@ -1,11 +1,50 @@
 /// @file
-/// @brief The three ways in which a question cannot be answered, and words for whatever else is thrown.
+/// @brief Reasons, the three ways in which a question cannot be answered, and words for whatever else is thrown.
 #pragma once
 
+#include <array>
+#include <concepts>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace denhartog {
+
+/// @brief What a reason says; number/why.hpp lists it.
+enum class Why : std::uint8_t;
+
+/// @brief A reason of an answer or a refusal.
+struct Reason {
+    Why says;                        ///< what it says
+    std::array<double, 4> numbers{}; ///< the numbers that its sentence needs; a mass or a mode counts from 1
+    std::string text{};              ///< what somebody else said
+    /// @brief Whether two say the same. @return true if they do
+    bool operator==(const Reason&) const = default;
+};
+
+/// @brief Reasons in the order in which they are told.
+struct Reasons : std::vector<Reason> {
+    using vector::vector;
+    /// @brief One reason. @param says what it says @param numbers the numbers that its sentence needs
+    template <class... Numbers>
+    Reasons(Why says, const Numbers&... numbers) : vector{Reason{says, {static_cast<double>(numbers)...}}} {}
+    /// @brief What somebody else says. @param text a sentence without its full stop
+    template <std::convertible_to<std::string> Text>
+    Reasons(const Text& text) : vector{Reason{Why{}, {}, text}} {}
+    /// @brief Goes on. @param more what is told next @return these
+    Reasons& operator+=(const Reasons& more) {
+        insert(end(), more.begin(), more.end());
+        return *this;
+    }
+};
+
+/// @brief One reason after the other. @param first what is told first @param then what is told then @return both
+[[nodiscard]] inline Reasons operator+(Reasons first, const Reasons& then) { return std::move(first += then); }
+
+/// @brief Reasons as sentences. @param reasons the reasons @return the sentences, without the last full stop
+[[nodiscard]] std::string in_words(const Reasons& reasons);
 
 /// @brief Input that breaks a rule. It says which quantity, which rule, which value and, in a file, where.
 ///
@@ -25,12 +64,16 @@ struct InputError : std::invalid_argument {
 
 /// @brief A formula was asked for outside its domain, e.g. the sliding motion beyond the boundary (69).
 struct DomainError : std::domain_error {
-    using std::domain_error::domain_error;
+    /// @param why_  why there is no value
+    explicit DomainError(Reasons why_) : std::domain_error(in_words(why_)), why(std::move(why_)) {}
+    Reasons why; ///< why there is no value
 };
 
 /// @brief A computation could not reach the digits asked for, or spent the work that it is allowed, or found no steady motion.
 struct PrecisionError : std::runtime_error {
-    using std::runtime_error::runtime_error;
+    /// @param why_  why there is no value
+    explicit PrecisionError(Reasons why_) : std::runtime_error(in_words(why_)), why(std::move(why_)) {}
+    Reasons why; ///< why there is no value
 };
 
 /// @brief Whether an exception says that a computed number left the range of its type.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "denhartog/model/linear_algebra.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 
 namespace denhartog {
@@ -172,8 +173,7 @@ std::optional<PeriodicOrbit> orbit_of(const OrbitMap& map, const State& z, const
                                     (map.solver().excitation().mu == 1 && are_inside(multipliers_next_to(map)))));
         if (orbit.symmetric) orbit.multipliers = squared(std::move(orbit.multipliers));
     }
-    if (orbit.touching > 0)
-        orbit.reason = "the contact grazes rest or break-away: which of two motions follows is decided by rounding";
+    if (orbit.touching > 0) orbit.reason = Why::grazes;
     return orbit;
 }
 

@@ -4,10 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <utility>
 
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/orbit/approach.hpp"
 #include "denhartog/orbit/orbit_record.hpp"
 #include "denhartog/orbit/shooting.hpp"
@@ -178,10 +177,7 @@ private:
         const Verdict verdict = steady_rest().verdict(z);
         if (verdict == Verdict::open) return false;
         return rest_at(done % 2 != 0 ? -contact_.of(z.x) : contact_.of(z.x), done, 0.0,
-                       verdict == Verdict::lasts
-                           ? "the contact came to rest and stays there: the load on it never reaches mu beta again"
-                           : "the contact came to rest and the load on it equals mu beta to rounding: beta is "
-                             "on the boundary of permanent sticking");
+                       verdict == Verdict::lasts ? Why::stays_at_rest : Why::rests_on_boundary);
     }
 
     // With mu = 1 and every mode damped all steady velocities are the same: those of rest, where the contact can rest for ever.
@@ -200,13 +196,11 @@ private:
         for (std::size_t k = 0; k < rest.x.size(); ++k) largest = std::max(largest, steady_rest().motion(k, x_j).amplitude);
         const bool near = apart <= largest / (done < half_periods_to_rest ? 1'000'000'000 : 1000);
         if (!near && done < 2 * search_.most_periods) return false;
-        return rest_at(done % 2 != 0 ? -x_j : x_j, done, apart,
-                       "rest is steady, and with mu = 1 and damping the steady velocities are unique: the contact comes to rest, "
-                       "or slips by less and less; the error bound covers where it rests");
+        return rest_at(done % 2 != 0 ? -x_j : x_j, done, apart, Why::tends_to_rest);
     }
 
     // The answer that the contact rests at x_j, no mass more than `apart` from where it is then.
-    bool rest_at(double x_j, int done, double apart, const char* reason) {
+    bool rest_at(double x_j, int done, double apart, Why reason) {
         if (!answer(rest_of(map_, steady_rest(), x_j, search_))) return false;
         orbit_.reason = reason;
         orbit_.error_bound += apart + done * map_.rounding().maxCoeff();
@@ -230,33 +224,27 @@ private:
         const auto norm = [&](const State& z) { return map_.norm(z); };
         orbit_.more_digits_may_tell = is_restless() || status != MotionStatus::complete;
         orbit_.start = recent_.states.back();
-        std::ostringstream s;
-        s.precision(3);
-        if (is_restless()) s << "rounding keeps the motion from settling: ";
+        Reasons why;
+        if (is_restless()) why += Why::restless;
         if (effort.exhausted())
-            s << effort.ending() << ": ";
+            why += effort.ending() + Why::namely;
         else if (status == MotionStatus::open)
-            s << "the motion changes faster than the number type can follow: ";
-        s << (status == MotionStatus::chattering ? "phases of zero length follow each other"
-                                                 : "the motion comes to no periodic motion")
-          << " within " << done / 2 << " periods";
-        if (recent_.states.size() > 1 && std::ranges::is_sorted(recent_.states, std::ranges::less_equal{}, norm))
-            s << ". The motion still grows; its size is " << size;
-        else if (recent_.states.size() > 1)
-            s << ". After " << recent_.lengths(map_).back()
-              << " half-periods the motion comes nearest to repeating itself: it is "
-              << recent_.recurrence(map_, recent_.lengths(map_).back()) / size << " of its size away";
+            why += Reasons(Why::too_fast) + Why::namely;
+        why += status == MotionStatus::chattering ? Why::chattering : Why::not_periodic;
+        why += {Why::within_periods, done / 2};
+        const int h = recent_.states.size() > 1 ? recent_.lengths(map_).back() : 0;
+        if (h > 0 && std::ranges::is_sorted(recent_.states, std::ranges::less_equal{}, norm))
+            why += {Why::still_grows, size};
+        else if (h > 0)
+            why += {Why::comes_nearest, h, recent_.recurrence(map_, h) / size};
         if (candidate_.h > 0)
-            s << ". A periodic motion of " << candidate_.h << " half-periods exists, which is "
-              << (candidate_.stable ? "stable" : "not certainly stable") << " with a largest multiplier of "
-              << candidate_.largest_multiplier << ", but the motion from the start is "
-              << map_.norm(difference(recent_.states.back(), candidate_.z)) / size
-              << " of its size away from it, and it is not known to lead there";
-        orbit_.reason = s.str();
+            why += {Why::another_orbit, candidate_.h, candidate_.stable, candidate_.largest_multiplier,
+                    map_.norm(difference(recent_.states.back(), candidate_.z)) / size};
+        orbit_.reason = why;
         if (candidate_.h == 0 || effort.exhausted() || !map_.apply(candidate_.z, candidate_.h, true)) return;
         if (!answer(orbit_of(map_, candidate_.z, search_))) return; // which is certain, though not known to be that of the start
         orbit_.status = OrbitStatus::not_from_start;
-        orbit_.reason = s.str();
+        orbit_.reason = std::move(why);
     }
 
     OrbitSearch search_;

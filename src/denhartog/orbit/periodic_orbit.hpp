@@ -38,7 +38,7 @@ struct OrbitSearch {
 /// @brief A steady motion.
 struct PeriodicOrbit {
     OrbitStatus status = OrbitStatus::not_converged; ///< what was found
-    std::string reason;                              ///< why, where the status is no periodic orbit; else what to know of it
+    Reasons reason;                                  ///< why, where the status is no periodic orbit; else what to know of it
     int periods = 1;                                 ///< its period in periods of the force
     bool symmetric = false;                          ///< whether it mirrors itself after half its period, Eq. (25)
     State start;                         ///< the state at tau = 0, a maximum of the force; the last one where none was found

@@ -10,17 +10,17 @@
 
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <vector>
 
 #include "denhartog/number/ball_matrix.hpp"
+#include "denhartog/number/errors.hpp"
 #include "denhartog/scene/scene.hpp"
 
 namespace denhartog::reference {
 
 /// @brief Something that could not be proved with the bits at hand; more bits may help.
-struct Unproved : std::runtime_error {
-    using std::runtime_error::runtime_error;
+struct Unproved : PrecisionError {
+    using PrecisionError::PrecisionError;
 };
 
 /// @brief A statement that is certainly not so: no number of bits will prove it.

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/search/largest.hpp"
 #include "denhartog/search/zeros.hpp"
 
@@ -188,9 +188,8 @@ Maximum global_maximum(const Curve& curve, double a, double b, double noise, Eff
     SearchEffort own(curve.share);
     const Maximum found = MaximumSearch(curve, a, b, noise, effort != nullptr ? *effort : own, least, error).largest();
     if (effort == nullptr && !found.settled)
-        throw PrecisionError(
-            "the search does not settle the largest value over the half-period: " + (own.exhausted() ? own.ending() + "; " : "") +
-            "the motion has too many oscillations, or its maximum is too flat for the digits of the number type");
+        throw PrecisionError(Reasons(Why::largest_not_settled) + (own.exhausted() ? own.ending() : Reasons()) +
+                             Why::too_many_oscillations);
     return found;
 }
 

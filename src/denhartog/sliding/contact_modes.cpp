@@ -6,7 +6,7 @@
 #include "denhartog/evaluation/contact.hpp"
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/mode.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/tried.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/boundary.hpp"
 #include "denhartog/sliding/steady_state.hpp"
@@ -93,15 +93,13 @@ SumsAtContact sums_at_contact(const ContactModes& all, const Number& r, const Fu
 
 // The largest demand by a search, with its bound; twice that, because the instant found is not followed.
 std::optional<double> demand_by_search(const ContactModes& all, const Number& r, const Functions& functions) {
-    try {
+    const auto demand = [&] {
         const ModeSums<Number> sums = mode_sums(*all.basis, all.contact, all.load, r, functions);
         const Number largest = sliding_demand(sums, Number(instant_of_largest_demand(values_of(sums))));
         const Number held = paper::static_friction_demand(sums.H_j, Number(1), sums.sum_of_squares);
         return std::max(largest.x + 2 * largest.e, held.x + 2 * held.e);
-    } catch (const DomainError&) {
-    } catch (const PrecisionError&) {
-    }
-    return std::nullopt;
+    };
+    return tried(demand).value;
 }
 
 // None where the bound of (57) leaves open whether the contact slides.

@@ -1,5 +1,5 @@
 /// @file
-/// @brief The regime of the steady state at one point (r, beta), with the reason in a sentence.
+/// @brief The regime of the steady state at one point (r, beta), with the reason.
 #pragma once
 
 #include "denhartog/number/bounded.hpp"

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "denhartog/number/errors.hpp"
+
 namespace denhartog {
 
 /// @brief How the contact moves in the steady motion.
@@ -25,7 +27,7 @@ struct RegimeAtPoint {
     Regime regime;             ///< the regime; `continuous` if the closed form holds
     std::vector<Regime> other; ///< other regimes that exist at the same point, reached from other initial values
     bool on_boundary = false;  ///< beta equals a boundary to the accuracy of that boundary; the neighbouring regime is possible
-    std::string reason;        ///< why it is this regime, in words
+    Reasons reason{};          ///< why it is this regime
 };
 
 /// @brief Takes the regime of a motion that was found. The sliding regime, where the boundaries have that instead, exists besides.

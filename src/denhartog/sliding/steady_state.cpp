@@ -8,7 +8,7 @@
 #include "denhartog/evaluation/mass.hpp"
 #include "denhartog/formulas/motion.hpp"
 #include "denhartog/formulas/other_masses.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/sliding/mass_in_motion.hpp"
@@ -23,8 +23,7 @@ using std::floor;
 void check_sliding(const RegimeBoundary<double>& boundary, double beta) {
     check_friction_ratio(beta);
     if (beta < boundary.exact) return;
-    throw DomainError("the contact does not slide throughout: beta = " + number_to_text(beta) +
-                      " is not below beta_lim = " + number_to_text(boundary.exact) + ", Eq. (69)");
+    throw DomainError({Why::not_sliding, beta, boundary.exact});
 }
 
 // An instant that rounding may have put a little outside the half-period, in it.
@@ -132,7 +131,7 @@ SteadyState<T> steady_state_without_maxima(const ModeSums<T>& s, const T& beta) 
     SteadyState<T> state;
     state.beta = beta;
     state.X_j = evaluation::displacement_transmissibility_of_contact(s.V[j], s.U[j], s.G[j], beta);
-    if (!(state.X_j >= 0)) throw DomainError("beta lies beyond the sliding regime: the amplitude (38) is not a positive number");
+    if (!(state.X_j >= 0)) throw DomainError(Why::beyond_sliding);
     state.phi_j = wrapped(evaluation::phase_of_contact(s.V[j], s.U[j], beta));
     state.masses.reserve(s.V.size());
     for (std::size_t k = 0; k < s.V.size(); ++k) {

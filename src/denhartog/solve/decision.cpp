@@ -12,18 +12,18 @@ namespace {
 constexpr std::size_t most_masses_unasked = 100; // of which the reference is asked where nobody asked for digits
 
 // The answer in double with what the reference failed to prove; none where double does not tell the regime by itself.
-AnswerOrNone without_proof(AnswerInDouble found, const AnswerOrNone& proof, std::string why) {
+AnswerOrNone without_proof(AnswerInDouble found, const AnswerOrNone& proof, Reasons why) {
     RegimeAtPoint& regime = found.solution.regime;
     // The reference tells the regime, though not the motion; double then has only one that may be next to it.
     const bool told = proof.outcome == Outcome::motion_unproved;
     const bool answers =
         found.is_answered() && found.regime_is_certain && proof.outcome != Outcome::regime_disproved && !(told && regime.on_boundary);
-    std::string refused = proof.refused;
+    Reasons refused = proof.refused;
     if (found.open && !answers && !told)
-        refused += (regime.on_boundary ? ". As double sees it: " : ". This much is certain: ") + regime.reason;
-    if (told) why.resize(std::min(why.size(), why.find(". This much is certain")));
-    if (!answers) return {Outcome::not_certain, {}, why == refused ? why : why + "; " + refused};
-    found.solution.method.why += "; " + refused;
+        refused += Reasons(regime.on_boundary ? Why::as_double_sees : Why::certain) + regime.reason;
+    if (told) why.erase(std::ranges::find(why, Why::certain, &Reason::says), why.end());
+    if (!answers) return {Outcome::not_certain, {}, why == refused ? why : why + refused};
+    found.solution.method.why += refused;
     if (found.open) found.solution.digits_reached = false;
     return found;
 }
@@ -35,26 +35,23 @@ template <class ByReference, class Fast>
 AnswerOrNone in_turn(std::size_t N, std::optional<int> digits, bool proved, const ByReference& by_reference, const Fast& fast) {
     if (proved || digits > most_digits_in_double) return by_reference(AnswerInDouble{});
     AnswerInDouble found = fast();
-    if (found.is_settled() || found.by_rounding) return found;
-    std::string why = !found.is_answered() ? found.refused
-                      : found.vague        ? found.solution.method.why + ", but double does not tell whether the motion is stable"
-                                           : found.solution.method.why;
+    if (found.is_settled() || std::ranges::count(found.refused, Why::pole_by_rounding, &Reason::says) > 0) return found;
+    Reasons why = found.is_answered() ? found.solution.method.why : found.refused;
+    if (found.vague) why += Reasons(Why::but) + Why::stability_open;
     count_precision_step();
     AnswerOrNone proof;
     if (QuestionEffort::exhausted())
-        proof.refused = "the work allowed is spent";
+        proof.refused = Why::work_is_spent;
     else if (!digits && N > most_masses_unasked)
-        proof.refused = "the reference is asked about no more than " + std::to_string(most_masses_unasked) +
-                        " masses unless digits are asked for";
+        proof.refused = {Why::not_asked, most_masses_unasked};
     else
         proof = by_reference(found);
     if (proof.outcome == Outcome::at_a_pole) return proof;
     if (found.outcome == Outcome::at_a_pole && !proof.is_answered()) return found;
     if (!proof.is_answered()) return without_proof(std::move(found), proof, std::move(why));
     Solution& s = proof.solution;
-    s.method.why = "in double: " + why + "; " + s.method.why;
-    if (found.open && found.solution.limits && s.regime.regime == Regime::stick_slip)
-        s.regime.reason += "; double precision does not tell whether the contact stops, and the reference proves that it does";
+    s.method.why = Why::in_double + why + s.method.why;
+    if (found.open && found.solution.limits && s.regime.regime == Regime::stick_slip) s.regime.reason += Why::stop_proved;
     return proof;
 }
 
@@ -62,11 +59,9 @@ AnswerOrNone with_digits(std::optional<int> digits, AnswerOrNone answer) {
     const Solution& s = answer.solution;
     if (!digits || !answer.is_answered() || s.digits_reached) return answer;
     const int certain = digits_of(s.relative_error);
-    return {Outcome::not_certain,
-            {},
-            "the " + in_words(aim_of(digits)) + " are not reached: " +
-                (certain < *digits ? "only " + std::to_string(certain) + " are certain" : "the regime is not certain") + " (" +
-                s.method.why + ")"};
+    Reasons why{Why::digits_missing, *digits, *digits == 1};
+    why += certain < *digits ? Reasons(Why::so_many_certain, certain) : Why::regime_uncertain;
+    return {Outcome::not_certain, {}, why + s.method.why + Why::end_of_brackets};
 }
 
 // `seen` is what double has answered to the question, if it has.
@@ -103,7 +98,7 @@ AnswerOrNone answer_by_reference(const PreparedSystem& p, const SolvePoint& at, 
         answer = proof_of(may_hide_a_stop ? Regime::stick_slip : met.regime);
         if (answer.outcome == Outcome::regime_disproved && met.on_boundary) { // double may be on the wrong side of it
             AnswerOrNone other = proof_of(Regime::stick_slip);
-            other.refused.insert(0, answer.refused + "; ");
+            other.refused = answer.refused + other.refused;
             answer = std::move(other);
             if (!answer.is_answered()) answer.outcome = Outcome::regime_disproved;
         }
@@ -124,9 +119,10 @@ AnswerOrNone answer_by_reference(const PreparedSystem& p, const SolvePoint& at, 
     Solution& s = answer.solution;
     if (rest) {
         if (s.regime.regime == rest->solution.regime.regime && !rest->open) s.regime = rest->solution.regime;
-        s.method.why.insert(0, rest->solution.not_from_rest.empty() ? "the start from rest was followed without a proof; "
-                               : seen.is_answered()                 ? "" // double has said it
-                                                                    : "the start from rest is not known to lead here; ");
+        if (rest->solution.not_from_rest.empty())
+            s.method.why = Why::from_rest_unproved + s.method.why;
+        else if (!seen.is_answered()) // else double has said it
+            s.method.why = Why::from_rest_elsewhere + s.method.why;
         s.not_from_rest = rest->solution.not_from_rest;
     } else if (s.regime.regime == Regime::stick_slip && followed && !is_from_start(*followed)) {
         s.not_from_rest = followed->reason;

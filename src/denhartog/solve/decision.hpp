@@ -13,16 +13,13 @@
 
 #include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/answer/sliding_point.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/tried.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/reference/orbit_guess_data.hpp"
 #include "denhartog/solve/prepared_system.hpp"
 
 namespace denhartog {
-
-/// @brief What is said where a lower bound of (69) tells the regime.
-inline constexpr const char* certainly_slides =
-    "beta is below a lower bound of beta_lim, Eq. (69): the contact slides throughout";
 
 /// @brief The point asked about.
 struct SolvePoint {
@@ -44,9 +41,8 @@ struct SolveTask {
     std::shared_ptr<const ContactSystem> moving; ///< for the exact solver; none where it is still to be prepared
     bool open = false;                           ///< whether double leaves something open
     bool regime_is_certain = true;               ///< whether the regime is certain nevertheless
-    std::optional<std::string> unknown{};        ///< why boundaries and closed form are not known
+    Reasons unknown{};                           ///< why boundaries and closed form are not known; empty where they are
     bool at_pole = false;                        ///< whether they do not exist
-    bool by_rounding = false;                    ///< whether that is so to the last digits of a double only
     std::optional<PeriodicOrbit> orbit{};        ///< the motion from rest, where it was followed
 };
 
@@ -100,7 +96,6 @@ struct AnswerInDouble : AnswerOrNone {
     bool open = false;                    ///< whether double does not tell what the contact does
     bool regime_is_certain = true;        ///< whether it is, so that double answers if the reference has no proof
     bool vague = false;                   ///< whether double does not tell if the motion is stable
-    bool by_rounding = false;             ///< whether a pole is met to the last digits of a double, of which the reference is not asked
     std::optional<PeriodicOrbit> orbit{}; ///< the motion from rest, where it was followed
 
     /// @brief Whether it needs nothing more: it has its digits, and regime and stability are certain.
@@ -112,17 +107,9 @@ struct AnswerInDouble : AnswerOrNone {
 /// @brief What comes of a question in double: what its computation throws becomes an outcome.
 template <class Answer>
 [[nodiscard]] AnswerInDouble tried_in_double(const Answer& answer) {
-    AnswerInDouble failed;
-    try {
-        return answer();
-    } catch (const DomainError& e) {
-        failed.outcome = Outcome::at_a_pole;
-        failed.refused = e.what();
-        failed.by_rounding = dynamic_cast<const PoleByRounding*>(&e) != nullptr;
-    } catch (const PrecisionError& e) {
-        failed.refused = e.what();
-    }
-    return failed;
+    Tried<AnswerInDouble> found = tried(answer);
+    if (found.value) return *std::move(found.value);
+    return {{found.at_pole ? Outcome::at_a_pole : Outcome::not_certain, {}, std::move(found.why)}};
 }
 
 /// @brief How double answers a question.

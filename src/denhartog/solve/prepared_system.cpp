@@ -2,7 +2,7 @@
 
 #include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/model/contact_and_load.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/tried.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
 
@@ -35,13 +35,8 @@ PreparedSystem prepare(const SceneSource& source, const Question& question, Prep
     check(p.scene());
     const System<double>& s = p.scene().system;
     check(question, number_of_masses(s));
-    if (s.damping_matrix.size() == 0 && p.scene().mu == 1 && asks_for_contact(question, s)) {
-        try {
-            p.contact = modes_of_contact(s);
-        } catch (const PrecisionError&) {
-            p.contact.reset(); // another model answers
-        }
-    }
+    if (s.damping_matrix.size() == 0 && p.scene().mu == 1 && asks_for_contact(question, s))
+        p.contact = tried([&] { return modes_of_contact(s); }).value; // without, another model answers
     if (points == Prepared::every_regime) {
         const ModesInDouble modes = modes_in_double(source);
         p.bounded = modes.basis;

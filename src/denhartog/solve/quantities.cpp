@@ -5,8 +5,9 @@
 #include <limits>
 
 #include "denhartog/answer/certify.hpp"
-#include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
+#include "denhartog/number/tried.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/quantities_of_sums.hpp"
@@ -93,8 +94,10 @@ void take_contact_between(const System<double>& s, Quantities<Bounded<double>>& 
     if (!q.x_size.empty()) q.x_size.pop_back();
 }
 
-QuantitiesAnswer quantities_at(const SceneSource& asked_source, std::shared_ptr<const ModalBasis<Bounded<double>>> basis,
-                               std::span<const double> tau, int digits, PointNumbers asked) {
+} // namespace
+
+QuantitiesAnswer quantities(const SceneSource& asked_source, std::span<const double> tau, int digits, PointNumbers asked,
+                            std::shared_ptr<const ModalBasis<Bounded<double>>> basis) {
     if (digits < 1 || digits > most_digits_of_quantities)
         throw InputError("digits", "must be from 1 to " + std::to_string(most_digits_of_quantities), std::to_string(digits));
     const SceneSource source = asked == PointNumbers::sums ? without_friction_ratio(asked_source) : asked_source;
@@ -107,65 +110,46 @@ QuantitiesAnswer quantities_at(const SceneSource& asked_source, std::shared_ptr<
         if (!std::isfinite(instant)) throw InputError("tau", "must be finite", number_to_text(instant));
     const Aim aim = aim_of(digits);
     const QuestionEffort effort(number_of_masses(scene.system));
-    QuantitiesAnswer answer;
-    std::string why;
-    std::optional<DomainError> pole;
-    const auto settled_in_double = [&] {
-        if (digits > most_digits_in_double) return false;
-        try {
-            const auto modes = basis ? basis : modes_with_errors(scene.system);
-            answer.numbers = quantities_in_double(scene, bounded_sums(scene.system, *modes, as_input(*scene.r)), tau);
-            const Largest largest = largest_bound(answer.numbers, asked);
-            const Bounded<double>& limit = answer.numbers.beta_lim;
+    Tried<Quantities<Bounded<double>>> seen;
+    Reasons why;
+    if (digits <= most_digits_in_double) {
+        seen = tried([&] {
+            if (!basis) basis = modes_with_errors(scene.system);
+            return quantities_in_double(scene, bounded_sums(scene.system, *basis, as_input(*scene.r)), tau);
+        });
+        if (seen.value) {
+            const Largest largest = largest_bound(*seen.value, asked);
+            const Bounded<double>& limit = seen.value->beta_lim;
             // A boundary that is no number in double is open as well.
             const bool open = scene.beta && !(std::abs(limit.x - *scene.beta) > limit.e);
             why = verdict({largest.relative, !open}, aim);
-            answer.relative = largest.relative;
-            if (largest.relative <= aim.tolerance && !open) return true;
-            if (!largest.name.empty()) why += " of " + largest.name;
-        } catch (const DomainError& e) {
-            why = e.what();
-            pole = e;
-        } catch (const PrecisionError& e) {
-            if (QuestionEffort::exhausted()) throw;
-            why = e.what();
+            if (largest.relative <= aim.tolerance && !open) {
+                take_contact_between(scene.system, *seen.value);
+                return {*std::move(seen.value), {"closed form", "double", why}, largest.relative};
+            }
+            if (!largest.name.empty()) why.push_back({Why::of_number, {}, largest.name});
+        } else if (!seen.at_pole && QuestionEffort::exhausted()) {
+            throw PrecisionError(seen.why);
         }
-        why = "in double: " + why + "; ";
+        why = Why::in_double + why + seen.why;
         count_precision_step();
-        return false;
-    };
-    if (settled_in_double()) {
-        take_contact_between(scene.system, answer.numbers);
-        answer.method = {"closed form", "double", why};
-        return answer;
     }
     bool has_zeros = false;
     double relative = 0;
-    try {
-        answer = quantities_by_reference(source, tau, [&](Quantities<Bounded<double>>& q) {
+    Tried<QuantitiesAnswer> proved = tried([&] {
+        return quantities_by_reference(source, tau, [&](Quantities<Bounded<double>>& q) {
             has_zeros = tell_zeros(q, aim.tolerance) > 0;
             relative = largest_bound(q, asked, true).relative;
             return relative <= aim.tolerance;
         });
-    } catch (const PrecisionError& e) {
-        if (pole) throw *pole;
-        throw PrecisionError(why + e.what());
-    }
+    });
+    if (!proved.value && seen.at_pole) throw DomainError(seen.why);
+    if (!proved.value) throw PrecisionError(why + proved.why);
+    QuantitiesAnswer answer = *std::move(proved.value);
     answer.relative = relative;
-    answer.method.why.insert(0, why);
-    if (has_zeros) answer.method.why += "; numbers below 1e-25 of the largest of their kind are given as zero";
+    answer.method.why = why + answer.method.why;
+    if (has_zeros) answer.method.why += Why::zeros_given;
     return answer;
-}
-
-} // namespace
-
-QuantitiesAnswer quantities(const SceneSource& source, std::span<const double> tau, int digits, PointNumbers asked) {
-    return quantities_at(source, nullptr, tau, digits, asked);
-}
-
-QuantitiesAnswer quantities(const PreparedSystem& system, const SceneSource& point, std::span<const double> tau, int digits,
-                            PointNumbers asked) {
-    return quantities_at(point, system.bounded, tau, digits, asked);
 }
 
 } // namespace denhartog

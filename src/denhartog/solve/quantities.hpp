@@ -80,15 +80,12 @@ struct QuantitiesAnswer {
 /// asked for, comes out as zero with its bound: it is zero without being so by its formula, as at an antiresonance, or lies too
 /// low to tell. Instants may be any; zero is at a maximum of x_j. Digits are from 1 to 15. Outside the sliding regime there is no
 /// motion. A bad scene, instant or number of digits is an InputError, a pole of a mode without damping a DomainError;
-/// PrecisionError where neither double nor the reference has the digits.
+/// PrecisionError where neither double nor the reference has the digits. With the basis of the system there is no eigen-solve where
+/// double has the digits.
 /// @eq{33,34,35,38,39,41,56,64,69}
 [[nodiscard]] QuantitiesAnswer quantities(const SceneSource& source, std::span<const double> tau, int digits,
-                                          PointNumbers asked = PointNumbers::all);
-
-/// @brief The same of a system prepared for every regime, at the r, beta and mu of `point`, without an eigen-solve where double
-/// has the digits.
-[[nodiscard]] QuantitiesAnswer quantities(const PreparedSystem& system, const SceneSource& point, std::span<const double> tau,
-                                          int digits, PointNumbers asked);
+                                          PointNumbers asked = PointNumbers::all,
+                                          std::shared_ptr<const ModalBasis<Bounded<double>>> basis = nullptr);
 
 /// @brief The numbers of a point by the reference, each proved and rounded to double, masses in their order. Bits are doubled
 /// until they are accepted. `accept` says whether the numbers have their digits, and may put zeros for some. PrecisionError where

@@ -2,11 +2,10 @@
 
 #if DENHARTOG_REFERENCE
 
-#include <string>
-
 #include "denhartog/answer/printed.hpp"
 #include "denhartog/answer/reference_attempts.hpp"
 #include "denhartog/answer/reference_point.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/reference/sliding.hpp"
 
 namespace denhartog {
@@ -30,7 +29,7 @@ struct InHalfPeriod {
         mirrored = fmpz_is_odd(n) != 0;
         arb_set_fmpz(whole.a, n);
         fmpz_clear(n);
-        if (!certain) throw Unproved("an instant is not told from a whole half-period");
+        if (!certain) throw Unproved(Why::may_be_half_period);
         tau = instant - whole * pi<Ball>();
     }
 };
@@ -69,7 +68,7 @@ Quantities<Bounded<double>> numbers_of(const PointInBalls& p, std::span<const do
     q.S = in_double(p.boundary->S);
     q.beta_lim = in_double(p.boundary->exact);
     if (!p.scene.beta || *p.scene.beta >= p.boundary->exact) return q;
-    if (!(*p.scene.beta < p.boundary->exact)) throw Unproved("beta may lie on the boundary of the sliding regime");
+    if (!(*p.scene.beta < p.boundary->exact)) throw Unproved({Why::may_be_boundary, 0});
     add_motion(p, tau, q);
     return q;
 }
@@ -82,7 +81,7 @@ QuantitiesAnswer quantities_by_reference(const SceneSource& source, std::span<co
     return with_more_bits(number_of_masses(source->in_double().system), first, most, [&](slong bits, bool) {
         std::optional<QuantitiesAnswer> answer(std::in_place);
         answer->numbers = numbers_of(point_in_balls(source, true), tau);
-        answer->method = {"closed form", "reference", "every number is proved, with balls of " + std::to_string(bits) + " bits"};
+        answer->method = {"closed form", "reference", {Why::proved, bits}};
         answer->method.proved = true;
         if (!accept(answer->numbers)) answer.reset();
         return answer;
@@ -93,14 +92,13 @@ QuantitiesAnswer quantities_by_reference(const SceneSource& source, std::span<co
 
 #else
 
-#include "denhartog/answer/reference.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 
 namespace denhartog {
 
 QuantitiesAnswer quantities_by_reference(const SceneSource&, std::span<const double>,
                                          const std::function<bool(Quantities<Bounded<double>>&)>&) {
-    throw PrecisionError(built_without_reference);
+    throw PrecisionError(Why::no_reference);
 }
 
 } // namespace denhartog

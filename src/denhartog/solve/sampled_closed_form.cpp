@@ -6,7 +6,7 @@
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/evaluation/even_samples.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/tried.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/mass_in_motion.hpp"
 #include "denhartog/solve/quantities_of_sums.hpp"
@@ -108,13 +108,9 @@ std::optional<SampledClosedForm> in_double(const Scene<double>& scene, double ph
 SampledClosedForm sampled_closed_form(const SceneSource& source, double phi_j, std::size_t samples, int digits,
                                       bool known_to_slide) {
     const Scene<double>& scene = source->in_double();
-    if (digits >= 1 && digits <= most_digits_in_double) {
-        try {
-            if (auto all = in_double(scene, phi_j, samples, aim_of(digits).tolerance, known_to_slide))
-                return *std::move(all);
-        } catch (const DomainError&) { // `quantities` says why, or asks the reference
-        } catch (const PrecisionError&) {
-        }
+    if (digits >= 1 && digits <= most_digits_in_double) { // else, and where it is refused, `quantities` asks the reference
+        auto seen = tried([&] { return in_double(scene, phi_j, samples, aim_of(digits).tolerance, known_to_slide); });
+        if (seen.value && *seen.value) return **std::move(seen.value);
     }
     std::vector<double> tau = SampledSolution(samples, 1, 0).tau;
     for (double& instant : tau) instant -= phi_j;

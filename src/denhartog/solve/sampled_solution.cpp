@@ -5,8 +5,6 @@
 
 #include "denhartog/answer/reference.hpp"
 #include "denhartog/evaluation/even_samples.hpp"
-#include "denhartog/number/errors.hpp"
-#include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/solve/decision.hpp"
 #include "denhartog/solve/sampled_closed_form.hpp"
@@ -64,15 +62,11 @@ State start_of(const Solution& solution) {
 }
 
 void sample_by_reference(const SceneSource& source, const Solution& solution, SampledSolution& all) {
-    try {
-        std::optional<PeriodicOrbit> followed;
-        const std::vector<State> states = samples_by_reference(source, solution, all.tau, error_of_samples, [&] {
-            return guesses_at(PreparedSystem{source}, source, followed);
-        });
-        all = SampledSolution(std::move(all.tau), states);
-    } catch (const PrecisionError& e) {
-        throw PrecisionError(std::string("the samples of the motion are not certain to 6 digits: ") + e.what());
-    }
+    std::optional<PeriodicOrbit> followed;
+    const auto guesses = [&] { return guesses_at(PreparedSystem{source}, source, followed); };
+    const auto states = tried([&] { return samples_by_reference(source, solution, all.tau, error_of_samples, guesses); });
+    if (!states.value) throw PrecisionError(Why::samples_uncertain + states.why);
+    all = SampledSolution(std::move(all.tau), *states.value);
 }
 
 // The motion in double, or by the reference where the answer needed it or double does not repeat it.
@@ -116,9 +110,7 @@ void sample_sliding(const SceneSource& source, const Solution& solution, Sampled
     if (!phase) return sample_by_reference(source, solution, all);
     constexpr int digits = 10;
     SampledClosedForm sampled = sampled_closed_form(source, phase->value, all.tau.size(), digits, !solution.regime.on_boundary);
-    if (!sampled.found.numbers.X_j)
-        throw PrecisionError("beta = " + number_to_text(*source->in_double().beta) +
-                             " equals beta_lim to the digits of the answer, so that its motion is not known");
+    if (!sampled.found.numbers.X_j) throw PrecisionError({Why::motion_at_boundary, *source->in_double().beta});
     if (!is_certain_enough(*phase, solution, sampled.motion.x_prime)) return sample_by_reference(source, solution, all);
     all = std::move(sampled.motion);
 }

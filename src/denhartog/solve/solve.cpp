@@ -6,8 +6,6 @@
 #include "denhartog/answer/held_solution.hpp"
 #include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/number/effort.hpp"
-#include "denhartog/number/errors.hpp"
-#include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/converted.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/decision.hpp"
@@ -26,31 +24,30 @@ Solution with_work_since(const Work& before, Solution s) {
     return s;
 }
 
-void set_regime(const SolveTask& task, Regime met, const std::string& reason, Solution& s) {
-    if (task.unknown)
+void set_regime(const SolveTask& task, Regime met, const Reasons& reason, Solution& s) {
+    if (!task.unknown.empty())
         s.regime.regime = met;
     else
         take_regime(met, s.regime);
-    if (task.scene.mu > 1 || task.unknown || met == Regime::continuous) s.regime.reason += "; " + reason;
+    if (task.scene.mu > 1 || !task.unknown.empty() || met == Regime::continuous) s.regime.reason += reason;
 }
 
 // What the stops of a motion that is not the closed form's say. `open`: double does not tell whether it stops.
 void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit& orbit, bool open, Solution& s) {
     const bool must = orbit.stops.empty() && must_stop(task, s);
     if (!orbit.stops.empty()) {
-        const bool slides = !task.unknown && s.regime.regime == Regime::continuous; // a motion that does, besides
-        set_regime(task, Regime::stick_slip,
-                   slides ? "the motion from rest is another, which stops in every period" : "the contact stops in every period", s);
+        const bool slides = task.unknown.empty() && s.regime.regime == Regime::continuous; // a motion that does, besides
+        set_regime(task, Regime::stick_slip, slides ? Why::rest_leads_to_stops : Why::stops, s);
     } else if (must) {
-        s.regime.reason += "; the motion shows no stop, and the bound of its error is " + number_in_digits(orbit.error_bound, 2);
+        s.regime.reason += {Why::no_stop_seen, orbit.error_bound};
     } else if (open) {
-        s.regime.reason += "; double does not tell whether the contact stops";
+        s.regime.reason += Why::stops_open;
     } else {
-        const bool sliding = !task.unknown && every_motion_is_damped(*task.known.basis);
+        const bool known = task.unknown.empty(), sliding = known && every_motion_is_damped(*task.known.basis);
         set_regime(task, Regime::continuous,
-                   sliding                         ? "the motion from rest is the sliding motion"
-                   : task.unknown && !task.at_pole ? "the contact does not stop"
-                                                   : "the contact does not stop, but the motion is not that of the closed form",
+                   sliding                 ? Why::rest_leads_to_sliding
+                   : known || task.at_pole ? Why::slides_otherwise
+                                           : Why::does_not_stop,
                    s);
     }
 }
@@ -64,21 +61,17 @@ void answer_by_boundaries(SolveTask& task, const std::string& model, Solution& s
     s.relative_error = std::max(s.relative_error, relative_error(by_88));
 }
 
-// What a fast mode costs the exact solver, which follows it; a sentence, or nothing.
-std::string cost_of_fast_mode(const ExactSolver& solver, const PeriodicOrbit& none) {
+// What a fast mode costs the exact solver, which follows it, if that is much.
+Reasons cost_of_fast_mode(const ExactSolver& solver, const PeriodicOrbit& none) {
     constexpr double fast = 1000;
     const double fastest = highest_over_force(solver);
     if (!(fastest > fast) || !none.more_digits_may_tell) return {};
-    return ". The fastest mode has " + number_in_digits(fastest, 2) +
-           " times the frequency of the force and takes most of the work: leave out a mass that is as light if it does not "
-           "matter";
+    return {Why::fast_mode, fastest};
 }
 
-[[noreturn]] void fail_from_rest(const SolveTask& task, const std::string& why, const Solution& s) {
-    if (task.by_rounding) throw PoleByRounding(*task.unknown + "; " + why);
-    if (task.at_pole) throw DomainError(*task.unknown + "; " + why);
-    throw PrecisionError("no steady motion was found from the start from rest: " + why +
-                         ". This much is certain: " + s.regime.reason);
+[[noreturn]] void fail_from_rest(const SolveTask& task, const Reasons& why, const Solution& s) {
+    if (task.at_pole) throw DomainError(task.unknown + why);
+    throw PrecisionError(Why::none_from_rest + why + Why::certain + s.regime.reason);
 }
 
 // The steady motion of a regime that the boundaries tell, where the one from rest is not known. A sliding motion is in `s` already.
@@ -92,7 +85,7 @@ void answer_by_regime(SolveTask& task, Solution& s) {
 void answer_from_rest(SolveTask& task, Solution& s) {
     if (!task.moving) task.moving = moving_in_double(task.source, task.known);
     const ContactSystem& system = *task.moving;
-    const bool told = !task.unknown && !s.regime.on_boundary, sticks = s.regime.regime == Regime::stick_slip;
+    const bool told = task.unknown.empty() && !s.regime.on_boundary, sticks = s.regime.regime == Regime::stick_slip;
     if (!system.rounded_because.empty()) {
         if (!told || sticks) fail_from_rest(task, system.rounded_because, s);
         s.not_from_rest = system.rounded_because;
@@ -104,7 +97,7 @@ void answer_from_rest(SolveTask& task, Solution& s) {
     how.contact_only = regime_alone || task.question.mass == system.contact;
     how.with_stability = task.question.asked == Asked::motion;
     State near;
-    if (!task.unknown && s.regime.regime == Regime::continuous) {
+    if (task.unknown.empty() && s.regime.regime == Regime::continuous) {
         near = sliding_at_maximum_of_force(values_of(bounded_sums(task.scene.system, *task.known.basis, as_input(*task.scene.r))),
                                            *task.scene.beta);
         how.guess = &near;
@@ -119,26 +112,24 @@ void answer_from_rest(SolveTask& task, Solution& s) {
     }
     const bool rests = orbit.status == OrbitStatus::permanently_stuck;
     // With mu = 1 the boundaries tell that it never rests for ever: only rounding does not see it move.
-    if (rests && task.scene.mu == 1 && !task.unknown && s.regime.regime == Regime::stick_slip && !s.regime.on_boundary)
-        throw PrecisionError("the contact moves too little for double precision to tell its motion from rest. This much is "
-                             "certain: " +
-                             s.regime.reason);
-    const bool slides = !task.unknown && !rests && !s.masses.empty() &&
+    if (rests && task.scene.mu == 1 && told && sticks)
+        throw PrecisionError(Reasons(Why::moves_too_little) + Why::certain + s.regime.reason);
+    const bool slides = task.unknown.empty() && !rests && !s.masses.empty() &&
                         (must_be_sliding_motion(orbit, every_motion_is_damped(*task.known.basis)) ||
                          is_sliding_motion(orbit, s.masses[system.contact.index].amplitude.value));
     if (rests) {
-        set_regime(task, Regime::permanent_sticking, "from the start from rest " + orbit.reason, s);
+        set_regime(task, Regime::permanent_sticking, Why::from_the_start + orbit.reason, s);
     } else if (slides && orbit.stops.empty()) {
-        set_regime(task, Regime::continuous, "the motion from rest is the sliding motion", s);
+        set_regime(task, Regime::continuous, Why::rest_leads_to_sliding, s);
     } else {
-        const bool open = !task.unknown && stops_are_open(orbit, s.regime.regime == Regime::stick_slip,
-                                                          orbit.stops.empty() && must_stop(task, s), slides);
+        const bool open = task.unknown.empty() && stops_are_open(orbit, s.regime.regime == Regime::stick_slip,
+                                                                 orbit.stops.empty() && must_stop(task, s), slides);
         task.regime_is_certain = !open || must_stop(task, s);
         if (!regime_alone) answer_by_orbit(task, solver, orbit, open, s);
         set_regime_by_stops(task, orbit, open, s);
         task.open = task.open || open;
         if (!regime_alone) {
-            if (!orbit.reason.empty() && s.not_from_rest.empty()) s.regime.reason += "; " + orbit.reason;
+            if (s.not_from_rest.empty()) s.regime.reason += orbit.reason;
             return;
         }
     }
@@ -151,28 +142,24 @@ void answer_from_rest(SolveTask& task, Solution& s) {
 }
 
 void answer(SolveTask& task, Solution& s) {
-    try {
-        s = sliding_solution(task.source, {task.question.asked, task.question.digits, task.question.mass, task.known.basis});
-    } catch (const DomainError& e) {
-        task.unknown = e.what();
-        task.at_pole = true;
-        task.by_rounding = dynamic_cast<const PoleByRounding*>(&e) != nullptr;
-    } catch (const PrecisionError& e) {
-        if (task.scene.mu == 1) throw;
-        task.unknown = e.what();
+    Tried<Solution> sliding = tried([&] {
+        return sliding_solution(task.source, {task.question.asked, task.question.digits, task.question.mass, task.known.basis});
+    });
+    task.at_pole = sliding.at_pole;
+    if (task.at_pole || (!sliding.value && task.scene.mu > 1)) {
+        task.unknown = sliding.why;
+        s.regime.reason = Why::boundaries_unknown + sliding.why;
+    } else {
+        s = std::move(sliding.required());
     }
-    if (task.unknown) s.regime.reason = "the boundaries are not known: " + *task.unknown;
-    const bool follows = task.unknown || (task.scene.mu > 1 && *task.scene.beta > 0);
+    const bool follows = !task.unknown.empty() || (task.scene.mu > 1 && *task.scene.beta > 0);
     const bool sticks = s.regime.regime == Regime::stick_slip;
     if (follows || (sticks && task.question.asked != Asked::regime)) {
         answer_from_rest(task, s);
-        const char* followed =
-            s.not_from_rest.empty() ? "the start from rest was followed; " : "the start from rest is not known to lead here; ";
+        const Why followed = s.not_from_rest.empty() ? Why::from_rest_followed : Why::from_rest_elsewhere;
         if (follows || task.scene.mu > 1 || !every_motion_is_damped(*task.known.basis)) s.method.why = followed + s.method.why;
-    } else if (task.question.asked == Asked::regime) {
-        answer_by_boundaries(task, "boundaries", s);
-    } else if (s.regime.regime == Regime::permanent_sticking) {
-        answer_by_stuck_response(task, std::nullopt, s);
+    } else {
+        answer_by_regime(task, s);
     }
 }
 
@@ -209,7 +196,7 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
         say_whether_unique(*task.known.basis, contact_row(task.scene.system), task.scene.system, task.scene.mu, s);
         s.asked = question.asked;
         s.digits_reached = s.relative_error <= task.aim.tolerance;
-        found.open = task.open || task.unknown;
+        found.open = task.open || !task.unknown.empty();
         found.regime_is_certain = task.regime_is_certain;
         found.vague = is_vague(task, s);
         found.orbit = std::move(task.orbit);

@@ -27,26 +27,21 @@ bool answer_by_contact(const PreparedSystem& p, const SolvePoint& at, const Ques
     if (!p.contact || !asks_for_contact(question, p.scene().system)) return false;
     const Aim aim = aim_of(question.digits);
     if (aim.digits > most_digits_in_double) return false;
-    try {
-        const std::optional<ContactSolution> found = contact_solution(*p.contact, as_input(at.r), as_input(at.beta));
-        if (!found) return false;
-        const double relative = found->amplitude.e / found->amplitude.x;
-        const Attempted attempted{question.asked == Asked::phase ? std::max(relative, found->phase.e) : relative};
-        if (!is_settled(attempted, aim)) return false;
-        s.r = exactly(at.r);
-        s.beta = exactly(at.beta);
-        s.slides_below = exactly(found->slides_below.x * (1 - aim.tolerance)); // its rounding must not raise it
-        s.masses = {{certified(found->amplitude), certified(found->phase), std::nullopt}};
-        s.method = {"closed form", "double", verdict(attempted, aim)};
-        s.relative_error = attempted.relative;
-    } catch (const DomainError&) {
-        return false; // the next model says where the pole is
-    } catch (const PrecisionError&) {
-        return false;
-    }
+    const auto contact = tried([&] { return contact_solution(*p.contact, as_input(at.r), as_input(at.beta)); });
+    if (!contact.value || !*contact.value) return false; // the next model says where a pole is
+    const ContactSolution& found = **contact.value;
+    const double relative = found.amplitude.e / found.amplitude.x;
+    const Attempted attempted{question.asked == Asked::phase ? std::max(relative, found.phase.e) : relative};
+    if (!is_settled(attempted, aim)) return false;
+    s.r = exactly(at.r);
+    s.beta = exactly(at.beta);
+    s.slides_below = exactly(found.slides_below.x * (1 - aim.tolerance)); // its rounding must not raise it
+    s.masses = {{certified(found.amplitude), certified(found.phase), std::nullopt}};
+    s.method = {"closed form", "double", verdict(attempted, aim)};
+    s.relative_error = attempted.relative;
     s.contact = p.scene().system.contact;
     s.only = s.contact;
-    s.regime = {Regime::continuous, {}, false, certainly_slides};
+    s.regime = {Regime::continuous, {}, false, Why::certainly_slides};
     return true;
 }
 
@@ -61,8 +56,7 @@ void answer_by_stuck_response(const SolveTask& task, const std::optional<Certifi
     s.rest_interval = held.rest_interval;
     s.rest_interval->rests_at = rests_at;
     s.sticking_by_88 = held.sticking_by_88;
-    s.method = {"stuck response", "double",
-                "its residual in the equations of motion bounds the error: " + verdict({held.relative}, task.aim)};
+    s.method = {"stuck response", "double", Why::bound_by_equations + verdict({held.relative}, task.aim)};
     s.relative_error = held.relative;
 }
 
@@ -77,8 +71,8 @@ void answer_by_orbit(const SolveTask& task, ExactSolver& solver, const PeriodicO
     if (task.question.asked == Asked::motion) s.stability = stability_of(orbit);
     s.relative_error = task.question.asked == Asked::amplitude ? found.relative_amplitude
                                                                : std::max(found.relative_amplitude, found.phase_error);
-    const Attempted attempted{s.relative_error, !open, "double does not tell whether the contact stops"};
-    s.method = {"exact solver", "double", "its residual bounds the error: " + verdict(attempted, task.aim)};
+    const Attempted attempted{s.relative_error, !open, Why::stops_open};
+    s.method = {"exact solver", "double", Why::bound_by_residual + verdict(attempted, task.aim)};
 }
 
 } // namespace denhartog

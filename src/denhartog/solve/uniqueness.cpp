@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "denhartog/model/contact_and_load.hpp"
-#include "denhartog/number/number_text.hpp"
 #include "denhartog/sliding/mass_in_motion.hpp"
 #include "denhartog/solve/decision.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
@@ -78,9 +77,7 @@ void say_what_is_kept(std::size_t i, const System<double>& system, Solution& s) 
     constexpr double trusted = 1e-10;
     const double most = at(0).x + least;
     s.kept_mode = KeptMode{i, {most, trusted * most, {}}};
-    s.not_from_rest = "mode " + std::to_string(i + 1) + " has no damping and " + std::to_string(static_cast<int>(n)) +
-                      " periods in one of the force; with any share of it the motion is steady too, until the contact moves by " +
-                      number_in_digits(most, 6);
+    s.not_from_rest = {Why::any_share, i + 1, n, most};
 }
 
 } // namespace
@@ -93,11 +90,7 @@ void say_whether_unique(const ModalBasis<Number>& basis, Mass contact, const Sys
     const bool friction_alone = mu == 1 && !s.unique && !basis.coupled() && beta > 0;
     const bool stops = !s.stops.empty() || s.rest_interval;
     if (s.unique) {
-        s.unique_because =
-            basis.coupled()
-                ? "mu = 1 and the damping matrix is positive definite: the velocities of any two motions under the same "
-                  "force become the same"
-                : "mu = 1 and every mode is damped: the velocities of any two motions under the same force become the same";
+        s.unique_because = {Why::unique, basis.coupled()};
         return;
     }
     if (friction_alone && (slides || (stops && basis.r_n.size() == 1))) {
@@ -105,27 +98,20 @@ void say_whether_unique(const ModalBasis<Number>& basis, Mass contact, const Sys
         s.unique = free.settle;
         if (free.settle) {
             s.not_from_rest.clear(); // every start leads there
-            s.unique_because = "mu = 1 and friction damps every mode that nothing else damps: the velocities of any two motions "
-                               "under the same force become the same";
+            s.unique_because = {Why::unique, 2};
         }
         if (free.kept) {
             say_what_is_kept(*free.kept, system, s);
-            s.unique_because = "no: a mode without damping keeps the share of the motion that the start leads to";
+            s.unique_because = Why::share_kept;
         }
         if (free.settle || free.kept) return;
     }
     const bool held = s.regime.regime == Regime::permanent_sticking,
                open = mu == 1 && !s.start && s.regime.regime != Regime::stick_slip;
     if (s.not_from_rest.empty() && (open || (held && basis.r_n.size() > 1 && !every_motion_is_damped(basis))))
-        s.not_from_rest = "a free motion that nothing is known to damp may last";
-    if (!s.not_from_rest.empty() && (mu > 1 || s.start))
-        s.unique_because = "not known: the motion may depend on the start, and the one from rest is not known to lead here";
-    else if (mu > 1)
-        s.unique_because = "not known: with mu > 1 the motion may depend on the start; this motion is the one from rest";
-    else if (basis.coupled())
-        s.unique_because = "not known: the damping matrix is not positive definite, and the motion may depend on the start";
-    else
-        s.unique_because = "not known: a mode has no damping, and the motion may depend on the start";
+        s.not_from_rest = Why::may_last;
+    const bool elsewhere = !s.not_from_rest.empty() && (mu > 1 || s.start);
+    s.unique_because = {Why::may_depend, elsewhere ? 0 : mu > 1 ? 1 : basis.coupled() ? 2 : 3};
 }
 
 } // namespace denhartog

@@ -46,7 +46,7 @@ struct ContactSystem {
     Matrix<double> damping_error{};   ///< bounds of what rounding makes of phi^T C phi and what is left out of it, N x N, or none
     Column contact_shape{};           ///< w^T phi: what each mode of sliding moves the contact by
     bool damping_fixes_modes{};       ///< a damping matrix was given: modes of one frequency are those that it does not couple
-    std::string rounded_because{};    ///< why double has no modes of its own, where these are those of the reference; else empty
+    Reasons rounded_because{};        ///< why double has no modes of its own, where these are those of the reference; else empty
 };
 
 /// @brief Prepares a system for the exact solver, its modes sliding and stuck. InputError and PrecisionError as `modal_basis` and

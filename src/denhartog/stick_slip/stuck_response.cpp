@@ -9,7 +9,7 @@
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/natural_modes.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/number/work_counted.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "elementary/elementary.hpp"
@@ -25,11 +25,7 @@ double amplitude_of(const Complex<double>& X) {
 
 double rounding(std::size_t modes) { return 4 * static_cast<int>(modes) * std::numeric_limits<double>::epsilon(); }
 
-[[noreturn]] void resonates() {
-    throw DomainError(
-        "the load excites the resonance of an undamped mode of the stuck configuration: no motion with the contact held "
-        "lasts");
-}
+[[noreturn]] void resonates() { throw DomainError(Why::stuck_mode_resonates); }
 
 /// Amplitude of an uncoupled mode under the force p; D is the diagonal entry of the damping, 2 zeta r_n.
 Complex<double> mode_amplitude(double p, double r_n, double D, double r, double tolerance) {
@@ -110,7 +106,7 @@ StuckResponse stuck_response(const StuckConfiguration& stuck, Mass load, double 
     response.elastic_load = load_with(none);
     for (const Complex<double>& X_k : X) response.masses.push_back(motion_of(X_k));
     for (const StuckMass& mass : response.masses)
-        if (!std::isfinite(mass.amplitude)) throw PrecisionError("the stuck response is beyond the range of the number type");
+        if (!std::isfinite(mass.amplitude)) throw PrecisionError(Why::stuck_response_out_of_range);
     return response;
 }
 

@@ -6,7 +6,7 @@
 
 #include "denhartog/evaluation/coupled_damping.hpp"
 #include "denhartog/model/contact_and_load.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 
 namespace denhartog {
 namespace {
@@ -38,8 +38,7 @@ BoundedMatrix factor(const BoundedMatrix& A) {
                 L(i, j) = left / L(j, j);
                 continue;
             }
-            if (!(left.x > 2 * left.e))
-                throw PrecisionError("masses or stiffnesses of the system differ by more than the number type has digits");
+            if (!(left.x > 2 * left.e)) throw PrecisionError(Why::entries_differ);
             L(i, i) = sqrt(left);
         }
     return L;
@@ -122,8 +121,7 @@ void CoupledFriction::set_coordinates(const System<double>& system, double r) {
     A_ = values(A);
     size_of_A_ = A_.norm();
     error_of_A_ = size_of_errors(A);
-    if (!boost::math::isfinite(size_of_A_) || !boost::math::isfinite(error_of_A_))
-        throw PrecisionError("a rate of the damped system is beyond the range of the number type");
+    if (!boost::math::isfinite(size_of_A_) || !boost::math::isfinite(error_of_A_)) throw PrecisionError(Why::rate_out_of_range);
     const BoundedMatrix inverse_of_G = with_contact(solved(G, identity(N)), system);
     const BoundedMatrix velocity = with_contact(solved(L, identity(N)), system);
     BoundedMatrix displacement = inverse_of_G;
@@ -145,8 +143,7 @@ void CoupledFriction::set_coordinates(const System<double>& system, double r) {
 void CoupledFriction::set_start() {
     const Eigen::Index n = A_.rows();
     const double steps = 1 + pi<double>() * size_of_A_, of_exponential = pi<double>() * error_of_A_ + steps * rounding_of_step(n);
-    const PrecisionError too_few_digits(
-        "the number type has too few digits to follow the motion under friction over half a period");
+    const PrecisionError too_few_digits(Why::friction_without_digits);
     if (!(of_exponential < 1.0 / 16 && steps < 0x1p52)) throw too_few_digits;
     const LinearSystem system(Matrix<double>(2.0 * Matrix<double>::Identity(n, n) + motion_.growth_over_half_period()));
     const Matrix<double> inverse = system.inverse();
@@ -156,9 +153,7 @@ void CoupledFriction::set_start() {
     const double size = inverse.norm(), lost = 2 * size * (of_exponential + 8 * static_cast<int>(n) * unit_of<double>());
     if (!(lost < 1.0 / 16)) {
         if (steps * unit_of<double>() < 1.0 / 65536 && size > 1.0 / 16 / sqrt(unit_of<double>()))
-            throw DomainError(
-                "a motion without damping mirrors itself every half-period: friction at this frequency ratio has no "
-                "steady motion");
+            throw DomainError(Why::motion_mirrors_itself);
         throw too_few_digits;
     }
     error_of_c_ = 2 * (lost * c_.norm() + size * error_of_rest_);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "denhartog/model/contact_and_load.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 
 namespace denhartog {
 
@@ -52,8 +52,7 @@ ModeSums<Bounded<double>> coupled_sums(const System<double>& system, const Bound
     const Matrix<double> M = mass_matrix(system), C = system.damping_matrix;
     const BoundedSystem motion =
         harmonic_system(M, C, stiffness_matrix(system), Matrix<double>::Zero(C.rows(), C.rows()), r);
-    if (!motion.is_regular())
-        throw DomainError("the load excites a resonance without damping: the complex response (33) is infinite there");
+    if (!motion.is_regular()) throw DomainError(Why::response_33_is_infinite);
     const auto to = [&](const std::vector<double>& forces) {
         std::vector<Complex<Bounded<double>>> V = harmonic_responses(motion, forces);
         if (system.contact_with) {

@@ -6,7 +6,7 @@
 
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/number/bounded.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/scene/point_rules.hpp"
 
 namespace denhartog {
@@ -24,13 +24,8 @@ template <class T>
 void check_pole(const evaluation::ModeFunctions<T>& f, std::size_t i, const T& R, const T& zeta) {
     const bool v_finite = boost::math::isfinite(f.v.re) && boost::math::isfinite(f.v.im);
     if (v_finite && boost::math::isfinite(f.u) && boost::math::isfinite(f.g)) return;
-    if (zeta > 0)
-        throw PrecisionError("the functions (23), (28), (29) of mode " + std::to_string(i + 1) + " at R = " + number_to_text(R) +
-                             " are beyond the range of the number type");
-    throw DomainError("mode " + std::to_string(i + 1) + " has no damping and R = " + number_to_text(R) + ": its " +
-                      (v_finite
-                           ? "first damping function (28) is infinite there, and the boundary (69) falls to zero in the limit"
-                           : "complex response function (23) is infinite there, and so is the amplitude in the limit"));
+    if (zeta > 0) throw PrecisionError({Why::functions_out_of_range, i + 1, Bounded<double>(R).x});
+    throw DomainError({Why::pole, i + 1, Bounded<double>(R).x, v_finite});
 }
 
 // Whether a sum over modes is smaller than the rounding errors of its terms.

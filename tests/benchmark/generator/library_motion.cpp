@@ -102,7 +102,7 @@ Motion library_motion(const Scene<double>& scene) {
     ExactSolver solver(system, {*scene.r, *scene.beta, scene.mu});
     const PeriodicOrbit orbit = periodic_orbit(solver, at_rest(N), {.contact_only = true, .with_stability = false});
     if (!is_from_start(orbit) || orbit.periods != 1 || orbit.touching > 0)
-        throw DomainError("no motion of one period from rest: " + orbit.reason);
+        throw DomainError("no motion of one period from rest: " + in_words(orbit.reason));
     const SceneSource source = scene_source(scene);
     if (orbit.status == OrbitStatus::permanently_stuck) {
         if (abs(orbit.start.x[j]) > orbit.error_bound) throw DomainError("the contact does not come to rest at zero");

@@ -31,7 +31,7 @@ OrbitSeen orbit_seen(const ProtocolQuestion& q) {
     const std::size_t N = masses_of(q);
     const PeriodicOrbit orbit = periodic_orbit(solver, at_rest(N), search);
     if (orbit.status != OrbitStatus::periodic || orbit.periods != 1 || !orbit.symmetric || !orbit.stable || orbit.touching > 0)
-        throw DomainError("no stable symmetric motion of one period from rest: " + orbit.reason);
+        throw DomainError("no stable symmetric motion of one period from rest: " + in_words(orbit.reason));
     OrbitSeen seen;
     const double half = std::acos(-1.0);
     const ExactMotion& motion = solver.run(orbit.start, 0, 4 * half);

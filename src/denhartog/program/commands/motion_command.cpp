@@ -38,7 +38,7 @@ std::string sampled(const SceneText& part, const MotionOptions& options) {
             "must be below beta_lim = " + number_in_certain_digits(found.numbers.beta_lim.x, found.numbers.beta_lim.e) +
                 ", Eq. (69), for the motion to be known",
             number_to_text(*scene.beta), "/beta");
-    if (found.method.proved) report("computed by the reference: " + found.method.why);
+    if (found.method.proved) report("computed by the reference: " + in_words(found.method.why));
     return motion_csv(motion, units);
 }
 

@@ -78,7 +78,7 @@ std::string solved(const SceneText& part, const SolveOptions& options) {
     if (options.samples > 0) check_samples("samples", static_cast<std::size_t>(options.samples), N);
     const Solution solution = solve(source, question_of(options, N));
     if (options.samples > 0 && !solution.not_from_rest.empty())
-        report("the start from rest is not known to lead to this motion: " + solution.not_from_rest);
+        report("the start from rest is not known to lead to this motion: " + in_words(solution.not_from_rest));
     if (options.samples > 0)
         return motion_csv(sampled_solution(source, solution, static_cast<std::size_t>(options.samples)),
                           motion_units(source->in_double(), options.units));

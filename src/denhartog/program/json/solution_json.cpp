@@ -23,7 +23,7 @@ Json limit_bounds_json(const Limits& b, const NumberWriter& write) {
 }
 
 Json method_json(const Method& m) {
-    return {{"model", m.model}, {"precision", m.precision}, {"proved", m.proved}, {"why", m.why}};
+    return {{"model", m.model}, {"precision", m.precision}, {"proved", m.proved}, {"why", in_words(m.why)}};
 }
 
 Json mass_json(std::size_t k, const SolvedMass& m, const NumberWriter& write) {
@@ -89,7 +89,8 @@ void add_stability(Json& all, const Stability& stability, const NumberWriter& wr
 }
 
 Json motion_json(const OtherMotion& motion, const std::optional<Mass>& only, const NumberWriter& write) {
-    Json all{{"regime", denhartog::name(motion.regime)}, {"found", motion.found}, {"from", state_json(motion.from, write)}};
+    Json all{
+        {"regime", denhartog::name(motion.regime)}, {"found", in_words(motion.found)}, {"from", state_json(motion.from, write)}};
     all["periods"] = motion.periods;
     all["symmetric"] = motion.symmetric;
     add_stability(all, motion.stability, write);
@@ -143,7 +144,8 @@ Json response_json(const Solution& s, const NumberWriter& write) {
     Json all{{"regime", denhartog::name(s.regime.regime)}};
     for (const Regime other : s.regime.other) all["other_regimes"].push_back(denhartog::name(other));
     if (s.regime.on_boundary) all["on_boundary"] = true;
-    if (s.regime.regime != Regime::continuous || !s.regime.other.empty() || s.regime.on_boundary) all["reason"] = s.regime.reason;
+    if (s.regime.regime != Regime::continuous || !s.regime.other.empty() || s.regime.on_boundary)
+        all["reason"] = in_words(s.regime.reason);
     all["r"] = write(s.r);
     all["beta"] = write(*s.beta);
     all["beta_lim"] = limits_json(*s.limits, write);
@@ -173,7 +175,7 @@ Json solution_json(const Solution& s, const NumberWriter& write) {
     if (s.regime_by_56) all["regime_by_56"] = denhartog::name(*s.regime_by_56);
     for (const Regime other : s.regime.other) all["other_regimes"].push_back(denhartog::name(other));
     if (s.regime.on_boundary) all["on_boundary"] = true;
-    all["reason"] = s.regime.reason;
+    all["reason"] = in_words(s.regime.reason);
     all["r"] = write(s.r);
     all["beta"] = write(*s.beta);
     Json limits = s.limits ? limits_json(*s.limits, write) : Json::object();
@@ -187,10 +189,10 @@ Json solution_json(const Solution& s, const NumberWriter& write) {
     if (!bounds.empty()) all["beta_lim_error_bounds"] = bounds;
     all["method"] = method_json(s.method);
     all["unique"] = s.unique;
-    all["unique_because"] = s.unique_because;
+    all["unique_because"] = in_words(s.unique_because);
     if (!s.not_from_rest.empty()) {
         all["from_rest"] = "not known";
-        all["from_rest_because"] = s.not_from_rest;
+        all["from_rest_because"] = in_words(s.not_from_rest);
     }
     if (s.kept_mode)
         all["kept_mode"] = {{"mode", s.kept_mode->mode + 1},
