@@ -43,6 +43,9 @@ struct ContactSystem {
     std::vector<double> modal_load{}; ///< phi^T p, what the load brings to each mode
     std::vector<double> stuck_load{}; ///< the same of the stuck modes
     std::vector<double> detuned{};    ///< by what part of itself each natural frequency may be off
+    std::vector<double> modal_static{}; ///< what a constant load brings to each mode; none without one, see `add_static_load`
+    std::vector<double> stuck_static{}; ///< the same of the stuck modes
+    double direct_static = 0;           ///< the same of the contact itself
     Matrix<double> damping_error{};   ///< bounds of what rounding makes of phi^T C phi and what is left out of it, N x N, or none
     Column contact_shape{};           ///< w^T phi: what each mode of sliding moves the contact by
     bool damping_fixes_modes{};       ///< a damping matrix was given: modes of one frequency are those that it does not couple
@@ -56,6 +59,12 @@ struct ContactSystem {
 /// @brief The same with the modal basis known; `held` is what more digits have found beside it, where it comes from them too.
 [[nodiscard]] ContactSystem contact_system(const System<double>& s, const ModalBasis<Bounded<double>>& modes,
                                            const RoundedModes* held = nullptr);
+
+/// @brief Adds a constant force on each mass, N values in units of P.
+void add_static_load(ContactSystem& system, const std::vector<double>& s);
+
+/// @brief Takes the harmonic load away: the motion is free.
+void take_load_away(ContactSystem& system);
 
 /// @brief The load on the contact and the friction there, at one frequency.
 struct Excitation {

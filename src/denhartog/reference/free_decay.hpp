@@ -1,0 +1,54 @@
+/// @file
+/// @brief The motion without a load, from a start until the contact rests for good, every number of it proved.
+///
+/// Friction and damping take energy out of the motion. Each stretch of sliding ends where the velocity of the contact is zero. There
+/// (74) decides: the contact stops, or its load turns it round. Events are enclosed one after the other, and between them
+/// interval arithmetic excludes that one was missed.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "denhartog/reference/orbit.hpp"
+
+namespace denhartog::reference {
+
+/// @brief Where the velocity of the contact is zero at the end of a stretch of sliding.
+struct TurnInBalls {
+    Ball tau{}; ///< the instant, counted from the start
+    Ball x{};   ///< displacement of the contact, w^T x; units of P / k_1
+};
+
+/// @brief The motion without a load.
+struct FreeDecayInBalls {
+    std::vector<TurnInBalls> turns{}; ///< ends of sliding, in order: one a half-cycle; the last is where the contact rests
+    std::vector<StopInBalls> stops{}; ///< stops after which the contact breaks away again, in order
+    Ball rest_from{};                 ///< tau from which the contact rests for good
+    Ball rest_at{};                   ///< displacement of the contact at rest
+    std::vector<Ball> x{};            ///< places of rest of all masses with the contact there; units of P / k_1
+    /// Whether the other masses come to rest there: every free motion of theirs is damped, so that they tend to these places and
+    /// never reach them; false where nothing damps them and they move for ever; empty where neither is proved, or there are none
+    std::optional<bool> others_come_to_rest{};
+    bool on_limit = false; ///< the springs pull at rest with static friction, to all bits: (74) lets the contact stick if they are equal
+};
+
+/// @brief Follows the motion without a load until the contact rests for good.
+///
+/// While the contact rests, the others move freely about their places of rest, with an energy E that never grows. With the
+/// stiffness \f$ \mathbf P_K = \mathbf K^{-1}-\mathbf K^{-1}\mathbf w\mathbf w^T\mathbf K^{-1}/\mathbf w^T\mathbf K^{-1}\mathbf w \f$
+/// and \f$ \mathbf P_M \f$ alike, what they add to the load on the contact, \f$ \mathbf a^T\bar{\mathbf x}+\mathbf b^T\bar{\mathbf
+/// x}' \f$, is at most
+/// \f[ \sqrt{2E\,(\mathbf a^T\mathbf P_K\mathbf a+\mathbf b^T\mathbf P_M\mathbf b)} \f]
+/// (Cauchy and Schwarz). Where this and the load of the springs at rest are less than static friction, the rest lasts.
+/// @eq{6,74,75}
+/// @param scene    the scene with its damping matrix; its load p counts for nothing
+/// @param x        displacements at the start, N x 1; units of P / k_1
+/// @param x_prime  velocities there, with respect to tau, N x 1
+/// @param last     whether no more bits will be tried: a single mass whose springs pull with static friction to all bits then
+///                 rests, see `on_limit`
+/// @return         the motion
+/// @throws         Unproved where more bits may help, or the motion does not come to its end
+[[nodiscard]] FreeDecayInBalls free_decay_in_balls(const SceneInBalls& scene, const BallMatrix& x, const BallMatrix& x_prime,
+                                                   bool last);
+
+} // namespace denhartog::reference
