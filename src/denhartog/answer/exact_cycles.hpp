@@ -25,12 +25,12 @@ namespace denhartog {
 
 /// @brief What is wanted of the history of a motion.
 struct HistorySettings {
-    int cycles = 200;                    ///< periods over which the motion is followed, from tau = 0; from 1 to 1000000
-    std::optional<int> last{};           ///< how many of these the history has, at the end; none is all of them
-    State start{};                       ///< displacements and velocities at tau = 0, where the force is largest
-    int samples = 0;                     ///< instants in a period at which the state is wanted, equally spaced; none where 0
-    bool without_load = false;           ///< whether the harmonic load is taken away, so that P is no more than a unit
-    double period = 2 * pi<double>();    ///< what counts as a period; that of the force. Radians
+    int cycles = 200;                 ///< periods over which the motion is followed, from tau = 0; from 1 to 1000000
+    std::optional<int> last{};        ///< how many of these the history has, at the end; none is all of them
+    State start{};                    ///< displacements and velocities at tau = 0, where the force is largest
+    int samples = 0;                  ///< instants in a period at which the state is wanted, equally spaced; none where 0
+    bool without_load = false;        ///< whether the harmonic load is taken away, so that P is no more than a unit
+    double period = 2 * pi<double>(); ///< what counts as a period; that of the force. Radians
 };
 
 /// @brief A stop in the history of a motion.

@@ -44,7 +44,7 @@ bool are_certain(const std::vector<Ball>& x) {
 }
 
 bool is_certain(const FreeDecayInBalls& motion) {
-    std::vector<Ball> instants{motion.rest_from}, displacements{motion.rest_at};
+    std::vector<Ball> instants, displacements{motion.rest_at};
     for (const TurnInBalls& turn : motion.turns) {
         instants.push_back(turn.tau);
         displacements.push_back(turn.x);
@@ -71,7 +71,7 @@ std::vector<Certified> place_of_rest(const SceneSource& source) {
     return places;
 }
 
-FreeDecay free_decay(const SceneSource& source, const State& start) {
+FreeDecay free_decay(const SceneSource& source, const State& start, const std::optional<double>& until) {
     const Scene<double>& scene = source->in_double();
     (void)frequency_ratio_of(scene);
     if (!(friction_ratio_of(scene) > 0))
@@ -93,16 +93,18 @@ FreeDecay free_decay(const SceneSource& source, const State& start) {
             y(k) = Ball(start.x[static_cast<std::size_t>(k)]) - at_rest(k);
             y_prime(k) = Ball(start.x_prime[static_cast<std::size_t>(k)]);
         }
-        FreeDecayInBalls motion = free_decay_in_balls(s, y, y_prime, last);
+        FreeDecayInBalls motion = free_decay_in_balls(s, y, y_prime, until ? std::optional(Ball(*until)) : std::nullopt, last);
         const Ball shift = (transposed(s.w) * at_rest)(0);
         motion.rest_at += shift;
         for (TurnInBalls& turn : motion.turns) turn.x += shift;
         for (StopInBalls& stop : motion.stops) stop.x += shift;
-        for (slong k = 0; k < s.N(); ++k) motion.x[static_cast<std::size_t>(k)] += at_rest(k);
+        for (slong k = 0; motion.at_rest && k < s.N(); ++k) motion.x[static_cast<std::size_t>(k)] += at_rest(k);
         if (!last && !is_certain(motion)) return false;
-        out = {{}, {}, as_number(motion.rest_from), as_number(motion.rest_at), {}, motion.others_come_to_rest, motion.on_limit};
+        out = {motion.at_rest, {}, {}, as_number(motion.rest_from), as_number(motion.rest_at), {}, motion.others_come_to_rest,
+               motion.on_limit};
         for (const TurnInBalls& turn : motion.turns) out.turns.push_back({as_number(turn.tau), as_number(turn.x)});
-        for (const StopInBalls& stop : motion.stops) out.stops.push_back({as_number(stop.start), as_number(stop.end), as_number(stop.x)});
+        for (const StopInBalls& stop : motion.stops)
+            out.stops.push_back({as_number(stop.start), as_number(stop.end), as_number(stop.x)});
         for (const Ball& x : motion.x) out.masses.push_back(as_number(x));
         return true;
     });

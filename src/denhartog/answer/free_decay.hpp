@@ -39,6 +39,7 @@ struct DecayStop {
 
 /// @brief How a motion without a load comes to rest. Every number is proved.
 struct FreeDecay {
+    bool at_rest = false;          ///< whether the contact rests for good; if not, `rest_from` to `on_limit` say nothing
     std::vector<DecayTurn> turns;  ///< ends of the half-cycles, in order; at the last one the contact rests for good
     std::vector<DecayStop> stops;  ///< stops before that, in order
     Certified rest_from;           ///< tau from which the contact rests for good
@@ -57,9 +58,11 @@ struct FreeDecay {
 /// @eq{6,74,75}
 /// @param source  the scene, with r and a positive beta; P and the frequency are no more than units
 /// @param start   displacements in units of P / k_1 and velocities with respect to tau, every double exact
+/// @param until   an instant, tau, up to which the motion is followed; none: until the contact rests for good. Where nothing damps the
+///                other masses they may set it in motion again and again
 /// @return        the motion
-/// @throws        InputError where the scene or the start breaks a rule; PrecisionError where the motion does not come to its end,
-///                something cannot be proved, the budget of work is spent, or the library was built without the reference
-[[nodiscard]] FreeDecay free_decay(const SceneSource& source, const State& start);
+/// @throws        InputError where the scene or the start breaks a rule; PrecisionError where something cannot be proved, the budget of
+///                work is spent before the motion has come to its end, or the library was built without the reference
+[[nodiscard]] FreeDecay free_decay(const SceneSource& source, const State& start, const std::optional<double>& until = {});
 
 } // namespace denhartog

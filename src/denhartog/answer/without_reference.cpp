@@ -38,7 +38,7 @@ std::vector<Certified> place_of_rest(const SceneSource& source) {
     refuse();
 }
 
-FreeDecay free_decay(const SceneSource&, const State&) { refuse(); }
+FreeDecay free_decay(const SceneSource&, const State&, const std::optional<double>&) { refuse(); }
 
 } // namespace denhartog
 #endif

@@ -85,14 +85,14 @@ public:
         return sum;
     }
 
-    std::size_t N;        ///< number of masses
-    Contact contact;      ///< the contact
-    double beta;          ///< friction ratio
-    double mu;            ///< static over kinetic friction
-    double harmonic_load; ///< amplitude of the force's part of the load on the contact
+    std::size_t N;          ///< number of masses
+    Contact contact;        ///< the contact
+    double beta;            ///< friction ratio
+    double mu;              ///< static over kinetic friction
+    double harmonic_load;   ///< amplitude of the force's part of the load on the contact
     double static_load = 0; ///< the constant forces' part of it
-    double compliance;    ///< acceleration of the contact that a unit force on it makes
-    long evaluations = 0; ///< right-hand sides evaluated
+    double compliance;      ///< acceleration of the contact that a unit force on it makes
+    long evaluations = 0;   ///< right-hand sides evaluated
 
 private:
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> sliding_, sticking_; // N x 2N, per unit of y

@@ -10,8 +10,6 @@
 namespace denhartog::reference {
 namespace {
 
-constexpr std::size_t most_turns = 20000;
-constexpr int most_leaps_at_rest = 20000;  // in one stop
 constexpr double norm_of_leap = 2;         // of A times its length
 constexpr double narrowest_part = 0x1p-60; // of a leap in which an event is looked for
 
@@ -47,8 +45,9 @@ Ball largest_square(const BallMatrix& A, const BallMatrix& w, const BallMatrix& 
 // The motion as it is followed.
 class Decay {
 public:
-    Decay(const SceneInBalls& scene, const BallMatrix& x, const BallMatrix& x_prime, bool last)
-        : scene_(scene), s_(without_load(scene)), Z_(s_.n(), 1), last_(last) {
+    Decay(const SceneInBalls& scene, const BallMatrix& x, const BallMatrix& x_prime, const std::optional<Ball>& until, bool last)
+        : speed_at_start_((transposed(scene.w) * x_prime)(0)), scene_(scene), s_(without_load(scene)), Z_(s_.n(), 1),
+          until_(until), last_(last) {
         for (slong k = 0; k < s_.N; ++k) {
             Z_(k) = x(k);
             Z_(s_.N + k) = x_prime(k) / s_.sigma;
@@ -66,23 +65,21 @@ public:
     }
 
     FreeDecayInBalls followed() {
-        const Ball speed = (s_.speed() * Z_)(0);
         int direction = 0, order = 0;
-        if (!speed.is_zero()) {
-            if (speed.may_vanish()) throw Unproved("the contact may be at rest at the start");
-            direction = speed > Ball(0) ? 1 : -1;
+        if (!speed_at_start_.is_zero()) {
+            if (speed_at_start_.may_vanish()) throw Unproved("the contact may be at rest at the start");
+            direction = speed_at_start_ > Ball(0) ? 1 : -1;
         } else {
+            hold_contact();
             direction = after_standstill();
             order = 1;
         }
         while (direction != 0 || !rests_for_good()) {
             const Ball start = tau_;
             if (direction != 0) {
-                pass({s_.speed() * Ball(direction)}, direction, order);
+                if (pass({s_.speed() * Ball(direction)}, direction, order) == too_late) return std::move(out_);
                 hold_contact();
                 out_.turns.push_back({tau_, (s_.place() * Z_)(0)});
-                if (out_.turns.size() > most_turns)
-                    throw Unproved("the contact turns more than " + std::to_string(most_turns) + " times");
                 direction = after_standstill();
                 order = 1;
             } else {
@@ -90,18 +87,22 @@ public:
                 limit(0, s_.n() - 1) = s_.holds;
                 const Ball at = (s_.place() * Z_)(0);
                 const int side = pass({limit - s_.load, limit + s_.load}, 0, 0);
-                if (side < 0) break;
+                if (side == too_late) return std::move(out_);
+                if (side == rest_lasts) break;
                 hold_contact();
                 out_.stops.push_back({start, tau_, at});
                 direction = side == 0 ? 1 : -1;
                 order = s_.equal ? 2 : 1; // with mu = 1 it slips without a jump of its acceleration
             }
         }
+        out_.at_rest = true;
         write_rest();
         return std::move(out_);
     }
 
 private:
+    static constexpr int rest_lasts = -1, too_late = -2; // in place of a guard
+
     static ContactMechanics without_load(SceneInBalls scene) {
         scene.p = BallMatrix(scene.N(), 1);
         return ContactMechanics(scene);
@@ -117,8 +118,7 @@ private:
         return 0;
     }
 
-    // Follows a phase to its end, the first fall of a guard through zero: its place among the guards. At rest it may end with -1, where
-    // the rest is found to last.
+    // Follows a phase to its end, the first fall of a guard through zero: its place among the guards.
     int pass(const std::vector<BallMatrix>& guards, int direction, int order) {
         const BallMatrix A = s_.phase(direction);
         // With more bits a leap is a little shorter: no event is at the end of one each time.
@@ -126,7 +126,7 @@ private:
         const BallMatrix B = A * h;
         pay_for_exponential(B);
         const BallMatrix leap = exp(B);
-        for (int leaps = 0;; ++leaps, order = 0) {
+        for (;; order = 0) {
             const ExponentialSeries series(B, Z_);
             int first = -1;
             std::optional<Ball> end;
@@ -142,13 +142,12 @@ private:
             if (end) {
                 end_at(B, *end);
                 tau_ += h * *end;
-                return first;
+                return until_ && tau_ > *until_ ? too_late : first;
             }
             Z_ = leap * Z_;
             tau_ += h;
-            if (direction != 0) continue;
-            if (rests_for_good()) return -1;
-            if (leaps > most_leaps_at_rest) throw Unproved("the other masses may set the contact in motion again, but have not yet");
+            if (direction == 0 && rests_for_good()) return rest_lasts;
+            if (until_ && tau_ > *until_) return too_late;
         }
     }
 
@@ -227,22 +226,25 @@ private:
         return std::nullopt;
     }
 
+    Ball speed_at_start_; // of the contact
     const SceneInBalls& scene_;
     ContactMechanics s_;
-    BallMatrix Z_;                // the state
-    Ball tau_{};                  // its instant
-    BallMatrix mass_{};           // of (7)
-    Ball reach_{};                // square of the largest load on the contact at rest that the others exert with E = 1/2
-    BallMatrix at_unit_force_{};  // static displacements by a unit force on the contact
-    Ball compliance_{};           // that of the contact
+    BallMatrix Z_;               // the state
+    Ball tau_{};                 // its instant
+    BallMatrix mass_{};          // of (7)
+    Ball reach_{};               // square of the largest load on the contact at rest that the others exert with E = 1/2
+    BallMatrix at_unit_force_{}; // static displacements by a unit force on the contact
+    Ball compliance_{};          // that of the contact
+    std::optional<Ball> until_;
     bool last_;
     FreeDecayInBalls out_{};
 };
 
 } // namespace
 
-FreeDecayInBalls free_decay_in_balls(const SceneInBalls& scene, const BallMatrix& x, const BallMatrix& x_prime, bool last) {
-    return Decay(scene, x, x_prime, last).followed();
+FreeDecayInBalls free_decay_in_balls(const SceneInBalls& scene, const BallMatrix& x, const BallMatrix& x_prime,
+                                     const std::optional<Ball>& until, bool last) {
+    return Decay(scene, x, x_prime, until, last).followed();
 }
 
 } // namespace denhartog::reference

@@ -21,6 +21,7 @@ struct TurnInBalls {
 
 /// @brief The motion without a load.
 struct FreeDecayInBalls {
+    bool at_rest = false;             ///< whether the contact rests for good; if not, the motion was followed no further
     std::vector<TurnInBalls> turns{}; ///< ends of sliding, in order: one a half-cycle; the last is where the contact rests
     std::vector<StopInBalls> stops{}; ///< stops after which the contact breaks away again, in order
     Ball rest_from{};                 ///< tau from which the contact rests for good
@@ -29,12 +30,14 @@ struct FreeDecayInBalls {
     /// Whether the other masses come to rest there: every free motion of theirs is damped, so that they tend to these places and
     /// never reach them; false where nothing damps them and they move for ever; empty where neither is proved, or there are none
     std::optional<bool> others_come_to_rest{};
-    bool on_limit = false; ///< the springs pull at rest with static friction, to all bits: (74) lets the contact stick if they are equal
+    bool on_limit =
+        false; ///< the springs pull at rest with static friction, to all bits: (74) lets the contact stick if they are equal
 };
 
 /// @brief Follows the motion without a load until the contact rests for good.
 ///
-/// While the contact rests, the others move freely about their places of rest, with an energy E that never grows. With the
+/// While the contact rests, the others move freely about their places of rest, with an energy E that never grows, as damping takes
+/// energy out of every motion. With the
 /// stiffness \f$ \mathbf P_K = \mathbf K^{-1}-\mathbf K^{-1}\mathbf w\mathbf w^T\mathbf K^{-1}/\mathbf w^T\mathbf K^{-1}\mathbf w \f$
 /// and \f$ \mathbf P_M \f$ alike, what they add to the load on the contact, \f$ \mathbf a^T\bar{\mathbf x}+\mathbf b^T\bar{\mathbf
 /// x}' \f$, is at most
@@ -44,11 +47,14 @@ struct FreeDecayInBalls {
 /// @param scene    the scene with its damping matrix; its load p counts for nothing
 /// @param x        displacements at the start, N x 1; units of P / k_1
 /// @param x_prime  velocities there, with respect to tau, N x 1
+/// @param until    an instant up to which the motion is followed; empty: until the contact rests for good, which it may never do
+///                 where nothing damps the other masses
 /// @param last     whether no more bits will be tried: a single mass whose springs pull with static friction to all bits then
 ///                 rests, see `on_limit`
 /// @return         the motion
-/// @throws         Unproved where more bits may help, or the motion does not come to its end
+/// @throws         Unproved where more bits may help; PrecisionError where the work allowed is spent before the motion has come to
+///                 its end
 [[nodiscard]] FreeDecayInBalls free_decay_in_balls(const SceneInBalls& scene, const BallMatrix& x, const BallMatrix& x_prime,
-                                                   bool last);
+                                                   const std::optional<Ball>& until, bool last);
 
 } // namespace denhartog::reference

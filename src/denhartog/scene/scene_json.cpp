@@ -51,8 +51,7 @@ std::optional<T> read_force(const json& object, const T& m_1, const T& k_1, cons
         const SceneItem force = item(object, "force");
         const T P = read_number<T>(force);
         if (!(P > 0))
-            force.fail(P == 0 ? "must be positive: without a load `denhartog integrate` follows the free motion from a start, and "
-                                "nothing else is left to be asked"
+            force.fail(P == 0 ? "must be positive, except for `denhartog integrate`, which follows the free motion from a start"
                               : "must be positive");
         return P;
     }

@@ -73,9 +73,9 @@ void add_static_load(ContactSystem& system, const std::vector<double>& s) {
     const auto N = static_cast<Eigen::Index>(s.size());
     const Eigen::Map<const Column> force(s.data(), N);
     const Column modal = system.basis.phi.transpose() * force, stuck = system.stuck.shapes.transpose() * force;
-    system.modal_static.assign(modal.begin(), modal.end());
-    system.stuck_static.assign(stuck.begin(), stuck.end());
-    system.direct_static = system.stuck.contact.sign * s[system.stuck.contact.a];
+    system.constant.modal.assign(modal.begin(), modal.end());
+    system.constant.stuck.assign(stuck.begin(), stuck.end());
+    system.constant.direct = system.stuck.contact.sign * s[system.stuck.contact.a];
 }
 
 void take_load_away(ContactSystem& system) {

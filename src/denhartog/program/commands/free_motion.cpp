@@ -35,6 +35,15 @@ Json place_json(const Certified& x) {
     return {{"x", write(x)}, {"error_bound", write.bound(x.error)}};
 }
 
+// The motion over some periods, or until the contact rests for good.
+FreeDecay free_motion(const UnloadedScene& unloaded, const SceneSource& source, const State& start,
+                      const std::optional<int>& periods) try {
+    return free_decay(source, start, periods ? std::optional(*periods * unloaded.period) : std::nullopt);
+} catch (const PrecisionError& e) {
+    if (periods) throw;
+    throw PrecisionError(std::string(e.what()) + "; --cycles N asks for the motion over N periods alone");
+}
+
 } // namespace
 
 std::optional<UnloadedScene> unloaded_scene(const SceneText& part) {
@@ -69,7 +78,7 @@ std::optional<UnloadedScene> unloaded_scene(const SceneText& part) {
 }
 
 int periods_to_rest(const UnloadedScene& unloaded, const SceneSource& source, const State& start) {
-    const double periods = std::ceil(free_decay(source, start).rest_from.value / unloaded.period) + 1;
+    const double periods = std::ceil(free_motion(unloaded, source, start, {}).rest_from.value / unloaded.period) + 1;
     if (!(periods <= 1e6)) throw InputError("cycles", "must be given: the contact does not rest within 1e6 periods", "");
     return static_cast<int>(periods);
 }
@@ -94,25 +103,30 @@ std::string history_table(const Json& history) {
 }
 
 Json free_motion_json(const UnloadedScene& unloaded, const SceneSource& source, const State& start,
-                      const std::optional<MotionHistory>& history) {
-    const FreeDecay motion = free_decay(source, start);
+                      const std::optional<int>& periods, const std::optional<MotionHistory>& history) {
+    const FreeDecay motion = free_motion(unloaded, source, start, periods);
     const System<double>& s = source->in_double().system;
     const NumberWriter write;
     const double time = 1 / unloaded.omega;
     const auto instant = [&](const Certified& tau) { return write(time * tau.value); };
     const auto instant_bound = [&](const Certified& tau) { return write.bound(time * tau.error); };
-    Json all{{"load", "none"}, {"method", "exact"}, {"status", "at_rest"}, {"proved", true}};
+    Json all{{"load", "none"},
+             {"method", "exact"},
+             {"status", motion.at_rest ? "at_rest" : "in_motion"},
+             {"proved", !motion.on_limit}};
     all["half_cycles"] = motion.turns.size();
-    all["rest"] = {{"from", instant(motion.rest_from)}, {"from_error_bound", instant_bound(motion.rest_from)}};
-    all["rest"].update(place_json(motion.rest_at));
-    if (motion.on_limit) all["rest"]["on_limit"] = true;
-    if (number_of_masses(s) > 1)
-        all["rest"]["others"] = !motion.others_come_to_rest  ? "not_known"
-                                : *motion.others_come_to_rest ? "come_to_rest"
-                                                              : "vibrate";
+    if (motion.at_rest) {
+        all["rest"] = {{"from", instant(motion.rest_from)}, {"from_error_bound", instant_bound(motion.rest_from)}};
+        all["rest"].update(place_json(motion.rest_at));
+        if (motion.on_limit) all["rest"]["on_limit"] = true;
+        if (number_of_masses(s) > 1)
+            all["rest"]["others"] = !motion.others_come_to_rest   ? "not_known"
+                                    : *motion.others_come_to_rest ? "come_to_rest"
+                                                                  : "vibrate";
+    }
     all["contact"] = {{"mass", s.contact.index + 1}};
     if (s.contact_with) all["contact"] = {{"between", {s.contact.index + 1, s.contact_with->index + 1}}};
-    for (std::size_t k = 0; k < motion.masses.size(); ++k) {
+    for (std::size_t k = 0; k < motion.masses.size(); ++k) { // none in motion
         Json mass{{"mass", k + 1}};
         mass.update(place_json(motion.masses[k]));
         all["masses"].push_back(mass);
@@ -136,22 +150,27 @@ Json free_motion_json(const UnloadedScene& unloaded, const SceneSource& source, 
 }
 
 std::string free_motion_table(const Json& a) {
-    const Json& rest = a.at("rest");
-    std::string text = "free motion, in the units of the scene: at rest for good from " + cell(rest, "from") + " +- " +
-                       cell(rest, "from_error_bound") + " on, after " + cell(a, "half_cycles") + " half-cycles\n";
-    if (rest.contains("on_limit")) text += "  where the springs pull with static friction, to all digits: (74) lets the contact stick\n";
-    if (rest.contains("others")) {
+    std::string text = "free motion, in the units of the scene: ";
+    if (!a.contains("rest")) {
+        text += "not at rest for good by the end of these periods, after " + cell(a, "half_cycles") + " half-cycles\n";
+    } else {
+        const Json& rest = a.at("rest");
+        text += "at rest for good from " + cell(rest, "from") + " +- " + cell(rest, "from_error_bound") + " on, after " +
+                cell(a, "half_cycles") + " half-cycles\n";
+        if (rest.contains("on_limit"))
+            text += "  where the springs pull with static friction, to all digits: (74) lets the contact stick\n";
         const std::string others = cell(rest, "others");
-        text += others == "come_to_rest" ? "  the other masses tend to their places of rest\n"
-                : others == "vibrate"    ? "  the other masses vibrate about their places of rest for ever: nothing damps them\n"
-                                         : "  whether the other masses come to rest is not proved\n";
+        if (others == "come_to_rest") text += "  the other masses tend to their places of rest\n";
+        if (others == "vibrate") text += "  the other masses vibrate about their places of rest for ever: nothing damps them\n";
+        if (others == "not_known") text += "  whether the other masses come to rest is not proved\n";
+        text += aligned({"mass", "place of rest", "error bound"}, a.at("masses"), {"mass", "x", "error_bound"});
     }
-    text += aligned({"mass", "place of rest", "error bound"}, a.at("masses"), {"mass", "x", "error_bound"});
     if (!a.at("turns").empty())
         text += "the contact turns or comes to rest at\n" +
                 aligned({"t", "error bound", "x", "error bound"}, a.at("turns"), {"t", "t_error_bound", "x", "error_bound"});
     if (!a.at("stops").empty())
-        text += "it stopped before\n" + aligned({"from", "to", "at", "error bound"}, a.at("stops"), {"start", "end", "x", "error_bound"});
+        text += "it stopped before\n" +
+                aligned({"from", "to", "at", "error bound"}, a.at("stops"), {"start", "end", "x", "error_bound"});
     if (a.contains("history")) text += history_table(a.at("history"));
     return text + "\n";
 }

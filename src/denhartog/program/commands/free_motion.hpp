@@ -14,15 +14,17 @@ namespace denhartog::program {
 struct UnloadedScene {
     std::string text; // of that scene
     double omega;     // its frequency, in radians per unit of time
-    double period;    // what counts as a period, in radians of it: of the scene's frequency, else of the first mass on the first spring
+    double
+        period; // what counts as a period, in radians of it: of the scene's frequency, else of the first mass on the first spring
 };
 
 // The scene, where its force is 0; none of any other, nor where the text is no scene. Throws InputError where a base moves.
 [[nodiscard]] std::optional<UnloadedScene> unloaded_scene(const SceneText& part);
 
-// How its motion comes to rest, and its history where it has one, in the units of the scene; and the same for reading.
+// How its motion comes to rest, or what it does over some periods, and its history where it has one, in the units of the scene; and
+// the same for reading.
 [[nodiscard]] Json free_motion_json(const UnloadedScene& unloaded, const SceneSource& source, const State& start,
-                                    const std::optional<MotionHistory>& history);
+                                    const std::optional<int>& periods, const std::optional<MotionHistory>& history);
 [[nodiscard]] std::string free_motion_table(const Json& answer);
 
 // Over how many of its periods the contact comes to rest for good, and one more.

@@ -108,8 +108,8 @@ std::string as_table(const Json& a) {
     std::string counters;
     for (const auto& item : a.at("counters").items())
         counters += (counters.empty() ? "" : ", ") + item.key() + " " + in_table(item.value());
-    return text + "method: " + cell(a, "method") + ", " + cell(a, "cycles") + " cycles; " + counters + "\n" + dimensional_table(a) +
-           "\n";
+    return text + "method: " + cell(a, "method") + ", " + cell(a, "cycles") + " cycles; " + counters + "\n" +
+           dimensional_table(a) + "\n";
 }
 
 State start_from(const std::string& text, std::size_t N) {
@@ -161,7 +161,9 @@ std::string freed(const UnloadedScene& unloaded, const SceneText& part, const In
     if (options.method_given && options.method == "paper") throw InputError("method", "must be exact where force is 0", "paper");
     const SceneSource source = source_of(SceneText{unloaded.text, part.line, part.alone}, options.damping);
     if (options.start.empty()) throw InputError("start", "must be given where force is 0", "");
-    State start = start_from(options.start, number_of_masses(source->in_double().system));
+    const std::size_t N = number_of_masses(source->in_double().system);
+    check(options.settings, N);
+    State start = start_from(options.start, N);
     for (double& v : start.x_prime) v /= unloaded.omega;
     std::optional<MotionHistory> history;
     if (!options.history.empty() || options.settings.samples > 0) {
@@ -176,7 +178,8 @@ std::string freed(const UnloadedScene& unloaded, const SceneText& part, const In
     }
     if (options.settings.samples > 0)
         return sampled({history->times, history->states}, MotionUnits{unloaded.omega, 1}, history->directions, options.output);
-    const Json json = free_motion_json(unloaded, source, start, history);
+    const std::optional<int> periods = options.cycles_given ? std::optional(options.settings.cycles) : std::nullopt;
+    const Json json = free_motion_json(unloaded, source, start, periods, history);
     return options.json ? json.dump() + "\n" : free_motion_table(json);
 }
 
@@ -203,14 +206,16 @@ std::string integrated(const SceneText& part, const IntegrateOptions& options, E
     const PaperMotion motion = options.method == "paper" ? paper_algorithm(scene, settings) : exact_cycles(source, settings);
     if (motion.status != IntegrationStatus::complete) report_end(motion.reason, part, status);
     if (settings.samples > 0)
-        return motion.status == IntegrationStatus::complete ? sampled({motion.sample_times, motion.samples}, units, {}, options.output)
-                                                            : "";
+        return motion.status == IntegrationStatus::complete
+                   ? sampled({motion.sample_times, motion.samples}, units, {}, options.output)
+                   : "";
     Json json = motion_json(motion, scene, options);
     if (history && history->status == IntegrationStatus::complete) {
         json["history"] = history_json(*history, 1, 1);
         if (json.contains("dimensional")) {
             const double omega = angular_frequency(*scene.units, *scene.r);
-            json["dimensional"]["history"] = history_json(*history, 1 / omega, displacement_unit(*scene.units, *scene.units->force));
+            json["dimensional"]["history"] =
+                history_json(*history, 1 / omega, displacement_unit(*scene.units, *scene.units->force));
         }
     }
     return options.json ? json.dump() + "\n" : as_table(json);
@@ -264,13 +269,15 @@ void add_integrate_command(CLI::App& app, ExitStatus& status) {
                         "N displacements, then N velocities, separated by commas, in the units of --units; by default rest at "
                         "zero");
     add_units_option(*command, options->units);
-    command->add_option("--samples", settings.samples,
-                        "print this many instants of the last period as CSV: tau, x_1..x_N, v_1..v_N. With --history they are\n"
-                        "those of a period of the history, with a last column, direction: 1 or -1 as the contact slides, 0 while\n"
-                        "it sticks");
-    command->add_option("--history", options->history,
-                        "all, or the number of periods at the end: every stop in them, times from the start of the motion. By the\n"
-                        "exact method");
+    command->add_option(
+        "--samples", settings.samples,
+        "print this many instants of the last period as CSV: tau, x_1..x_N, v_1..v_N. With --history they are\n"
+        "those of a period of the history, with a last column, direction: 1 or -1 as the contact slides, 0 while\n"
+        "it sticks");
+    command->add_option(
+        "--history", options->history,
+        "all, or the number of periods at the end: every stop in them, times from the start of the motion. By the\n"
+        "exact method");
     command->add_option("--output", options->output, "file for the samples, .csv or .npy; it appears when it is complete");
     command->footer(
         "Amplitudes are the largest |x_k| over the last period. The phase is the instant of the largest displacement after a\n"
@@ -280,7 +287,8 @@ void add_integrate_command(CLI::App& app, ExitStatus& status) {
         "is not reached, the exit status is 3, and the answer has status and reason.\n"
         "With \"force\": 0 the motion is free. The answer says, in the units of the scene, where and from when on the contact\n"
         "rests for good, and where it turned before, every number with a proved bound. Periods are those of the scene's\n"
-        "frequency, if it has one, else of mass 1 on spring 1 alone; --cycles is by default as many as it takes to rest.");
+        "frequency, if it has one, else of mass 1 on spring 1 alone; --cycles is by default as many as it takes to rest.\n"
+        "Other masses that nothing damps may set the contact in motion for ever: --cycles then ends the answer.");
     command->callback([options, command, &status] {
         options->method_given = command->count("--method") > 0;
         options->cycles_given = command->count("--cycles") > 0;

@@ -187,7 +187,8 @@ MotionTable motion_table(const SampledSolution& motion, const std::optional<Moti
 
 } // namespace
 
-std::string motion_csv(const SampledSolution& motion, const std::optional<MotionUnits>& units, const std::vector<int>& directions) {
+std::string motion_csv(const SampledSolution& motion, const std::optional<MotionUnits>& units,
+                       const std::vector<int>& directions) {
     const MotionTable table = motion_table(motion, units);
     std::string csv;
     for (const std::string& name : table.names) csv += (csv.empty() ? "" : ",") + name;
@@ -200,7 +201,8 @@ std::string motion_csv(const SampledSolution& motion, const std::optional<Motion
     return csv;
 }
 
-std::string motion_npy(const SampledSolution& motion, const std::optional<MotionUnits>& units, const std::vector<int>& directions) {
+std::string motion_npy(const SampledSolution& motion, const std::optional<MotionUnits>& units,
+                       const std::vector<int>& directions) {
     const MotionTable table = motion_table(motion, units);
     std::vector<NpyField> fields;
     for (const std::string& name : table.names) fields.push_back({name, "f8"});
