@@ -226,6 +226,19 @@ TEST_CASE("a mass that nothing damps vibrates for ever beside a contact at rest,
     REQUIRE_THROWS_AS(free_decay(scene_source(scene), {{0, 1.25}, {0, 0}}), PrecisionError);
 }
 
+TEST_CASE("a rest is for good as long as the others cannot load the contact with static friction, and not a billionth beyond",
+          "[free-decay][eq:74][eq:75]") {
+    const SceneSource source = scene_source(free_scene(chain_of({1, 1}, {1, 1}), 1));
+    const FreeDecay below = free_decay(source, {{0, 0}, {0, 1 - 1e-9}}); // a spring of 1 that swings by that
+    CHECK(below.at_rest);
+    CHECK(below.turns.empty());
+    CHECK(below.rest_from.value == 0);
+    const FreeDecay above = free_decay(source, {{0, 0}, {0, 1 + 1e-9}}, 2 * pi<double>());
+    CHECK(above.turns.size() + above.stops.size() > 0);
+    CHECK(above.stops.at(0).start.value == 0);
+    CHECK(holds(above.stops.at(0).end, pi<double>() / 2, 1e-4));
+}
+
 TEST_CASE("a free motion with a broken start, or without friction, is refused by name", "[free-decay][bad-input]") {
     const SceneSource source = scene_source(free_scene(chain_of({1, 1}, {1, 1}), 1));
     for (const State& start :
