@@ -174,8 +174,12 @@ std::string freed(const UnloadedScene& unloaded, const SceneText& part, const In
         settings.period = unloaded.period;
         if (!options.cycles_given) settings.cycles = periods_to_rest(unloaded, source, start);
         history = motion_history(source, settings);
-        if (history->status != IntegrationStatus::complete) report_end(history->reason, part, status);
+        if (history->status != IntegrationStatus::complete) {
+            report_end(history->reason, part, status);
+            history.reset();
+        }
     }
+    if (options.settings.samples > 0 && !history) return "";
     if (options.settings.samples > 0)
         return sampled({history->times, history->states}, MotionUnits{unloaded.omega, 1}, history->directions, options.output);
     const std::optional<int> periods = options.cycles_given ? std::optional(options.settings.cycles) : std::nullopt;
@@ -205,10 +209,7 @@ std::string integrated(const SceneText& part, const IntegrateOptions& options, E
     }
     const PaperMotion motion = options.method == "paper" ? paper_algorithm(scene, settings) : exact_cycles(source, settings);
     if (motion.status != IntegrationStatus::complete) report_end(motion.reason, part, status);
-    if (settings.samples > 0)
-        return motion.status == IntegrationStatus::complete
-                   ? sampled({motion.sample_times, motion.samples}, units, {}, options.output)
-                   : "";
+    if (settings.samples > 0) return sampled({motion.sample_times, motion.samples}, units, {}, options.output);
     Json json = motion_json(motion, scene, options);
     if (history && history->status == IntegrationStatus::complete) {
         json["history"] = history_json(*history, 1, 1);
