@@ -30,17 +30,18 @@ struct FreeDecayInBalls {
     /// Whether the other masses come to rest there: every free motion of theirs is damped, so that they tend to these places and
     /// never reach them; false where nothing damps them and they move for ever; empty where neither is proved, or there are none
     std::optional<bool> others_come_to_rest{};
-    bool on_limit =
-        false; ///< the springs pull at rest with static friction, to all bits: (74) lets the contact stick if they are equal
+    /// Whether the springs pull on the contact at rest with static friction, to all bits: if they are equal, (74) lets it stick
+    bool on_limit = false;
 };
 
 /// @brief Follows the motion without a load until the contact rests for good.
 ///
 /// While the contact rests, the others move freely about their places of rest, with an energy E that never grows, as damping takes
-/// energy out of every motion. With the
-/// stiffness \f$ \mathbf P_K = \mathbf K^{-1}-\mathbf K^{-1}\mathbf w\mathbf w^T\mathbf K^{-1}/\mathbf w^T\mathbf K^{-1}\mathbf w \f$
-/// and \f$ \mathbf P_M \f$ alike, what they add to the load on the contact, \f$ \mathbf a^T\bar{\mathbf x}+\mathbf b^T\bar{\mathbf
-/// x}' \f$, is at most
+/// energy out of every motion. With
+/// \f[ \mathbf P_K = \mathbf K^{-1}-
+///     \frac{\mathbf K^{-1}\mathbf w\mathbf w^T\mathbf K^{-1}}{\mathbf w^T\mathbf K^{-1}\mathbf w} \f]
+/// and \f$ \mathbf P_M \f$ alike, what they add to the load on the contact,
+/// \f$ \mathbf a^T\bar{\mathbf x}+\mathbf b^T\bar{\mathbf x}' \f$, is at most
 /// \f[ \sqrt{2E\,(\mathbf a^T\mathbf P_K\mathbf a+\mathbf b^T\mathbf P_M\mathbf b)} \f]
 /// (Cauchy and Schwarz). Where this and the load of the springs at rest are less than static friction, the rest lasts.
 /// @eq{6,74,75}
