@@ -27,6 +27,7 @@ BROKEN = [
     {**CHAIN, "damping_tolerance": 3, "damping_matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]},
     {**CHAIN, "friction": 1},
     {**CHAIN, "no_such_key": 1},
+    {**CHAIN, "static_load": ["weight", 0, 0]},
     {**CHAIN, "normal_force": 1, "friction_coefficient": 1},
     {**COEFFICIENTS, "friction": 0.1},
     {**COEFFICIENTS, "mu": 1.2},
@@ -39,6 +40,7 @@ SOUND = [
     {**CHAIN, "r": "0.1"},
     {**CHAIN, "contact": [2, 3], "load": [1, 0.5, 0]},
     COEFFICIENTS,
+    {**CHAIN, "static_load": [1, 0, "-0.5"]},
     {"masses": [1, 2], "stiffnesses": [[3, -1], [-1, 1]], "damping_matrix": [[0.2, 0], [0, 0]], "damping_tolerance": 0.01, "contact": 1,
      "load": 2, "frequency_hz": 0.2, "force": 1, "friction": 0.1},
 ]
@@ -59,6 +61,13 @@ class Schema(unittest.TestCase):
             with self.subTest(scene=scene):
                 self.assertEqual([error.message for error in self.validator.iter_errors(scene)], [])
                 self.assertEqual(status(scene), 0)
+
+    def test_a_scene_without_a_load_is_sound_for_a_motion_from_a_start(self):
+        free = json.loads((SOURCE / "docs/free_decay.json").read_text())
+        self.assertTrue(self.validator.is_valid(free))
+        self.assertFalse(self.validator.is_valid({**free, "base_motion": "with_wall"}))
+        run = subprocess.run([PROGRAM, "integrate", "--start", "0.02,0"], input=json.dumps(free), capture_output=True, text=True)
+        self.assertEqual(run.returncode, 0)
 
     def test_what_is_broken_is_refused_by_both(self):
         for scene in BROKEN:

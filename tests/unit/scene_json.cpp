@@ -224,6 +224,21 @@ TEST_CASE("friction by its coefficients is the normal force times the kinetic on
     REQUIRE(says(after([](json& s) { s["normal_force"] = 1; }), "mass_ratios", "together with normal_force", "", "/mass_ratios"));
 }
 
+TEST_CASE("a constant load is in units of P, read and written", "[scene][json][static-load]") {
+    json s = good();
+    s["static_load"] = {1, "-0.1", 0};
+    const Scene<double> scene = read_scene<double>(s.dump());
+    CHECK(scene.static_load == std::vector<double>{1, -0.1, 0});
+    CHECK(read_scene<double>(write_scene(scene).dump()).static_load == scene.static_load);
+    CHECK(read_scene<double>(good().dump()).static_load.empty());
+    json units = dimensional();
+    const double P = units.at("force").get<double>();
+    units["static_load"] = {3, 0, -1};
+    CHECK(read_scene<double>(units.dump()).static_load == std::vector<double>{3 / P, 0 / P, -1 / P});
+    REQUIRE(says(after([](json& x) { x["static_load"] = {1, 2}; }), "static_load", "as many values", "2", "/static_load"));
+    REQUIRE(says(after([](json& x) { x["weight"] = 1; }), "weight", "did you mean static_load?", "", "/weight"));
+}
+
 TEST_CASE("the values of a single mass may stand without their brackets, as Octave writes them", "[scene][json]") {
     json one = good();
     for (const char* key : {"mass_ratios", "stiffness_ratios"}) one[key] = 1;

@@ -8,6 +8,7 @@
 #include "denhartog/number/tried.hpp"
 #include "denhartog/number/why.hpp"
 #include "denhartog/paper_algorithm/last_period.hpp"
+#include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 
@@ -29,14 +30,45 @@ void require_digits_of_contact(const ContactSystem& s) {
     if (unit_of<double>() * of_one * s.stuck.k_contact > 3e-7) throw PrecisionError(Why::masses_tied);
 }
 
-// Nothing bounds the errors of the motion: its modes are those of the reference where double does not have nine digits of their
-// frequencies.
+// The modes are those of the reference where double does not have nine digits of their frequencies.
 ContactSystem system_of(const SceneSource& source) {
     constexpr double most = 1e-9;
     Tried<ContactSystem> system = tried([&] { return contact_system(source->in_double().system); });
     if (system.value && std::ranges::all_of(system.value->detuned, [](double part) { return part <= most; }))
         return *std::move(system.value);
     return moving_by_reference(source, Why::frequency_without_digits);
+}
+
+// What moves, with the constant forces. Nothing bounds the errors of its motion.
+ContactSystem moving_system(const SceneSource& source) {
+    ContactSystem system = system_of(source);
+    require_digits_of_contact(system);
+    const std::vector<double>& constant = source->in_double().static_load;
+    if (!constant.empty()) add_static_load(system, constant);
+    return system;
+}
+
+// The last part of a motion, and what its first phase continues.
+struct LastPart {
+    const ExactMotion* run = nullptr; // null where it was not reached
+    int direction = 2;                // of the phase across its start, 2 where there is none
+    double rest_from = 0;             // where a rest across its start began
+};
+
+LastPart last_part(ExactSolver& solver, State state, double start, double from, double end, PaperMotion& motion) {
+    LastPart part{nullptr, 2, from};
+    if (from > start) {
+        const ExactMotion& before = solver.run(state, start, from);
+        if (failed(before, motion)) return part;
+        state = before.end;
+        part.direction = before.phases.back().direction;
+        if (part.direction == 0) part.rest_from = before.phases.back().start;
+    }
+    const ExactMotion& run = solver.run(state, from, end);
+    if (failed(run, motion)) return part;
+    if (run.phases.front().direction == part.direction) --motion.phases;
+    part.run = &run;
+    return part;
 }
 
 } // namespace
@@ -48,32 +80,21 @@ PaperMotion exact_cycles(const SceneSource& source, const PaperSettings& setting
     (void)frequency_ratio_of(scene);
     (void)friction_ratio_of(scene);
     const std::size_t N = number_of_masses(scene.system);
-    const ContactSystem system = system_of(source);
-    require_digits_of_contact(system);
+    const ContactSystem system = moving_system(source);
     ExactSolver solver(system, {*scene.r, *scene.beta, scene.mu});
     const double period = 2 * pi<double>(), last = settings.tau_0 + period * (settings.cycles - 1);
-    State state = settings.start.value_or(at_rest(N));
-    PaperMotion motion;
-    int direction = 2;       // of the phase across the start of the last period, 2 where there is none
-    double rest_from = last; // where a rest across the start of the last period began
-    if (last > settings.tau_0) {
-        const ExactMotion& before = solver.run(state, settings.tau_0, last);
-        if (failed(before, motion)) return motion;
-        state = before.end;
-        direction = before.phases.back().direction;
-        if (direction == 0) rest_from = before.phases.back().start;
-    }
     const double end = settings.tau_0 + period * settings.cycles;
-    const ExactMotion run = solver.run(state, last, end);
-    if (failed(run, motion)) return motion;
-    if (run.phases.front().direction == direction) --motion.phases;
+    PaperMotion motion;
+    const LastPart part = last_part(solver, settings.start.value_or(at_rest(N)), settings.tau_0, last, end, motion);
+    if (part.run == nullptr) return motion;
+    const ExactMotion run = *part.run;
 
     const Contact& contact = system.stuck.contact;
     LastPeriod period_seen(N, last, 0, contact);
     for (std::size_t n = 0; n < run.phases.size(); ++n) {
         const Phase& p = run.phases[n];
         if (p.direction == 0)
-            period_seen.take_rest(n == 0 ? rest_from : p.start, p.end, contact.of(&run.states[2 * N * n]), p.end == end);
+            period_seen.take_rest(n == 0 ? part.rest_from : p.start, p.end, contact.of(&run.states[2 * N * n]), p.end == end);
     }
     period_seen.write(motion);
     const std::vector<Extremum> largest = solver.largest_displacements();
@@ -91,6 +112,52 @@ PaperMotion exact_cycles(const SceneSource& source, const PaperSettings& setting
         motion.samples.push_back(solver.state_at(phase, tau));
     }
     return motion;
+}
+
+MotionHistory motion_history(const SceneSource& source, const HistorySettings& settings) {
+    const Scene<double>& scene = source->in_double();
+    check(scene);
+    const std::size_t N = number_of_masses(scene.system);
+    PaperSettings as_cycles;
+    as_cycles.cycles = settings.cycles;
+    as_cycles.start = settings.start;
+    check(as_cycles, N);
+    const int periods = settings.last.value_or(settings.cycles);
+    if (periods < 1 || periods > settings.cycles)
+        throw InputError("history", "must be all, or from 1 to the number of cycles (" + std::to_string(settings.cycles) + ")",
+                         std::to_string(periods));
+    if (settings.samples < 0) throw InputError("samples", "must not be negative", std::to_string(settings.samples));
+    const std::size_t count = static_cast<std::size_t>(periods) * static_cast<std::size_t>(settings.samples);
+    if (count > 0) check_samples("samples", count, N);
+    ContactSystem system = moving_system(source);
+    if (settings.without_load) take_load_away(system);
+    ExactSolver solver(system, {frequency_ratio_of(scene), friction_ratio_of(scene), scene.mu});
+    const double from = settings.period * (settings.cycles - periods), end = settings.period * settings.cycles;
+    MotionHistory history;
+    history.periods = periods;
+    history.from = from;
+    PaperMotion motion;
+    const LastPart part = last_part(solver, settings.start, 0, from, end, motion);
+    history.status = motion.status;
+    history.reason = motion.reason;
+    if (part.run == nullptr) return history;
+    const ExactMotion run = *part.run;
+    for (std::size_t n = 0; n < run.phases.size(); ++n) {
+        const Phase& p = run.phases[n];
+        if (p.direction != 0 || !(p.end > p.start)) continue;
+        HistoryStop stop{n == 0 ? part.rest_from : p.start, p.end, system.stuck.contact.of(&run.states[2 * N * n])};
+        if (p.end == end) stop.end.reset();
+        history.stops.push_back(stop);
+    }
+    std::size_t phase = 0;
+    for (std::size_t n = 0; n < count; ++n) {
+        const double tau = from + settings.period * static_cast<double>(n) / settings.samples;
+        while (phase + 1 < run.phases.size() && run.phases[phase].end < tau) ++phase;
+        history.times.push_back(tau);
+        history.states.push_back(solver.state_at(phase, tau));
+        history.directions.push_back(run.phases[phase].direction);
+    }
+    return history;
 }
 
 } // namespace denhartog

@@ -41,10 +41,10 @@ double relative_error(const ModeFunctionsInDouble& functions) {
     return largest;
 }
 
-constexpr std::size_t most_masses = 200; // beyond, the reference takes too long
+constexpr std::size_t most_masses_by_reference = 200; // beyond, the reference takes too long
 
 bool is_for_reference(const SceneSource& source, double error) {
-    if (error <= tolerance_of(digits_by_default) || number_of_masses(source->in_double().system) > most_masses) return false;
+    if (error <= tolerance_of(digits_by_default) || number_of_masses(source->in_double().system) > most_masses_by_reference) return false;
     count_precision_step();
     return true;
 }

@@ -1,4 +1,5 @@
 #if !DENHARTOG_REFERENCE
+#include "denhartog/answer/free_decay.hpp"
 #include "denhartog/answer/modes_by_reference.hpp"
 #include "denhartog/answer/reference.hpp"
 #include "denhartog/number/errors.hpp"
@@ -32,6 +33,13 @@ ModalBasis<Bounded<double>> modes_by_reference(const SceneSource&, bool) { refus
 std::vector<evaluation::ModeFunctions<Bounded<double>>> mode_functions_by_reference(const SceneSource&) { refuse(); }
 
 SystemByReference system_by_reference(const SceneSource&) { refuse(); }
+
+std::vector<Certified> place_of_rest(const SceneSource& source) {
+    if (source->in_double().static_load.empty()) return {};
+    refuse();
+}
+
+FreeDecay free_decay(const SceneSource&, const State&, const std::optional<double>&) { refuse(); }
 
 } // namespace denhartog
 #endif

@@ -34,6 +34,8 @@ void check(const ContactProblem& p) {
     index("contact", p.contact);
     if (p.load_vector.empty()) index("load", p.load);
     if (p.contact_with) index("contact", *p.contact_with);
+    if (!p.static_load.empty() && std::ssize(p.static_load) != N)
+        throw InputError("static_load", "must have " + std::to_string(N) + " values", std::to_string(p.static_load.size()));
     if (!(p.mu >= 1) || !std::isfinite(p.mu)) throw InputError("mu", "must be finite and at least 1", number_to_text(p.mu));
     if (!(p.beta >= 0) || !std::isfinite(p.beta))
         throw InputError("beta", "must be finite and not negative", number_to_text(p.beta));
@@ -52,7 +54,8 @@ ContactProblem contact_problem(const Scene<double>& scene) {
             scene.mu,
             *scene.beta,
             s.contact_with,
-            s.load_vector};
+            s.load_vector,
+            scene.static_load};
 }
 
 ContactEquations::ContactEquations(const ContactProblem& p) : beta(p.beta), mu(p.mu) {
@@ -82,6 +85,14 @@ ContactEquations::ContactEquations(const ContactProblem& p) : beta(p.beta), mu(p
     Matrix<double> held_load = of_load - held * contact.row_of(of_load);
     contact.hold(held_accelerations);
     contact.hold(held_load);
+    if (!p.static_load.empty()) {
+        const Matrix<double> of_static = inverse * Eigen::Map<const Eigen::VectorXd>(p.static_load.data(), rows);
+        Matrix<double> held_static = of_static - held * contact.row_of(of_static);
+        contact.hold(held_static);
+        sliding_static_ = of_static;
+        sticking_static_ = held_static;
+        static_load = contact.of(of_static.col(0)) / compliance;
+    }
     // The contact's row with the accelerations of the others eliminated; for a diagonal M it is row j itself.
     const Matrix<double> row = of_contact.transpose() / compliance * forces;
     contact_row_ = -row;
@@ -103,17 +114,18 @@ void ContactEquations::set(int direction) {
     rows_ = (direction == 0 ? sticking_ : sliding_).data();
     load_column_ = (direction == 0 ? sticking_load_ : sliding_load_).data();
     friction_ = (-direction * beta) * contact_column_;
+    if (sliding_static_.size() > 0) friction_ += direction == 0 ? sticking_static_ : sliding_static_;
 }
 
 double ContactEquations::load_on_contact(std::span<const double> y, double tau) const {
     const std::span<const double> row(contact_row_.data(), 2 * N);
     const double load =
         paper::dynamic_load_on_contact<double>(row.subspan(N), row.first(N), y.first(N), y.subspan(N), direct_load_, tau);
-    return inertial_load_ == 0 ? -load : inertial_load_ * elementary::cos(tau) - load;
+    return (inertial_load_ == 0 ? -load : inertial_load_ * elementary::cos(tau) - load) + static_load;
 }
 
 double ContactEquations::load_error(std::span<const double> y) const {
-    double size = std::abs(harmonic_load) + mu * beta;
+    double size = std::abs(harmonic_load) + mu * beta + std::abs(static_load);
     for (std::size_t n = 0; n < 2 * N; ++n) size += std::abs(contact_row_.data()[n] * y[n]);
     return 16 * std::numeric_limits<double>::epsilon() * size;
 }

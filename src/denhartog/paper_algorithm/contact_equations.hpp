@@ -23,6 +23,7 @@ struct ContactProblem {
     double beta = 0;                    ///< friction ratio, Eq. (11); not negative
     std::optional<Mass> contact_with{}; ///< the mass that the contact rubs against, instead of a wall
     std::vector<double> load_vector{};  ///< force on each mass in units of P, instead of `load`
+    std::vector<double> static_load{};  ///< constant force on each mass in units of P; none where empty
 };
 
 /// @brief The problem at the point of a scene.
@@ -84,18 +85,20 @@ public:
         return sum;
     }
 
-    std::size_t N;        ///< number of masses
-    Contact contact;      ///< the contact
-    double beta;          ///< friction ratio
-    double mu;            ///< static over kinetic friction
-    double harmonic_load; ///< amplitude of the force's part of the load on the contact
-    double compliance;    ///< acceleration of the contact that a unit force on it makes
-    long evaluations = 0; ///< right-hand sides evaluated
+    std::size_t N;          ///< number of masses
+    Contact contact;        ///< the contact
+    double beta;            ///< friction ratio
+    double mu;              ///< static over kinetic friction
+    double harmonic_load;   ///< amplitude of the force's part of the load on the contact
+    double static_load = 0; ///< the constant forces' part of it
+    double compliance;      ///< acceleration of the contact that a unit force on it makes
+    long evaluations = 0;   ///< right-hand sides evaluated
 
 private:
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> sliding_, sticking_; // N x 2N, per unit of y
     Eigen::VectorXd sliding_load_, sticking_load_, contact_column_; // accelerations per unit of force, and on the contact
-    Eigen::VectorXd friction_;                                      // acceleration by friction in this phase
+    Eigen::VectorXd sliding_static_, sticking_static_;              // accelerations by constant forces, or none
+    Eigen::VectorXd friction_;                                      // acceleration by friction in this phase, and by these
     Eigen::RowVectorXd contact_row_;                                // K and C of the contact's row, 2N
     const double *rows_ = nullptr, *load_column_ = nullptr;         // of this phase
     double direct_load_, inertial_load_; // of the force: what acts on the contact itself, and what the others pass on

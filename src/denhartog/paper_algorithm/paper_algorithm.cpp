@@ -171,6 +171,7 @@ private:
         load.cosine = equations_.harmonic_load * elementary::cos(tau_);
         load.sine = -equations_.harmonic_load * elementary::sin(tau_);
         load.h = step_.h;
+        load.c[0] += equations_.static_load;
         const double limit = equations_.mu * equations_.beta + noise_, noise = first_ ? noise_ : 0;
         const std::optional<double> upwards = first_fall(limit - load, noise), downwards = first_fall(limit - (0 - load), noise);
         return upwards && downwards ? std::min(*upwards, *downwards) : upwards ? upwards : downwards;

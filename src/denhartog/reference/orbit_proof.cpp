@@ -13,14 +13,6 @@ constexpr double longest_stretch = 3;      // norm of A times its length
 constexpr int most_looks_at_phase = 20000; // at one curve
 constexpr double narrowest_look = 0x1p-60; // at a part of a stretch
 
-// A derivative over an interval, by Taylor's formula about its middle: where a curve only just stays positive it is flat.
-Ball over(const CurveInBalls& c, int order, double a, double b) {
-    const Ball X = Ball::within(a, b), m(a + (b - a) / 2), h = X - m;
-    if (order == 2) return derivative(c, 2, X);
-    if (order == 1) return derivative(c, 1, m) + derivative(c, 2, X) * h;
-    return derivative(c, 0, m) + derivative(c, 1, m) * h + derivative(c, 2, X) * h * h / Ball(2);
-}
-
 } // namespace
 
 Ball derivative(const CurveInBalls& c, int order, const Ball& theta) {
@@ -40,6 +32,13 @@ Ball derivative(const CurveInBalls& c, int order, const Ball& theta) {
     return sum;
 }
 
+Ball derivative_over(const CurveInBalls& c, int order, double a, double b) {
+    const Ball X = Ball::within(a, b), m(a + (b - a) / 2), h = X - m;
+    if (order == 2) return derivative(c, 2, X);
+    if (order == 1) return derivative(c, 1, m) + derivative(c, 2, X) * h;
+    return derivative(c, 0, m) + derivative(c, 1, m) * h + derivative(c, 2, X) * h * h / Ball(2);
+}
+
 void require_positive(const CurveInBalls& c, const EndsOfCurve& ends, const char* what) {
     for (const double end : {0.0, 1.0})
         if (derivative(c, 0, Ball(end)) < Ball(0)) throw Disproved(what);
@@ -48,8 +47,8 @@ void require_positive(const CurveInBalls& c, const EndsOfCurve& ends, const char
         if (++looks > most_looks_at_phase || b - a < narrowest_look) throw Unproved(what);
         const int order = a == 0 ? ends.order : 0;
         if (!(ends.vanishes && b == 1)) {
-            if (over(c, order, a, b) > Ball(0)) return ZerosInStretch::none;
-        } else if (over(c, 1, a, b) < Ball(0)) {
+            if (derivative_over(c, order, a, b) > Ball(0)) return ZerosInStretch::none;
+        } else if (derivative_over(c, 1, a, b) < Ball(0)) {
             return ZerosInStretch::none;
         }
         if (derivative(c, 0, Ball(a + (b - a) / 2)) < Ball(0)) throw Disproved(what);

@@ -23,6 +23,10 @@ struct CurveInBalls {
 /// @brief A derivative of a curve, of order 0 to 2, over an interval of theta.
 [[nodiscard]] Ball derivative(const CurveInBalls& c, int order, const Ball& theta);
 
+/// @brief The same over an interval from a to b, by Taylor's formula about its middle: where a curve only just stays positive it is
+/// flat.
+[[nodiscard]] Ball derivative_over(const CurveInBalls& c, int order, double a, double b);
+
 /// @brief How a curve vanishes at the ends of a stretch.
 struct EndsOfCurve {
     int order = 0;         ///< to which order it is known to vanish at 0: 0 is not at all

@@ -122,6 +122,17 @@ void check_load(const System<T>& s, const SceneNames& names) {
 }
 
 template <class T>
+void check_static_load(const std::vector<T>& s, std::size_t N, const SceneNames& names) {
+    if (s.empty()) return;
+    if (s.size() != N)
+        fail(names, "static_load", "must have as many values as there are masses (" + std::to_string(N) + ")",
+             std::to_string(s.size()));
+    for (std::size_t k = 0; k < N; ++k)
+        if (const char* rule = broken_rule(s[k]))
+            fail(names, "static_load", "on mass " + number(k) + " " + rule, number_to_text(s[k]), at(k));
+}
+
+template <class T>
 void check_system(const System<T>& s, const SceneNames& names) {
     check_given_once(s.mass_ratios, s.mass_matrix, names, names("mass_ratios"), "mass_matrix");
     check_given_once(s.stiffness_ratios, s.stiffness_matrix, names, names("stiffness_ratios"), "stiffness_matrix");
@@ -163,6 +174,7 @@ void check_system(const System<T>& s, const SceneNames& names) {
 template <class T>
 void check_under_names(const Scene<T>& scene, const SceneNames& names) {
     check_system(scene.system, names);
+    check_static_load(scene.static_load, number_of_masses(scene.system), names);
     check_number(names, "mu", scene.mu, !(scene.mu < 1), rule_of_mu);
     if (scene.r) check_number(names, names("r"), *scene.r, *scene.r > 0, "must be positive");
     if (scene.beta) check_number(names, names("beta"), *scene.beta, !(*scene.beta < 0), "must not be negative");
@@ -186,6 +198,7 @@ Scene<T> converted(const Scene<double>& scene) {
     if (scene.r) out.r = T(*scene.r);
     if (scene.beta) out.beta = T(*scene.beta);
     out.units = scene.units;
+    out.static_load = in_type<T>(scene.static_load);
     return out;
 }
 

@@ -23,6 +23,7 @@ void read_ratios(const json& object, Scene<T>& scene) {
     if (object.contains("stiffness_matrix")) s.stiffness_matrix = read_matrix<T>(item(object, "stiffness_matrix"));
     if (object.contains("r")) scene.r = read_number<T>(item(object, "r"));
     if (object.contains("beta")) scene.beta = read_number<T>(item(object, "beta"));
+    if (object.contains("static_load")) scene.static_load = read_list<T>(item(object, "static_load"));
 }
 
 /// Masses or stiffnesses of a dimensional scene, a list for a chain or a matrix, in units of the first. Gives the first.
@@ -47,7 +48,12 @@ template <class T>
 std::optional<T> read_force(const json& object, const T& m_1, const T& k_1, const std::optional<T>& omega, Units& units) {
     if (!object.contains("base_displacement")) {
         if (!object.contains("force")) return std::nullopt;
-        return read_positive<T>(item(object, "force"));
+        const SceneItem force = item(object, "force");
+        const T P = read_number<T>(force);
+        if (!(P > 0))
+            force.fail(P == 0 ? "must be positive, except for `denhartog integrate`, which follows the free motion from a start"
+                              : "must be positive");
+        return P;
     }
     const SceneItem base = item(object, "base_displacement");
     if (object.contains("force")) base.fail("must not be given together with force");
@@ -103,6 +109,11 @@ T read_dimensional(const json& object, Scene<T>& scene) {
             throw InputError("frequency", "must be given, as the force of a base that moves with the wall depends on it", "");
         if (!P) require(object, "force");
         scene.beta = paper::friction_ratio(*friction, *P);
+    }
+    if (object.contains("static_load")) {
+        if (!P) require(object, scene.units->base ? "frequency" : "force");
+        scene.static_load = read_list<T>(item(object, "static_load"));
+        for (T& each : scene.static_load) each = each / *P;
     }
     return sqrt(k_1) * sqrt(m_1);
 }

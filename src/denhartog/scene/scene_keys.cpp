@@ -38,6 +38,7 @@ constexpr auto keys = std::to_array<std::string_view>({"mass_ratios",
                                                        "static_friction_coefficient",
                                                        "frequency",
                                                        "frequency_hz",
+                                                       "static_load",
                                                        "base_motion",
                                                        "base_displacement",
                                                        "damping_tolerance",
@@ -65,6 +66,8 @@ constexpr auto other_words = std::to_array<std::pair<std::string_view, std::stri
      {"mu_k", "friction_coefficient, with normal_force"},
      {"mu_s", "static_friction_coefficient, with friction_coefficient and normal_force"},
      {"coefficient_of_friction", "friction_coefficient, with normal_force"},
+     {"preload", "static_load"},
+     {"weight", "static_load"},
      {"static_friction", "static_friction_coefficient, or mu"},
      {"mu_static", "static_friction_coefficient, with friction_coefficient and normal_force"}});
 // Keys of a scene in ratios, each with its name in a dimensional scene.

@@ -103,6 +103,7 @@ nlohmann::ordered_json write_scene(const Scene<double>& scene) {
         object["load"] = s.load.index + 1;
     else
         object["load"] = s.load_vector;
+    if (!scene.static_load.empty()) object["static_load"] = scene.static_load;
     object["mu"] = scene.mu;
     if (scene.r) object["r"] = *scene.r;
     if (scene.beta) object["beta"] = *scene.beta;

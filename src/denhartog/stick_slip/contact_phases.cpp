@@ -78,9 +78,11 @@ void ContactPhases::start_phase(int direction, double tau) {
     column(motion.q[1]).noalias() = momentum * column(v);
     if (direction != 0) {
         column(sliding.G) = -direction * e.beta / r2 * system->contact_shape;
+        if (!system->constant.modal.empty()) column(sliding.G) += column(system->constant.modal) / r2;
     } else {
         rest = system->stuck.contact.of(x);
         column(sticking.G) = -rest / r2 * k_j;
+        if (!system->constant.stuck.empty()) column(sticking.G) += column(system->constant.stuck) / r2;
     }
     motion.start(tau);
 }
@@ -148,11 +150,11 @@ Jet ContactPhases::load(double t) {
     effort->spend(sticking.cost());
     sticking.differentiate_at(t);
     const double c = sticking.cos_tau(), s = sticking.sin_tau();
-    const double pull = system->stuck.k_jj * rest;
+    const double pull = system->stuck.k_jj * rest - system->constant.direct;
     Jet jet{{direct * c - pull, -direct * s, -direct * c, direct * s},
             std::abs(direct),
             0.0,
-            std::abs(pull) + std::abs(direct),
+            std::abs(pull) + std::abs(direct) + std::abs(system->constant.direct),
             std::abs(direct)};
     for (std::size_t i = 0; i + 1 < N; ++i) {
         for (int m = 0; m < 4; ++m)
@@ -186,7 +188,7 @@ Event ContactPhases::end_of_sliding(int direction, double length, int order) {
 
 Event ContactPhases::end_of_sticking_alone(double tau, double length) {
     const double holds = e.mu * e.beta;
-    const double force = system->stuck.k_jj * rest;
+    const double force = system->stuck.k_jj * rest - system->constant.direct;
     Event event{length, 0, 0, 0, false};
     for (const int side : {1, -1}) {
         const double y = (force + side * holds) / direct;

@@ -69,4 +69,19 @@ ContactSystem contact_system(const System<double>& s, const ModalBasis<Bounded<d
     return out;
 }
 
+void add_static_load(ContactSystem& system, const std::vector<double>& s) {
+    const auto N = static_cast<Eigen::Index>(s.size());
+    const Eigen::Map<const Column> force(s.data(), N);
+    const Column modal = system.basis.phi.transpose() * force, stuck = system.stuck.shapes.transpose() * force;
+    system.constant.modal.assign(modal.begin(), modal.end());
+    system.constant.stuck.assign(stuck.begin(), stuck.end());
+    system.constant.direct = system.stuck.contact.sign * s[system.stuck.contact.a];
+}
+
+void take_load_away(ContactSystem& system) {
+    system.modal_load.assign(system.modal_load.size(), 0.0);
+    system.stuck_load.assign(system.stuck_load.size(), 0.0);
+    system.stuck.load.assign(system.modal_load.size(), 0.0);
+}
+
 } // namespace denhartog

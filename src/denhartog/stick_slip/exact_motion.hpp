@@ -33,6 +33,13 @@ struct Event {
     bool open = false; ///< no end was found up to t, and what comes after is not known
 };
 
+/// @brief A constant load: what it brings to the modes, sliding and stuck, none without one, and to the contact itself.
+struct ConstantLoad {
+    std::vector<double> modal{}; ///< phi^T s of the modes while the contact slides
+    std::vector<double> stuck{}; ///< the same of the stuck modes
+    double direct = 0;           ///< the part that acts on the contact itself
+};
+
 /// @brief A system with all that does not depend on frequency or friction: prepared once for a whole map.
 struct ContactSystem {
     Mass contact;                     ///< the row of the contact, see `contact_row`
@@ -44,6 +51,7 @@ struct ContactSystem {
     std::vector<double> stuck_load{}; ///< the same of the stuck modes
     std::vector<double> detuned{};    ///< by what part of itself each natural frequency may be off
     Matrix<double> damping_error{};   ///< bounds of what rounding makes of phi^T C phi and what is left out of it, N x N, or none
+    ConstantLoad constant{};          ///< the constant load, see `add_static_load`
     Column contact_shape{};           ///< w^T phi: what each mode of sliding moves the contact by
     bool damping_fixes_modes{};       ///< a damping matrix was given: modes of one frequency are those that it does not couple
     Reasons rounded_because{};        ///< why double has no modes of its own, where these are those of the reference; else empty
@@ -56,6 +64,12 @@ struct ContactSystem {
 /// @brief The same with the modal basis known; `held` is what more digits have found beside it, where it comes from them too.
 [[nodiscard]] ContactSystem contact_system(const System<double>& s, const ModalBasis<Bounded<double>>& modes,
                                            const RoundedModes* held = nullptr);
+
+/// @brief Adds a constant force on each mass, N values in units of P.
+void add_static_load(ContactSystem& system, const std::vector<double>& s);
+
+/// @brief Takes the harmonic load away: the motion is free.
+void take_load_away(ContactSystem& system);
 
 /// @brief The load on the contact and the friction there, at one frequency.
 struct Excitation {

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -9,8 +10,10 @@
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
+#include "denhartog/program/commands/free_motion.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/json/solution_json.hpp"
+#include "denhartog/program/output/files.hpp"
 #include "denhartog/program/output/result_files.hpp"
 #include "denhartog/scene/point_rules.hpp"
 
@@ -21,6 +24,8 @@ struct IntegrateOptions : SceneOptions {
     std::string method = "paper";
     std::string start;
     std::string units{in_ratios};
+    std::string history, output;
+    bool method_given = false, cycles_given = false;
     PaperSettings settings;
 };
 
@@ -99,11 +104,12 @@ std::string as_table(const Json& a) {
             text += "stops in the last period, tau from a maximum of the force:\n" +
                     aligned({"start", "end", "x"}, a.at("stops"), {"start", "end", "x"});
     }
+    if (a.contains("history")) text += history_table(a.at("history"));
     std::string counters;
     for (const auto& item : a.at("counters").items())
         counters += (counters.empty() ? "" : ", ") + item.key() + " " + in_table(item.value());
-    return text + "method: " + cell(a, "method") + ", " + cell(a, "cycles") + " cycles; " + counters + "\n" + dimensional_table(a) +
-           "\n";
+    return text + "method: " + cell(a, "method") + ", " + cell(a, "cycles") + " cycles; " + counters + "\n" +
+           dimensional_table(a) + "\n";
 }
 
 State start_from(const std::string& text, std::size_t N) {
@@ -121,7 +127,68 @@ State start_from(const std::string& text, std::size_t N) {
     return {{numbers.begin(), middle}, {middle, numbers.end()}};
 }
 
+// What is asked of the history; InputError where it cannot be.
+HistorySettings history_settings(const IntegrateOptions& options, const State& start) {
+    HistorySettings settings;
+    settings.cycles = options.settings.cycles;
+    settings.start = start;
+    settings.samples = options.settings.samples;
+    if (options.history == "all") return settings;
+    double periods = 0;
+    const NumberFault fault = number_from_text(options.history, periods);
+    if (fault != NumberFault::none || periods != std::floor(periods) || !(periods >= 1 && periods <= 1e6))
+        throw InputError("history", "must be all, or a whole number of periods from 1 to the number of cycles", options.history);
+    settings.last = static_cast<int>(periods);
+    return settings;
+}
+
+void report_end(const std::string& reason, const SceneText& part, ExitStatus& status) {
+    status.digits_missing = true;
+    report(reason + (part.alone ? "" : " (line " + std::to_string(part.line) + ")"));
+}
+
+// The instants asked for as a file, or as CSV to be printed; nothing where the end was not reached.
+std::string sampled(const SampledSolution& motion, const std::optional<MotionUnits>& units, const std::vector<int>& directions,
+                    const std::string& output) {
+    if (motion.tau.empty()) return "";
+    if (output.empty()) return motion_csv(motion, units, directions);
+    write_file(output, as_npy(output) ? motion_npy(motion, units, directions) : motion_csv(motion, units, directions));
+    return "";
+}
+
+// The answer to a scene without a load.
+std::string freed(const UnloadedScene& unloaded, const SceneText& part, const IntegrateOptions& options, ExitStatus& status) {
+    if (options.method_given && options.method == "paper") throw InputError("method", "must be exact where force is 0", "paper");
+    const SceneSource source = source_of(SceneText{unloaded.text, part.line, part.alone}, options.damping);
+    if (options.start.empty()) throw InputError("start", "must be given where force is 0", "");
+    const std::size_t N = number_of_masses(source->in_double().system);
+    check(options.settings, N);
+    State start = start_from(options.start, N);
+    for (double& v : start.x_prime) v /= unloaded.omega;
+    std::optional<MotionHistory> history;
+    if (!options.history.empty() || options.settings.samples > 0) {
+        IntegrateOptions of_history = options;
+        if (options.history.empty()) of_history.history = "all";
+        HistorySettings settings = history_settings(of_history, start);
+        settings.without_load = true;
+        settings.period = unloaded.period;
+        if (!options.cycles_given) settings.cycles = periods_to_rest(unloaded, source, start);
+        history = motion_history(source, settings);
+        if (history->status != IntegrationStatus::complete) {
+            report_end(history->reason, part, status);
+            history.reset();
+        }
+    }
+    if (options.settings.samples > 0 && !history) return "";
+    if (options.settings.samples > 0)
+        return sampled({history->times, history->states}, MotionUnits{unloaded.omega, 1}, history->directions, options.output);
+    const std::optional<int> periods = options.cycles_given ? std::optional(options.settings.cycles) : std::nullopt;
+    const Json json = free_motion_json(unloaded, source, start, periods, history);
+    return options.json ? json.dump() + "\n" : free_motion_table(json);
+}
+
 std::string integrated(const SceneText& part, const IntegrateOptions& options, ExitStatus& status) {
+    if (const std::optional<UnloadedScene> unloaded = unloaded_scene(part)) return freed(*unloaded, part, options, status);
     const SceneSource source = source_of(part, options.damping);
     const Scene<double>& scene = source->in_double();
     PaperSettings settings = options.settings;
@@ -131,24 +198,46 @@ std::string integrated(const SceneText& part, const IntegrateOptions& options, E
         for (double& x : settings.start->x) x /= units->length;
         for (double& v : settings.start->x_prime) v /= units->length * units->omega;
     }
-    const PaperMotion motion = options.method == "paper" ? paper_algorithm(scene, settings) : exact_cycles(source, settings);
-    if (motion.status != IntegrationStatus::complete) {
-        status.digits_missing = true;
-        report(motion.reason + (part.alone ? "" : " (line " + std::to_string(part.line) + ")"));
+    std::optional<MotionHistory> history;
+    if (!options.history.empty()) {
+        const State start = settings.start.value_or(at_rest(number_of_masses(scene.system)));
+        history = motion_history(source, history_settings(options, start));
+        if (settings.samples > 0) {
+            if (history->status != IntegrationStatus::complete) report_end(history->reason, part, status);
+            return sampled({history->times, history->states}, units, history->directions, options.output);
+        }
     }
-    if (settings.samples > 0)
-        return motion.status == IntegrationStatus::complete
-                   ? motion_csv(SampledSolution(motion.sample_times, motion.samples), units)
-                   : "";
-    const Json json = motion_json(motion, scene, options);
+    const PaperMotion motion = options.method == "paper" ? paper_algorithm(scene, settings) : exact_cycles(source, settings);
+    if (motion.status != IntegrationStatus::complete) report_end(motion.reason, part, status);
+    if (settings.samples > 0) return sampled({motion.sample_times, motion.samples}, units, {}, options.output);
+    Json json = motion_json(motion, scene, options);
+    if (history && history->status == IntegrationStatus::complete) {
+        json["history"] = history_json(*history, 1, 1);
+        if (json.contains("dimensional")) {
+            const double omega = angular_frequency(*scene.units, *scene.r);
+            json["dimensional"]["history"] =
+                history_json(*history, 1 / omega, displacement_unit(*scene.units, *scene.units->force));
+        }
+    }
     return options.json ? json.dump() + "\n" : as_table(json);
 }
 
-void answer(const IntegrateOptions& options, ExitStatus& status) {
+void answer(const IntegrateOptions& given, ExitStatus& status) {
+    IntegrateOptions options = given;
     if (options.method != "paper" && options.method != "exact")
         throw InputError("method", "must be paper or exact", options.method);
+    if (!options.history.empty()) {
+        if (options.method_given && options.method == "paper")
+            throw InputError("history", "must be asked for with --method exact, which it takes by default", options.history);
+        options.method = "exact";
+    }
     if (options.settings.samples > 0 && options.json)
         throw InputError("samples", "must not be given with --json: samples are CSV", "");
+    if (!options.output.empty()) {
+        if (options.settings.samples <= 0) throw InputError("output", "must be given with --samples", options.output);
+        (void)as_npy(options.output);
+        check_writable(options.output);
+    }
     answer_scenes(
         options,
         [&](const SceneText& part) {
@@ -181,15 +270,31 @@ void add_integrate_command(CLI::App& app, ExitStatus& status) {
                         "N displacements, then N velocities, separated by commas, in the units of --units; by default rest at "
                         "zero");
     add_units_option(*command, options->units);
-    command->add_option("--samples", settings.samples,
-                        "print this many instants of the last period as CSV: tau, x_1..x_N, v_1..v_N");
+    command->add_option(
+        "--samples", settings.samples,
+        "print this many instants of the last period as CSV: tau, x_1..x_N, v_1..v_N. With --history they are\n"
+        "those of a period of the history, with a last column, direction: 1 or -1 as the contact slides, 0 while\n"
+        "it sticks");
+    command->add_option(
+        "--history", options->history,
+        "all, or the number of periods at the end: every stop in them, times from the start of the motion. By the\n"
+        "exact method");
+    command->add_option("--output", options->output, "file for the samples, .csv or .npy; it appears when it is complete");
     command->footer(
         "Amplitudes are the largest |x_k| over the last period. The phase is the instant of the largest displacement after a\n"
         "maximum of the force, if the contact does not stop. Stops are those that end in the last period. The exact method\n"
         "has no tolerances. dimensional: the same in the units of a scene that was given by masses and stiffnesses; only with\n"
         "--units scene are the start and the samples in these, and not in P / k_1 and radians of the force. If the final time\n"
-        "is not reached, the exit status is 3, and the answer has status and reason.");
-    command->callback([options, &status] { answer(*options, status); });
+        "is not reached, the exit status is 3, and the answer has status and reason.\n"
+        "With \"force\": 0 the motion is free. The answer says, in the units of the scene, where and from when on the contact\n"
+        "rests for good, and where it turned before, every number with a proved bound. Periods are those of the scene's\n"
+        "frequency, if it has one, else of mass 1 on spring 1 alone; --cycles is by default as many as it takes to rest.\n"
+        "Other masses that nothing damps may set the contact in motion for ever: --cycles then ends the answer.");
+    command->callback([options, command, &status] {
+        options->method_given = command->count("--method") > 0;
+        options->cycles_given = command->count("--cycles") > 0;
+        answer(*options, status);
+    });
 }
 
 } // namespace denhartog::program

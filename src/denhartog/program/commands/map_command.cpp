@@ -86,12 +86,6 @@ std::vector<Mass> masses_of(const std::vector<long>& numbers, const Scene<double
     return masses;
 }
 
-bool as_npy(const std::string& output) {
-    if (output.empty() || output.ends_with(".csv")) return false;
-    if (output.ends_with(".npy")) return true;
-    throw InputError("output", "must end in .csv or .npy", output);
-}
-
 // The grid in one kind of numbers: ratios, or the units of the scene.
 bool asks_for_units(const MapOptions& options) {
     const bool ratios = !options.r.empty() || !options.beta.empty();

@@ -38,7 +38,9 @@ std::string respond(const SceneText& part, const SceneOptions& options) {
     Json answer = response_json(found, NumberWriter{options.digits});
     add_damping(answer, source);
     add_dimensional(answer, source, found);
-    return options.json ? answer.dump() + "\n" : response_table(answer) + dimensional_table(answer);
+    add_place_of_rest(answer, source);
+    return options.json ? answer.dump() + "\n"
+                        : response_table(answer) + place_of_rest_lines(answer) + dimensional_table(answer);
 }
 
 std::string boundary_table(const Json& a) {

@@ -85,10 +85,12 @@ std::string solved(const SceneText& part, const SolveOptions& options) {
     Json answer = solution_json(solution, NumberWriter{options.digits});
     add_damping(answer, source);
     add_dimensional(answer, source, solution);
+    add_place_of_rest(answer, source);
     if (options.condition) add_condition(answer, part, options);
     if (options.json) return answer.dump() + "\n";
     const std::string damping = damping_line(answer);
-    return solution_table(answer) + damping + (damping.empty() ? "" : "\n") + dimensional_table(answer) + condition_table(answer);
+    return solution_table(answer) + damping + (damping.empty() ? "" : "\n") + place_of_rest_lines(answer) +
+           dimensional_table(answer) + condition_table(answer);
 }
 
 } // namespace
@@ -127,6 +129,7 @@ void add_solve_command(CLI::App& app, ExitStatus& status) {
         "error_bound is absolute, in units of P / k_1; phase_error_bound in radians. counters: what the answer cost.\n"
         "dimensional: the same in the units of a scene that was given by masses and stiffnesses; times from the maximum of the\n"
         "force.\n"
+        "place_of_rest: where a constant load of the scene holds the masses; displacements count from there.\n"
         "damping: for a damping matrix that couples the modes, whether the coupling was included, and how large it is.\n"
         "condition (--condition): an estimate for each mass by each number of the scene that is not zero, null if it is not "
         "known\n"

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include "denhartog/answer/free_decay.hpp"
 #include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/scene/point_rules.hpp"
 
@@ -87,6 +88,29 @@ std::string damping_line(const Json& answer) {
            " of the geometric mean of two diagonal coefficients: " +
            (taken_in ? "taken in" : "left out, as the paper does; without it the damping ratios nearest to the matrix count") +
            "\n";
+}
+
+void add_place_of_rest(Json& answer, const SceneSource& source) {
+    const std::vector<Certified> places = place_of_rest(source);
+    const NumberWriter write;
+    const bool in_units = answer.contains("dimensional") && answer.at("dimensional").contains("displacement_unit");
+    const double length = in_units ? answer.at("dimensional").at("displacement_unit").get<double>() : 1;
+    constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const Certified& x = places[k];
+        answer["place_of_rest"].push_back({{"mass", k + 1}, {"x", write(x)}, {"error_bound", write.bound(x.error)}});
+        if (in_units)
+            answer["dimensional"]["place_of_rest"].push_back(
+                {{"mass", k + 1},
+                 {"x", write(length * x.value)},
+                 {"error_bound", write.bound(length * (x.error + rounding * std::abs(x.value)))}});
+    }
+}
+
+std::string place_of_rest_lines(const Json& answer) {
+    if (!answer.contains("place_of_rest")) return "";
+    return "displacements count from the place of rest under the constant load, in units of P / k_1:\n" +
+           aligned({"mass", "at", "error bound"}, answer.at("place_of_rest"), {"mass", "x", "error_bound"}) + "\n";
 }
 
 void add_dimensional(Json& answer, const SceneSource& source, const Solution& solution) {

@@ -29,6 +29,11 @@ namespace denhartog::program {
 void add_damping(Json& answer, const SceneSource& source);
 [[nodiscard]] std::string damping_line(const Json& answer);
 
+// Adds `place_of_rest` where the scene has a constant load: the places from which displacements count, in units of P / k_1 and those
+// of the scene; and the same as lines, empty where there is none.
+void add_place_of_rest(Json& answer, const SceneSource& source);
+[[nodiscard]] std::string place_of_rest_lines(const Json& answer);
+
 // What the ratios of a scene in physical units are in these: frequency, force, friction.
 [[nodiscard]] Json units_json(const Units& units, double r, const std::optional<double>& beta, double mu);
 

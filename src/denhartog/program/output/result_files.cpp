@@ -152,26 +152,68 @@ std::optional<MotionUnits> motion_units(const Scene<double>& scene, const std::s
     return MotionUnits{omega, displacement_unit(*scene.units, *P)};
 }
 
-std::string motion_csv(const SampledSolution& motion, const std::optional<MotionUnits>& units) {
+bool as_npy(const std::string& output) {
+    if (output.empty() || output.ends_with(".csv")) return false;
+    if (output.ends_with(".npy")) return true;
+    throw InputError("output", "must end in .csv or .npy", output);
+}
+
+namespace {
+
+// The columns of a motion, and what each instant has in them.
+struct MotionTable {
+    std::vector<std::string> names;
+    std::vector<double> numbers; // row by row
+};
+
+MotionTable motion_table(const SampledSolution& motion, const std::optional<MotionUnits>& units) {
     const double time = units ? 1 / units->omega : 1, length = units ? units->length : 1;
     const double velocity = units ? units->length * units->omega : 1;
-    const auto cell = [](double x) {
-        if (!std::isfinite(x)) throw PrecisionError("the motion holds a number beyond the range of a double");
-        return "," + number_to_text(x == 0 ? 0.0 : x);
-    };
-    std::string csv = units ? "t" : "tau";
+    MotionTable table{{units ? "t" : "tau"}, {}};
     const std::size_t N = motion.x.size() / motion.tau.size();
     for (const char* letter : {"x", "v"})
-        for (std::size_t k = 1; k <= N; ++k)
-            csv += std::string(",") + letter + "_" + std::to_string(k);
-    csv += "\n";
+        for (std::size_t k = 1; k <= N; ++k) table.names.push_back(std::string(letter) + "_" + std::to_string(k));
+    const auto put = [&](double x) {
+        if (!std::isfinite(x)) throw PrecisionError("the motion holds a number beyond the range of a double");
+        table.numbers.push_back(x == 0 ? 0.0 : x);
+    };
     for (std::size_t n = 0; n < motion.tau.size(); ++n) {
-        csv += number_to_text(time * motion.tau[n]);
-        for (std::size_t k = 0; k < N; ++k) csv += cell(length * motion.x[n * N + k]);
-        for (std::size_t k = 0; k < N; ++k) csv += cell(velocity * motion.x_prime[n * N + k]);
-        csv += "\n";
+        put(time * motion.tau[n]);
+        for (std::size_t k = 0; k < N; ++k) put(length * motion.x[n * N + k]);
+        for (std::size_t k = 0; k < N; ++k) put(velocity * motion.x_prime[n * N + k]);
+    }
+    return table;
+}
+
+} // namespace
+
+std::string motion_csv(const SampledSolution& motion, const std::optional<MotionUnits>& units,
+                       const std::vector<int>& directions) {
+    const MotionTable table = motion_table(motion, units);
+    std::string csv;
+    for (const std::string& name : table.names) csv += (csv.empty() ? "" : ",") + name;
+    csv += directions.empty() ? "\n" : ",direction\n";
+    const std::size_t columns = table.names.size();
+    for (std::size_t n = 0; n < motion.tau.size(); ++n) {
+        for (std::size_t c = 0; c < columns; ++c) csv += (c == 0 ? "" : ",") + number_to_text(table.numbers[n * columns + c]);
+        csv += directions.empty() ? "\n" : "," + std::to_string(directions[n]) + "\n";
     }
     return csv;
+}
+
+std::string motion_npy(const SampledSolution& motion, const std::optional<MotionUnits>& units,
+                       const std::vector<int>& directions) {
+    const MotionTable table = motion_table(motion, units);
+    std::vector<NpyField> fields;
+    for (const std::string& name : table.names) fields.push_back({name, "f8"});
+    if (!directions.empty()) fields.push_back({"direction", "i1"});
+    std::string bytes = npy_header(fields, {motion.tau.size()});
+    const std::size_t columns = table.names.size();
+    for (std::size_t n = 0; n < motion.tau.size(); ++n) {
+        for (std::size_t c = 0; c < columns; ++c) append(bytes, table.numbers[n * columns + c]);
+        if (!directions.empty()) append(bytes, static_cast<std::int8_t>(directions[n]));
+    }
+    return bytes;
 }
 
 } // namespace denhartog::program

@@ -55,7 +55,16 @@ void add_units_option(CLI::App& command, std::string& units);
 // The units that `--units` asks for; none for ratios. Throws InputError where the scene has no such units.
 [[nodiscard]] std::optional<MotionUnits> motion_units(const Scene<double>& scene, const std::string& units);
 
-// A motion as CSV: columns tau, x_1 to x_N, v_1 to v_N; in units t in place of tau, and velocities by time.
-[[nodiscard]] std::string motion_csv(const SampledSolution& motion, const std::optional<MotionUnits>& units);
+// A motion as CSV: columns tau, x_1 to x_N, v_1 to v_N; in units t in place of tau, and velocities by time. With directions, one an
+// instant, a last column `direction`: 1 or -1 as the contact slides, 0 while it sticks.
+[[nodiscard]] std::string motion_csv(const SampledSolution& motion, const std::optional<MotionUnits>& units,
+                                     const std::vector<int>& directions = {});
+
+// The same as NPY: an array of records with the columns of the CSV as fields.
+[[nodiscard]] std::string motion_npy(const SampledSolution& motion, const std::optional<MotionUnits>& units,
+                                     const std::vector<int>& directions);
+
+// Whether a file is NPY by its name, and not CSV. Throws InputError where it is neither.
+[[nodiscard]] bool as_npy(const std::string& output);
 
 } // namespace denhartog::program

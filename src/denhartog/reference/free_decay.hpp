@@ -1,0 +1,61 @@
+/// @file
+/// @brief The motion without a load, from a start until the contact rests for good, every number of it proved.
+///
+/// Friction and damping take energy out of the motion. Each stretch of sliding ends where the velocity of the contact is zero. There
+/// (74) decides: the contact stops, or its load turns it round. Events are enclosed one after the other, and between them
+/// interval arithmetic excludes that one was missed.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "denhartog/reference/orbit.hpp"
+
+namespace denhartog::reference {
+
+/// @brief Where the velocity of the contact is zero at the end of a stretch of sliding.
+struct TurnInBalls {
+    Ball tau{}; ///< the instant, counted from the start
+    Ball x{};   ///< displacement of the contact, w^T x; units of P / k_1
+};
+
+/// @brief The motion without a load.
+struct FreeDecayInBalls {
+    bool at_rest = false;             ///< whether the contact rests for good; if not, the motion was followed no further
+    std::vector<TurnInBalls> turns{}; ///< ends of sliding, in order: one a half-cycle; the last is where the contact rests
+    std::vector<StopInBalls> stops{}; ///< stops after which the contact breaks away again, in order
+    Ball rest_from{};                 ///< tau from which the contact rests for good
+    Ball rest_at{};                   ///< displacement of the contact at rest
+    std::vector<Ball> x{};            ///< places of rest of all masses with the contact there; units of P / k_1
+    /// Whether the other masses come to rest there: every free motion of theirs is damped, so that they tend to these places and
+    /// never reach them; false where nothing damps them and they move for ever; empty where neither is proved, or there are none
+    std::optional<bool> others_come_to_rest{};
+    /// Whether the springs pull on the contact at rest with static friction, to all bits: if they are equal, (74) lets it stick
+    bool on_limit = false;
+};
+
+/// @brief Follows the motion without a load until the contact rests for good.
+///
+/// While the contact rests, the others move freely about their places of rest, with an energy E that never grows, as damping takes
+/// energy out of every motion. With
+/// \f[ \mathbf P_K = \mathbf K^{-1}-
+///     \frac{\mathbf K^{-1}\mathbf w\mathbf w^T\mathbf K^{-1}}{\mathbf w^T\mathbf K^{-1}\mathbf w} \f]
+/// and \f$ \mathbf P_M \f$ alike, what they add to the load on the contact,
+/// \f$ \mathbf a^T\bar{\mathbf x}+\mathbf b^T\bar{\mathbf x}' \f$, is at most
+/// \f[ \sqrt{2E\,(\mathbf a^T\mathbf P_K\mathbf a+\mathbf b^T\mathbf P_M\mathbf b)} \f]
+/// (Cauchy and Schwarz). Where this and the load of the springs at rest are less than static friction, the rest lasts.
+/// @eq{6,74,75}
+/// @param scene    the scene with its damping matrix; its load p counts for nothing
+/// @param x        displacements at the start, N x 1; units of P / k_1
+/// @param x_prime  velocities there, with respect to tau, N x 1
+/// @param until    an instant up to which the motion is followed; empty: until the contact rests for good, which it may never do
+///                 where nothing damps the other masses
+/// @param last     whether no more bits will be tried: a single mass whose springs pull with static friction to all bits then
+///                 rests, see `on_limit`
+/// @return         the motion
+/// @throws         Unproved where more bits may help; PrecisionError where the work allowed is spent before the motion has come to
+///                 its end
+[[nodiscard]] FreeDecayInBalls free_decay_in_balls(const SceneInBalls& scene, const BallMatrix& x, const BallMatrix& x_prime,
+                                                   const std::optional<Ball>& until, bool last);
+
+} // namespace denhartog::reference
