@@ -111,24 +111,29 @@ struct HeldResponse {
 
 HeldResponse held_response(const Scene<double>& scene, const StuckConfiguration& stuck, Matrix<double> of_damping) {
     const std::size_t N = stuck.masses.size() + 1, a = stuck.contact.a;
-    std::vector<double> p = load_vector(scene.system);
+    std::vector<Complex<double>> p = complex_load(scene.system);
+    std::vector<double> of_p = error_of_load(scene.system);
+    const double of_direct = of_p.empty() ? 0 : of_p[a];
     if (stuck.contact.b) { // x_a moves as x_b does
         const std::size_t b = *stuck.contact.b;
+        if (!of_p.empty()) of_p[b] += of_p[a];
         const auto row = static_cast<Eigen::Index>(b), of_a = static_cast<Eigen::Index>(a);
-        p[b] += p[a];
+        p[b] = p[b] + p[a];
         of_damping.col(row) += of_damping.col(of_a);
         of_damping.row(row) += of_damping.row(of_a);
     }
-    std::vector<double> forces;
+    std::vector<Complex<double>> forces;
+    std::vector<double> errors;
     std::vector<Eigen::Index> others;
     for (const Mass& k : stuck.masses) {
         forces.push_back(p[k.index]);
+        if (!of_p.empty()) errors.push_back(of_p[k.index]);
         others.push_back(static_cast<Eigen::Index>(k.index));
     }
     const Bounded<double> r = as_input(*scene.r);
     std::vector<Complex<Bounded<double>>> moving;
     if (N > 1)
-        moving = harmonic_responses(harmonic_system(stuck.M, stuck.C, stuck.K, of_damping(others, others), r), forces);
+        moving = harmonic_responses(harmonic_system(stuck.M, stuck.C, stuck.K, of_damping(others, others), r), forces, errors);
     HeldResponse held{{N, {Bounded<double>(0), Bounded<double>(0)}}, {}};
     std::vector<Bounded<double>> C_j, K_j;
     for (std::size_t i = 0; i + 1 < N; ++i) {
@@ -140,9 +145,12 @@ HeldResponse held_response(const Scene<double>& scene, const StuckConfiguration&
         K_j.push_back(as_input(stuck.k_j[i]) - r * r * as_input(stuck.m_j[i]));
     }
     if (stuck.contact.b) held.X[a] = held.X[*stuck.contact.b];
-    const double direct = direct_load(stuck, scene.system.load);
+    const Complex<double> direct = direct_load(stuck, scene.system.load);
+    const auto bounded = [of_direct](double part) {
+        return part == 1 ? Bounded<double>(1) : Bounded<double>(part, as_input(part).e + of_direct);
+    };
     held.load = modulus(
-        paper::load_on_held_contact<Bounded<double>>(C_j, K_j, moving, direct == 1 ? Bounded<double>(1) : as_input(direct)));
+        paper::load_on_held_contact<Bounded<double>>(C_j, K_j, moving, Complex<Bounded<double>>{bounded(direct.re), bounded(direct.im)}));
     return held;
 }
 

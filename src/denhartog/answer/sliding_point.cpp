@@ -61,7 +61,7 @@ Number paper_limit(const Scene<double>& scene, ModalBasis<Number> basis, const B
     const bool couples = basis.couples;
     basis.D.resize(0, 0);
     basis.couples = false;
-    const ModeSums<Number> sums = mode_sums(basis, contact_row(scene.system), load_row(scene.system), as_input(*scene.r));
+    const ModeSums<Number> sums = mode_sums(basis, contact_row(scene.system), load_rows(scene.system), as_input(*scene.r));
     const Boundary<Number> b = boundary_with(sums, as_input(scene.mu), SearchedSums(sums).demands());
     const double change = std::abs(b.exact.x - coupled.exact.x), most = hardly_changed * coupled.exact.x;
     Number paper = change <= most ? b.paper : coupled.paper;
@@ -71,12 +71,15 @@ Number paper_limit(const Scene<double>& scene, ModalBasis<Number> basis, const B
 }
 
 // Next to a pole the numbers are those of rounding: one unit in the last place of r changes them by a tenth and more.
-void check_poles(const ModalBasis<Number>& basis, Mass load, double r) {
+void check_poles(const ModalBasis<Number>& basis, const LoadRows& load, double r) {
     constexpr double units = 8;
     for (std::size_t i = 0; i < basis.r_n.size() && !basis.coupled(); ++i) {
         const double R = r / basis.r_n[i].x;
-        const Number& loaded = basis.phi(static_cast<Eigen::Index>(load.index), static_cast<Eigen::Index>(i));
-        if (basis.zeta[i].x == 0 && std::abs(loaded.x) > loaded.e && std::abs(R - 1) <= units * unit_of<double>())
+        const auto excites = [&](Mass row) {
+            const Number& loaded = basis.phi(static_cast<Eigen::Index>(row.index), static_cast<Eigen::Index>(i));
+            return std::abs(loaded.x) > loaded.e;
+        };
+        if (basis.zeta[i].x == 0 && (excites(load.re) || (load.im && excites(*load.im))) && std::abs(R - 1) <= units * unit_of<double>())
             throw PoleByRounding("mode " + std::to_string(i + 1) + " has no damping and R = " + number_to_text(R) +
                                  (R == 1 ? "" : ", which is 1 to the last digits of a double") +
                                  ": its complex response function (23) is infinite there, and so is the amplitude in the limit");
@@ -160,7 +163,7 @@ Solution sliding_solution(const SceneSource& source, const SlidingQuestion& ques
     if (!question.modes) check(scene);
     (void)frequency_ratio_of(scene);
     const auto modes = question.modes ? question.modes : modes_with_errors(scene.system);
-    check_poles(*modes, load_row(scene.system), *scene.r);
+    check_poles(*modes, load_rows(scene.system), *scene.r);
     // Where mu > 1 the motion from rest may be the sliding one.
     const bool motion = question.asked != Asked::regime || scene.mu > 1;
     const bool limits = question.asked == Asked::motion || question.asked == Asked::regime;

@@ -84,6 +84,18 @@ void check_size_of_map(std::size_t columns, std::size_t amplitudes);
 [[nodiscard]] RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, const std::atomic<bool>& stop,
                                    const std::function<void(std::size_t done)>& done = {});
 
+/// @brief A map of one frequency ratio, the m-th of a request.
+using ColumnOfMap = std::function<RegimeMap(std::size_t m, MapRequest one)>;
+
+/// @brief A map whose columns have a scene each, because the load or its unit changes with the frequency.
+/// @param request    grid, masses, threads
+/// @param column_at  the map of one column
+/// @param done       as of `regime_map`
+/// @return           the map
+/// @throws           InputError if it is too large, or what `column_at` throws
+[[nodiscard]] RegimeMap map_by_columns(const MapRequest& request, const ColumnOfMap& column_at,
+                                       const std::function<void(std::size_t done)>& done);
+
 /// @brief The four boundaries at one frequency ratio, for curves over r. They are those of `Limits`, in double.
 struct BoundaryPoint {
     PointStatus status = PointStatus::failed; ///< whether the boundaries are known

@@ -33,6 +33,8 @@ void check(const ContactProblem& p) {
     };
     index("contact", p.contact);
     if (p.load_vector.empty()) index("load", p.load);
+    if (!p.load_phases.empty() && (p.load_phases.size() != static_cast<std::size_t>(N) || p.load_vector.size() != p.load_phases.size()))
+        throw InputError("load_phases", "must have one value for each mass, beside as many forces", std::to_string(p.load_phases.size()));
     if (p.contact_with) index("contact", *p.contact_with);
     if (!(p.mu >= 1) || !std::isfinite(p.mu)) throw InputError("mu", "must be finite and at least 1", number_to_text(p.mu));
     if (!(p.beta >= 0) || !std::isfinite(p.beta))
@@ -52,7 +54,8 @@ ContactProblem contact_problem(const Scene<double>& scene) {
             scene.mu,
             *scene.beta,
             s.contact_with,
-            s.load_vector};
+            s.load_vector,
+            s.load_phases};
 }
 
 ContactEquations::ContactEquations(const ContactProblem& p) : beta(p.beta), mu(p.mu) {
@@ -63,8 +66,15 @@ ContactEquations::ContactEquations(const ContactProblem& p) : beta(p.beta), mu(p
     System<double> places; // of contact and load
     places.mass_ratios.resize(static_cast<std::size_t>(rows));
     places.contact = p.contact, places.load = p.load, places.contact_with = p.contact_with, places.load_vector = p.load_vector;
-    const std::vector<double> of_w = contact_vector(places), of_p = load_vector(places);
-    const Eigen::Map<const Eigen::VectorXd> w(of_w.data(), rows), load(of_p.data(), rows);
+    places.load_phases = p.load_phases;
+    out_of_phase_ = !p.load_phases.empty();
+    const std::vector<double> of_w = contact_vector(places);
+    std::vector<double> of_p, of_sine;
+    for (const Complex<double>& each : complex_load(places)) {
+        of_p.push_back(each.re);
+        of_sine.push_back(each.im);
+    }
+    const Eigen::Map<const Eigen::VectorXd> w(of_w.data(), rows), load(of_p.data(), rows), ahead(of_sine.data(), rows);
     const Eigen::LLT<Matrix<double>> factor(M);
     if (factor.info() != Eigen::Success) throw InputError("M", "must be positive definite", "");
     const Matrix<double> inverse = factor.solve(Matrix<double>::Identity(rows, rows));
@@ -78,22 +88,28 @@ ContactEquations::ContactEquations(const ContactProblem& p) : beta(p.beta), mu(p
     // With the contact held, the reaction takes its acceleration away.
     const Matrix<double> held = of_contact / compliance;
     Matrix<double> held_accelerations = accelerations - held * contact.row_of(accelerations);
-    const Matrix<double> of_load = inverse * load;
-    Matrix<double> held_load = of_load - held * contact.row_of(of_load);
     contact.hold(held_accelerations);
-    contact.hold(held_load);
+    const auto held_force = [&](const Matrix<double>& of_force) {
+        Matrix<double> held_load = of_force - held * contact.row_of(of_force);
+        contact.hold(held_load);
+        return held_load;
+    };
+    const Matrix<double> of_load = inverse * load, of_ahead = inverse * ahead;
     // The contact's row with the accelerations of the others eliminated; for a diagonal M it is row j itself.
     const Matrix<double> row = of_contact.transpose() / compliance * forces;
     contact_row_ = -row;
     sliding_ = accelerations;
     sticking_ = held_accelerations;
     sliding_load_ = of_load;
-    sticking_load_ = held_load;
+    sticking_load_ = held_force(of_load);
+    sliding_ahead_ = of_ahead;
+    sticking_ahead_ = held_force(of_ahead);
     contact_column_ = of_contact;
     friction_.resize(rows);
-    harmonic_load = of_contact.dot(load) / compliance;
-    direct_load_ = contact.sign * load(static_cast<Eigen::Index>(contact.a));
-    inertial_load_ = harmonic_load - direct_load_;
+    const auto a = static_cast<Eigen::Index>(contact.a);
+    harmonic_load = {of_contact.dot(load) / compliance, of_contact.dot(ahead) / compliance};
+    direct_load_ = {contact.sign * load(a), contact.sign * ahead(a)};
+    inertial_load_ = {harmonic_load.re - direct_load_.re, harmonic_load.im - direct_load_.im};
     if (!(sliding_.allFinite() && sticking_.allFinite() && sliding_load_.allFinite() && contact_row_.allFinite()))
         throw InputError("M", "must not be singular to working precision", "");
     set(1);
@@ -102,18 +118,20 @@ ContactEquations::ContactEquations(const ContactProblem& p) : beta(p.beta), mu(p
 void ContactEquations::set(int direction) {
     rows_ = (direction == 0 ? sticking_ : sliding_).data();
     load_column_ = (direction == 0 ? sticking_load_ : sliding_load_).data();
+    ahead_column_ = (direction == 0 ? sticking_ahead_ : sliding_ahead_).data();
     friction_ = (-direction * beta) * contact_column_;
 }
 
 double ContactEquations::load_on_contact(std::span<const double> y, double tau) const {
     const std::span<const double> row(contact_row_.data(), 2 * N);
-    const double load =
-        paper::dynamic_load_on_contact<double>(row.subspan(N), row.first(N), y.first(N), y.subspan(N), direct_load_, tau);
-    return inertial_load_ == 0 ? -load : inertial_load_ * elementary::cos(tau) - load;
+    double load =
+        paper::dynamic_load_on_contact<double>(row.subspan(N), row.first(N), y.first(N), y.subspan(N), direct_load_.re, tau);
+    if (out_of_phase_) load += harmonic_load.im * elementary::sin(tau);
+    return inertial_load_.re == 0 ? -load : inertial_load_.re * elementary::cos(tau) - load;
 }
 
 double ContactEquations::load_error(std::span<const double> y) const {
-    double size = std::abs(harmonic_load) + mu * beta;
+    double size = std::abs(harmonic_load.re) + std::abs(harmonic_load.im) + mu * beta;
     for (std::size_t n = 0; n < 2 * N; ++n) size += std::abs(contact_row_.data()[n] * y[n]);
     return 16 * std::numeric_limits<double>::epsilon() * size;
 }

@@ -49,7 +49,7 @@ bool is_reached(const ContactMechanics& s, slong mass) {
     std::vector<char> reached(static_cast<std::size_t>(N), 0);
     for (slong rounds = 0; rounds <= N; ++rounds)
         for (slong i = 0; i < N; ++i) {
-            bool now = !s.push(i).is_zero() || !s.free(N + i, 2 * N).is_zero();
+            bool now = !s.push(i).is_zero() || !s.free(N + i, 2 * N).is_zero() || !s.free(N + i, 2 * N + 1).is_zero();
             for (slong k = 0; k < N && !now; ++k)
                 now =
                     reached[static_cast<std::size_t>(k)] != 0 && !(s.free(N + i, k).is_zero() && s.free(N + i, N + k).is_zero());

@@ -103,6 +103,7 @@ nlohmann::ordered_json write_scene(const Scene<double>& scene) {
         object["load"] = s.load.index + 1;
     else
         object["load"] = s.load_vector;
+    if (!s.load_phases.empty()) object["load_phases"] = s.load_phases;
     object["mu"] = scene.mu;
     if (scene.r) object["r"] = *scene.r;
     if (scene.beta) object["beta"] = *scene.beta;

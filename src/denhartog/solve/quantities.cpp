@@ -165,7 +165,8 @@ QuantitiesAnswer quantities(const SceneSource& source, std::span<const double> t
 
 QuantitiesAnswer quantities(const PreparedSystem& system, const SceneSource& point, std::span<const double> tau, int digits,
                             PointNumbers asked) {
-    return quantities_at(point, system.bounded, tau, digits, asked);
+    const bool same_load = !load_depends_on_frequency(system.scene().system);
+    return quantities_at(point, same_load ? system.bounded : nullptr, tau, digits, asked);
 }
 
 } // namespace denhartog

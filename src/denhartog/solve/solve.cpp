@@ -226,12 +226,15 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
 
 } // namespace
 
-AnswerOrNone decide(const PreparedSystem& p, const SolvePoint& at, const Question& question) {
-    const std::size_t N = number_of_masses(p.scene().system);
+AnswerOrNone decide(const PreparedSystem& prepared, const SolvePoint& at, const Question& question) {
+    const std::size_t N = number_of_masses(prepared.scene().system);
     check(question, N);
     check_frequency_ratio(at.r);
     check_friction_ratio(at.beta);
     const QuestionEffort effort(N);
+    std::optional<PreparedSystem> there; // where what is prepared has the load of another frequency
+    if (load_depends_on_frequency(prepared.scene().system)) there.emplace(PreparedSystem{source_at(prepared, at)});
+    const PreparedSystem& p = there ? *there : prepared;
     return answer_or_reference(p, at, question, [&](const Question& of) {
         return tried_in_double([&] { return solve_in_double(p, at, of); });
     });

@@ -56,8 +56,10 @@ class System:
         The mass that rubs against a wall, or two masses that rub against each other.
     load : int or array_like, shape (N,)
         The mass that bears the force P cos(omega t), or the force on each mass in units of P.
-    base_motion : {"with_wall", "alone"}
-        A moving base in place of `load`: base and wall move together, or the base alone.
+    load_phases : array_like, shape (N,)
+        By how much each force of such a list leads, in radians: p_k cos(omega t + theta_k) on mass k.
+    base_motion : {"with_wall", "alone", "wall"}
+        A moving base or wall in place of `load`: base and wall move together, or the base alone, or the wall alone.
     mu : float
         Static over kinetic friction, Eq. (3), at least 1.
 
@@ -76,7 +78,8 @@ class System:
                  mass_ratios: Optional[ArrayLike] = None, stiffness_ratios: Optional[ArrayLike] = None,
                  damping_ratios: Optional[ArrayLike] = None, damping_matrix: Optional[ArrayLike] = None,
                  damping_tolerance: Optional[float] = None, contact: Union[int, Sequence[int], None] = None,
-                 load: Union[int, ArrayLike, None] = None, base_motion: Optional[str] = None, mu: float = 1.0) -> None:
+                 load: Union[int, ArrayLike, None] = None, load_phases: Optional[ArrayLike] = None,
+                 base_motion: Optional[str] = None, mu: float = 1.0) -> None:
         scene = {key: plain(key, value) for key, value in locals().items() if key != "self" and value is not None}
         for ratios, matrix in (("mass_ratios", "mass_matrix"), ("stiffness_ratios", "stiffness_matrix")):
             value = scene.get(ratios)
@@ -404,24 +407,36 @@ class System:
         """P / k_1, by which displacements have to be multiplied, for an amplitude P of the load. Of a dimensional system only."""
         return like(_batch.numbers("force", force) / self.k_1)
 
-    def base_force(self, displacement: ArrayLike, omega: Optional[ArrayLike] = None, *, hz: Optional[ArrayLike] = None) -> Real:
-        """The force P that a moving base stands for: m_1 omega^2 X where the wall moves with it, k_1 X where it moves alone.
+    def base_force(self, displacement: Optional[ArrayLike] = None, omega: Optional[ArrayLike] = None, *,
+                   hz: Optional[ArrayLike] = None, acceleration: Optional[ArrayLike] = None) -> Real:
+        """The force P that a moving base or wall stands for: m_1 omega^2 X if they move together, k_1 X if one moves alone.
 
         Parameters
         ----------
         displacement : array_like
-            Amplitude X of the base.
+            Amplitude X of what moves; or
+        acceleration : array_like
+            that of its acceleration, omega^2 X.
         omega, hz : array_like
-            Frequency as of `frequency_ratio`; not needed where the base moves alone.
+            Frequency as of `frequency_ratio`; needed for a displacement of both, and for an acceleration of one alone.
         """
-        X = _batch.numbers("displacement", displacement)
+        if (displacement is None) == (acceleration is None):
+            raise InputError.of("displacement", "must be given, or acceleration in its place",
+                                "" if displacement is None else "given with acceleration")
         base = self._scene.get("base_motion")
         if base is None:
             raise InputError.of("base_motion", "must be given for a base to have a force", "")
-        if base == "alone":
-            return like(self.k_1 * X)
+        unit = self.m_1 if base == "with_wall" else self.k_1
+        if acceleration is not None and base == "with_wall":
+            return like(unit * _batch.numbers("acceleration", acceleration))
+        if acceleration is not None:
+            circular = self._circular(omega, hz)
+            return like(unit * (_batch.numbers("acceleration", acceleration) / (circular * circular)))
+        X = _batch.numbers("displacement", displacement)
+        if base != "with_wall":
+            return like(unit * X)
         circular = self._circular(omega, hz)
-        return like(self.m_1 * circular * circular * X)
+        return like(unit * circular * circular * X)
 
     plot_response = _plots.response
     plot_regimes = _plots.regimes

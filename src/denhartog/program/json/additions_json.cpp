@@ -90,7 +90,7 @@ std::string damping_line(const Json& answer) {
 }
 
 void add_dimensional(Json& answer, const SceneSource& source, const Solution& solution) {
-    if (source->in_double().base_moves) answer["relative_to"] = "base and wall";
+    if (const char* frame = frame_of(source->in_double().system)) answer["relative_to"] = frame;
     if (const std::optional<Units> units = source->in_double().units) answer["dimensional"] = dimensional_json(solution, *units);
 }
 

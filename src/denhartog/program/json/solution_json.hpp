@@ -8,6 +8,12 @@
 
 namespace denhartog::program {
 
+/// @brief What displacements are relative to; null where they are absolute.
+[[nodiscard]] inline const char* frame_of(const System<double>& system) {
+    if (system.base_motion == BaseMotion::with_wall) return "base and wall";
+    return system.base_motion == BaseMotion::wall ? "wall" : nullptr;
+}
+
 // An answer to `response`, with beta: regime, boundary, method and, in the sliding regime, every mass.
 [[nodiscard]] Json response_json(const Solution& solution, const NumberWriter& write);
 
