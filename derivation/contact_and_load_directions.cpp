@@ -100,7 +100,8 @@ Values responses_to_phases(int N) {
         Values psi_k;
         for (int i = 0; i < N; ++i) psi_k.push_back(Symbolic(s.Psi(k, i)));
         const Complex<Symbolic> V = paper::complex_response_to_phases(
-            paper::complex_response_of_mass<Symbolic>(psi_k, of_p, R, v), paper::complex_response_of_mass<Symbolic>(psi_k, of_q, R, v));
+            paper::complex_response_of_mass<Symbolic>(psi_k, of_p, R, v),
+            paper::complex_response_of_mass<Symbolic>(psi_k, of_q, R, v));
         all.push_back(V.re);
         all.push_back(V.im);
     }
@@ -118,7 +119,8 @@ std::vector<ex> derived_responses_to_phases(int N) {
     for (int i = 0; i < N; ++i) { // (16) to (18): each mode by itself
         const GiNaC::symbol a_i, b_i;
         const ex rest = (stiffness(i, i) - inertia(i, i)).normal(), c = damping(i, i).normal();
-        const ex found = GiNaC::lsolve(GiNaC::lst{rest * a_i - c * b_i == p(i, 0), rest * b_i + c * a_i == q(i, 0)}, GiNaC::lst{a_i, b_i});
+        const ex found =
+            GiNaC::lsolve(GiNaC::lst{rest * a_i - c * b_i == p(i, 0), rest * b_i + c * a_i == q(i, 0)}, GiNaC::lst{a_i, b_i});
         a.push_back(found.op(0).rhs());
         b.push_back(found.op(1).rhs());
     }
@@ -163,8 +165,8 @@ const Register claims_of_directions([] {
                  .kernel = [N] { return responses_to_phases(N); },
                  .derived = [N] { return derived_responses_to_phases(N); },
                  .special_case = true,
-                 .steps = {{"A harmonic motion $\\boldsymbol\\Psi(\\mathbf a\\cos\\tau-\\mathbf b\\sin\\tau)$ in (12), multiplied by "
-                            "$\\boldsymbol\\Psi^T$: cosine and sine by themselves are linear equations for a and b",
+                 .steps = {{"A harmonic motion $\\boldsymbol\\Psi(\\mathbf a\\cos\\tau-\\mathbf b\\sin\\tau)$ in (12), "
+                            "multiplied by $\\boldsymbol\\Psi^T$: cosine and sine by themselves are linear equations for a and b",
                             ""}}});
         list.push_back({.id = "65/directions" + of_N,
                         .equations = {"65"},

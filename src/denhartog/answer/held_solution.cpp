@@ -6,6 +6,7 @@
 #include <string>
 
 #include "denhartog/answer/certify.hpp"
+#include "denhartog/answer/from_ground.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/model/linear_algebra.hpp"
@@ -150,8 +151,22 @@ HeldResponse held_response(const Scene<double>& scene, const StuckConfiguration&
         return part == 1 ? Bounded<double>(1) : Bounded<double>(part, as_input(part).e + of_direct);
     };
     held.load = modulus(
-        paper::load_on_held_contact<Bounded<double>>(C_j, K_j, moving, Complex<Bounded<double>>{bounded(direct.re), bounded(direct.im)}));
+        paper::load_on_held_contact<Bounded<double>>(C_j, K_j, moving, {bounded(direct.re), bounded(direct.im)}));
     return held;
+}
+
+// A mass of a complex amplitude; `largest` is that of all masses.
+SolvedMass mass_of(const Complex<Bounded<double>>& X, double largest) {
+    SolvedMass mass{exactly(0), std::nullopt, std::nullopt};
+    const double amplitude = elementary::hypot(X.re.x, X.im.x), error = X.re.e + X.im.e + 2 * unit_of<double>() * amplitude;
+    if (does_not_move(amplitude, error, largest)) {
+        mass.amplitude.error = amplitude + error;
+        return mass;
+    }
+    const double of_phase = error < amplitude ? largest_turn(error, amplitude) + 4 * unit_of<double>() : pi<double>();
+    mass.amplitude = certified({amplitude, error});
+    mass.phase = certified({-elementary::atan2(X.im.x, X.re.x), of_phase});
+    return mass;
 }
 
 } // namespace
@@ -166,20 +181,18 @@ HeldSolution held_solution(const Scene<double>& scene, const StuckConfiguration&
     double largest = held.load.x * compliance.x; // no mass moves where the load acts on the contact
     for (const Complex<Bounded<double>>& X : held.X) largest = std::max(largest, modulus(X).x);
     for (std::size_t k = 0; k < held.X.size(); ++k) {
-        SolvedMass& mass = solution.masses.emplace_back(SolvedMass{exactly(0), std::nullopt, std::nullopt});
-        if (k == contact_row(s).index) continue;
-        const auto& [re, im] = held.X[k];
-        const double amplitude = elementary::hypot(re.x, im.x), error = re.e + im.e + 2 * unit_of<double>() * amplitude;
-        if (does_not_move(amplitude, error, largest)) {
-            mass.amplitude.error = amplitude + error;
-            continue;
-        }
-        const double of_phase = error < amplitude ? largest_turn(error, amplitude) + 4 * unit_of<double>() : pi<double>();
-        mass.amplitude = certified({amplitude, error});
-        mass.phase = certified({-elementary::atan2(im.x, re.x), of_phase});
-        if (only && k != only->index) continue;
-        solution.relative = std::max({solution.relative, amplitude > 0 ? error / amplitude : 1.0, of_phase});
+        const bool rests = k == contact_row(s).index;
+        solution.masses.push_back(rests ? SolvedMass{exactly(0), std::nullopt, std::nullopt} : mass_of(held.X[k], largest));
+        const auto& [amplitude, phase, none] = solution.masses.back();
+        if (!phase || (only && k != only->index)) continue;
+        solution.relative =
+            std::max({solution.relative, amplitude.value > 0 ? amplitude.error / amplitude.value : 1.0, phase->error});
     }
+    const Bounded<double> frame = amplitude_of_frame(scene);
+    for (const Complex<Bounded<double>>& X : held.X)
+        if (s.base_motion != BaseMotion::none)
+            solution.from_ground.push_back(from_ground(mass_of({X.re + frame, X.im}, std::max(largest, frame.x)),
+                                                       s.base_motion == BaseMotion::alone ? Bounded<double>(1) : frame));
     if (s.contact_with) solution.masses.push_back({exactly(0), std::nullopt, std::nullopt});
     Bounded<double> to = (as_input(scene.mu) * as_input(*scene.beta) - held.load) * compliance;
     if (!std::isfinite(to.e)) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "denhartog/answer/certify.hpp"
+#include "denhartog/answer/from_ground.hpp"
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/point_rules.hpp"
@@ -79,7 +80,8 @@ void check_poles(const ModalBasis<Number>& basis, const LoadRows& load, double r
             const Number& loaded = basis.phi(static_cast<Eigen::Index>(row.index), static_cast<Eigen::Index>(i));
             return std::abs(loaded.x) > loaded.e;
         };
-        if (basis.zeta[i].x == 0 && (excites(load.re) || (load.im && excites(*load.im))) && std::abs(R - 1) <= units * unit_of<double>())
+        const bool excited = excites(load.re) || (load.im && excites(*load.im));
+        if (basis.zeta[i].x == 0 && excited && std::abs(R - 1) <= units * unit_of<double>())
             throw PoleByRounding("mode " + std::to_string(i + 1) + " has no damping and R = " + number_to_text(R) +
                                  (R == 1 ? "" : ", which is 1 to the last digits of a double") +
                                  ": its complex response function (23) is infinite there, and so is the amplitude in the limit");
@@ -94,6 +96,23 @@ SolvedMass solved_mass(const MassResponse<Number>& m, bool with_motion) {
         mass.sliding = SlidingOfMass{certified(m.x0), certified(m.v0), certified(instant), certified(m.amplitude_monoharmonic),
                                      certified(m.phase_monoharmonic)};
     return mass;
+}
+
+std::vector<MassFromGround> masses_from_ground(const Scene<double>& scene, const ModeSums<Number>& sums,
+                                               const SteadyState<Number>& state) {
+    std::vector<MassFromGround> seen;
+    const BaseMotion base = scene.system.base_motion;
+    const std::size_t N = number_of_masses(scene.system);
+    const Number b = amplitude_of_frame(scene);
+    const auto add = [&](const SteadyState<Number>& of, const Number& amplitude) {
+        for (std::size_t k = 0; k < N; ++k) seen.push_back(from_ground(solved_mass(of.masses[k], false), amplitude));
+    };
+    if (base == BaseMotion::none) return seen;
+    if (base == BaseMotion::alone)
+        add(state, Number(1));
+    else
+        add(SearchedSums(sums_from_ground(sums, N, base, b)).steady_state(state.beta, std::nullopt, true), b);
+    return seen;
 }
 
 // Writes a point into an answer: regime, limits and masses.
@@ -111,6 +130,7 @@ void write_point(const Scene<double>& scene, SlidingPoint& point, Asked asked, S
     if (!point.state) return;
     s.masses.reserve(point.state->masses.size());
     for (const MassResponse<Number>& m : point.state->masses) s.masses.push_back(solved_mass(m, asked == Asked::motion));
+    s.from_ground = std::move(point.from_ground);
 }
 
 } // namespace
@@ -154,6 +174,7 @@ SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Number>&
     if (point.regime->regime != Regime::continuous || !wish.motion) return point;
     point.state = at.steady_state(as_input(*scene.beta), wish.only, true);
     point.attempted.relative = std::max(point.attempted.relative, error_of_masses(*point.state, wish.only));
+    if (wish.from_ground) point.from_ground = masses_from_ground(scene, at.sums(), *point.state);
     return point;
 }
 
@@ -167,13 +188,15 @@ Solution sliding_solution(const SceneSource& source, const SlidingQuestion& ques
     // Where mu > 1 the motion from rest may be the sliding one.
     const bool motion = question.asked != Asked::regime || scene.mu > 1;
     const bool limits = question.asked == Asked::motion || question.asked == Asked::regime;
-    SlidingPoint point = sliding_point(scene, *modes, {motion, limits, question.only});
+    SlidingPoint point =
+        sliding_point(scene, *modes, {motion, limits, question.only, question.asked == Asked::motion && !question.only});
     Solution s;
     s.asked = question.asked;
     s.contact = scene.system.contact;
     s.r = exactly(*scene.r);
     s.mu = exactly(scene.mu);
     if (scene.beta) s.beta = exactly(*scene.beta);
+    if (const auto base = amplitude_of_base(scene.system.base_motion, as_input(*scene.r))) s.base_amplitude = certified(*base);
     write_point(scene, point, question.asked, s);
     s.method = {point.state ? "closed form" : "boundary of the sliding regime", "double", verdict(point.attempted, aim)};
     s.relative_error = point.attempted.relative;

@@ -10,6 +10,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/sums/load_of_base.hpp"
 
 namespace denhartog {
 namespace {
@@ -47,7 +48,7 @@ ContactProblem contact_problem(const Scene<double>& scene) {
     check(scene);
     (void)frequency_ratio_of(scene);
     (void)friction_ratio_of(scene);
-    const System<double>& s = scene.system;
+    const System<double> s = with_load_at(scene.system, *scene.r);
     return {non_dimensional_matrices(s, modal_basis(s), *scene.r),
             s.contact,
             s.load,

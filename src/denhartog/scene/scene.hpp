@@ -60,7 +60,7 @@ struct System {
     std::vector<double> load_error{};          ///< bounds of errors of the force on each mass besides rounding; N values or none
 };
 
-/// @brief Whether the load of a base or wall changes with the frequency beyond its unit P: by dampers, or by inertia.
+/// @brief Whether dampers, or inertia, make the load of a base or wall depend on the frequency. @param s a system @return true if so
 template <class T>
 [[nodiscard]] bool load_depends_on_frequency(const System<T>& s) {
     if (s.base_motion != BaseMotion::alone) return s.base_motion == BaseMotion::wall;

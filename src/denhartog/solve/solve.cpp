@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "denhartog/answer/from_ground.hpp"
 #include "denhartog/answer/held_solution.hpp"
 #include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/number/effort.hpp"
@@ -57,6 +58,7 @@ void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit& orbit, bool
 
 void answer_by_boundaries(SolveTask& task, const std::string& model, Solution& s) {
     s.masses.clear();
+    s.from_ground.clear();
     s.method.model = model;
     s.sticking_by_88 = sticking_by_88(task.scene);
     if (!s.sticking_by_88) return;
@@ -178,6 +180,7 @@ void answer(SolveTask& task, Solution& s) {
 
 void keep_asked_mass(const Question& question, Solution& s) {
     if (!question.mass) return;
+    s.from_ground.clear();
     if (!s.only && !s.masses.empty()) {
         s.masses = {s.masses[question.mass->index]};
         s.only = question.mass;
@@ -220,6 +223,7 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
         keep_asked_mass(question, s);
     }
     take_contact_between(p.scene().system, s);
+    if (const auto base = amplitude_of_base(p.scene().system.base_motion, as_input(at.r))) s.base_amplitude = certified(*base);
     s.mu = exactly(p.scene().mu);
     return found;
 }

@@ -138,7 +138,9 @@ public:
     /// @brief Largest size of every displacement over the last motion, then that of a contact between two, guaranteed between
     /// samples; of the contact without what else may be. One that is smaller by less than twice `error`, a bound of the errors of
     /// the displacements, may be the largest.
-    [[nodiscard]] std::vector<Extremum> largest_displacements(double error = 0);
+    /// Where the frame of the displacements moves by `frame` cos tau, of the masses as they are seen from the ground, the one in
+    /// contact as every other, and of no contact.
+    [[nodiscard]] std::vector<Extremum> largest_displacements(double error = 0, double frame = 0);
 
 private:
     struct Work;

@@ -13,10 +13,10 @@ beta = F / P, and mu is static over kinetic friction.
 from typing import Any
 
 from ._errors import Cancelled, DomainError, Error, InputError, PrecisionError
-from ._results import Boundary, Functions, Map, Motion, Solution, Solutions
+from ._results import Boundary, FromGround, Functions, Map, Motion, Solution, Solutions
 from ._system import System, solve_many
 
-__all__ = ["Boundary", "Cancelled", "DomainError", "Error", "Functions", "InputError", "Map", "Motion", "PrecisionError",
+__all__ = ["Boundary", "Cancelled", "DomainError", "Error", "FromGround", "Functions", "InputError", "Map", "Motion", "PrecisionError",
            "Solution", "Solutions", "System", "solve_many"]
 
 

@@ -5,7 +5,7 @@ import json
 import math
 import os
 import pathlib
-from ctypes import byref, c_int, c_size_t
+from ctypes import byref, c_double, c_int, c_size_t
 from typing import Any, Mapping, Optional, Sequence, Union
 
 import numpy as np
@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from . import _batch, _library, _plots
 from ._batch import Report, like
 from ._errors import InputError
-from ._results import (REGIMES, Boundary, BoundaryNumbers, FunctionNumbers, Functions, Map, Motion, Real, Solution,
+from ._results import (REGIMES, Boundary, BoundaryNumbers, FromGround, FunctionNumbers, Functions, Map, Motion, Real, Solution,
                        Solutions)
 
 
@@ -233,6 +233,15 @@ class System:
         kinds = ("amplitude", "amplitude_error", "phase", "phase_error")
         of_masses = np.array([numbers("dh_solution_mass", int(k)) for k in masses]).T.copy()
         of_contact = {f"contact_{kind}": number for kind, number in zip(kinds, numbers("dh_solution_contact"))}
+        from_ground = None
+        if "base_motion" in self._scene:
+            seen = []
+            for k in masses:
+                of, T, T_error = _library.Mass(), c_double(), c_double()
+                _library.call("dh_solution_from_ground", handle, int(k), byref(of), byref(T), byref(T_error))
+                seen.append([of.amplitude, of.error, T.value, T_error.value,
+                             *((of.phase, of.phase_error) if of.moves else (math.nan, math.nan))])
+            from_ground = FromGround(*np.array(seen).T.copy())
         stops = np.empty((2, 2, found.stops))
         for name, (start, end) in zip(("dh_solution_stops", "dh_solution_stop_errors"), stops):
             _library.call(name, handle, found.stops, start.ctypes, end.ctypes)
@@ -242,7 +251,7 @@ class System:
         return Solution(
             r=r, beta=beta, mu=mu, regime=REGIMES[found.regime], periods=found.periods, stops=stops, stop_errors=stop_errors,
             rest_interval=rest_interval, rest_error=found.rest_error, masses=masses.astype(int),
-            relative_error=found.relative_error, proved=bool(is_proved), from_rest=bool(from_rest), _handle=handle, _N=self.N, **whether, **of_contact,
+            from_ground=from_ground, relative_error=found.relative_error, proved=bool(is_proved), from_rest=bool(from_rest), _handle=handle, _N=self.N, **whether, **of_contact,
             **dict(zip(kinds, of_masses)))
 
     def _static(self, mu: Optional[float]) -> float:

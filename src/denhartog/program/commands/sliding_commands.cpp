@@ -37,8 +37,8 @@ std::string respond(const SceneText& part, const SceneOptions& options) {
     const Solution found = off_poles([&] { return sliding_answer(source, options.digits, options.proved); });
     Json answer = response_json(found, NumberWriter{options.digits});
     add_damping(answer, source);
-    add_dimensional(answer, source, found);
-    return options.json ? answer.dump() + "\n" : response_table(answer) + dimensional_table(answer);
+    add_dimensional(answer, source, found, NumberWriter{options.digits});
+    return options.json ? answer.dump() + "\n" : response_table(answer) + from_ground_table(answer) + dimensional_table(answer);
 }
 
 std::string boundary_table(const Json& a) {
@@ -104,7 +104,7 @@ std::string bound(const SceneText& part, const BoundaryOptions& options) {
     const NumberWriter write{options.digits};
     const Solution found = off_poles([&] { return sliding_answer(source, options.digits, options.proved); });
     Json answer = boundary_json(found, write);
-    add_dimensional(answer, source, found);
+    add_dimensional(answer, source, found, write);
     if (!options.range.empty())
         answer["invariant_points"] =
             invariant_points_json(invariant_points(source, range_from(options.range), options.digits), write);

@@ -58,10 +58,10 @@ std::string solved(const SceneText& part, const SolveOptions& options) {
                           motion_units(source->in_double(), options.units));
     Json answer = solution_json(solution, NumberWriter{options.digits});
     add_damping(answer, source);
-    add_dimensional(answer, source, solution);
+    add_dimensional(answer, source, solution, NumberWriter{options.digits});
     if (options.json) return answer.dump() + "\n";
     const std::string damping = damping_line(answer);
-    return solution_table(answer) + damping + (damping.empty() ? "" : "\n") + dimensional_table(answer);
+    return solution_table(answer) + damping + (damping.empty() ? "" : "\n") + from_ground_table(answer) + dimensional_table(answer);
 }
 
 } // namespace
@@ -98,6 +98,8 @@ void add_solve_command(CLI::App& app, ExitStatus& status) {
         "error_bound is absolute, in units of P / k_1; phase_error_bound in radians. counters: what the answer cost.\n"
         "dimensional: the same in the units of a scene that was given by masses and stiffnesses; times from the maximum of the\n"
         "force.\n"
+        "from_ground: if base, wall or both move, the absolute displacement of each mass, its transmissibility, which is that\n"
+        "over base_amplitude, and its phase behind them.\n"
         "damping: for a damping matrix that couples the modes, whether the coupling was included, and how large it is.\n"
         "--all: motions lists each motion found, with its stability, from, a state at the maximum of the force that leads to\n"
         "it, and found, where that start comes from. A motion that is not listed may still exist.\n"
