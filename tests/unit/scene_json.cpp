@@ -384,8 +384,8 @@ TEST_CASE("the forces of a load may have phases", "[scene][json][phases][bad-inp
     };
     const json load = {0.5, -1, 0.25};
     REQUIRE(says(with(load, {0, 1}), "load_phases", "as many values as there are masses (3)", "2", "/load_phases"));
-    REQUIRE(says(with(load, {0, 1, "x"}), "load_phases", "number", "x", "/load_phases/2"));
-    REQUIRE(says(with(load, "late"), "load_phases", "must be an array", "late", "/load_phases"));
+    REQUIRE(says(with(load, {0, 1, "x"}), "load_phases", "number", "\"x\"", "/load_phases/2"));
+    REQUIRE(says(with(load, "late"), "load_phases", "must be an array", "\"late\"", "/load_phases"));
     REQUIRE(says(with(1, {0, 1, 2}), "load_phases", "together with load as a list", "[0,1,2]", "/load_phases"));
     REQUIRE(says(with({0, 0, 0}, {0, 1, 2}), "load", "must act on at least one mass", "0 on all", "/load"));
     REQUIRE(says(after([](json& x) {
