@@ -74,7 +74,7 @@ Complex<Symbolic> shipped_load(const ex& direct) {
     const std::vector<Symbolic> C_j{Symbolic(c.C_21), Symbolic(c.C_23)}, K_j{Symbolic(-c.kappa_2), Symbolic(-c.kappa_3)};
     std::vector<Complex<Symbolic>> X;
     for (int k = 0; k < 2; ++k) X.push_back({Symbolic(c.X_re[k]), Symbolic(c.X_im[k])});
-    return paper::load_on_held_contact<Symbolic>(C_j, K_j, X, Symbolic(direct));
+    return paper::load_on_held_contact<Symbolic>(C_j, K_j, X, Complex<Symbolic>{Symbolic(direct), Symbolic(0)});
 }
 
 /// The three lines of (88); the masses on the other side of the contact at rest, and all of them where it bears the load itself.

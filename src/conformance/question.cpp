@@ -215,6 +215,10 @@ Scene<double> scene_of(const ProtocolQuestion& q) {
         check(scene);
     } else {
         scene = scene_from_json<double>(nlohmann::json(scene_json(q)));
+        if (load_depends_on_frequency(scene.system))
+            throw InputError("base_motion",
+                             "must be \"with_wall\" where there is damping: a question has one load at all frequencies",
+                             q.base_motion);
     }
     check_mass(q);
     return scene;

@@ -142,6 +142,24 @@ static dh_points fields_of_points(mxArray* result, size_t count, size_t N) {
     return points;
 }
 
+/// Absolute displacements of the masses, where base or wall move; nothing else.
+static void add_from_ground(mxArray* result, size_t N) {
+    dh_mass mass = {.size = sizeof mass};
+    static const char* const names[] = {"absolute_amplitude", "absolute_amplitude_error", "transmissibility", "transmissibility_error",
+                                        "absolute_phase",     "absolute_phase_error"};
+    double* values[6];
+    size_t k, n;
+    if (dh_solution_from_ground(held_solution, 1, &mass, NULL, NULL) == DH_ERROR_DOMAIN) return;
+    for (n = 0; n < 6; ++n) values[n] = doubles(result, names[n], 1, N);
+    for (k = 0; k < N; ++k) {
+        need(dh_solution_from_ground(held_solution, k + 1, &mass, values[2] + k, values[3] + k));
+        values[0][k] = mass.amplitude;
+        values[1][k] = mass.error;
+        values[4][k] = mass.moves ? mass.phase : mxGetNaN();
+        values[5][k] = mass.moves ? mass.phase_error : mxGetNaN();
+    }
+}
+
 /// One point fails with its reason, and has more to tell than one of many.
 static mxArray* solve_point(double r, double beta, double mu, int digits, int proved, size_t N) {
     dh_summary motion = {.size = sizeof motion};
@@ -166,6 +184,7 @@ static mxArray* solve_point(double r, double beta, double mu, int digits, int pr
         point.phase[k] = mass.moves ? mass.phase : mxGetNaN();
         point.phase_error[k] = mass.moves ? mass.phase_error : mxGetNaN();
     }
+    add_from_ground(result, N);
     ends = doubles(result, "stop_start", 1, motion.stops);
     need(dh_solution_stops(held_solution, motion.stops, ends, doubles(result, "stop_end", 1, motion.stops)));
     ends = doubles(result, "stop_start_error", 1, motion.stops);

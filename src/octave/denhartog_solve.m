@@ -30,6 +30,9 @@ function solution = denhartog_solve(scene, r, beta, digits, proved)
 %     from_rest             false where the motion is a steady one, and the start from rest is not known to lead to it
 %     symmetric             true where the motion mirrors itself after half its period, Eq. (25)
 %     proved                true where every number and every bound is proved; else the bounds are estimates
+%     absolute_amplitude    where base, wall or both move: largest absolute displacements, absolute_phase their lags behind
+%                           what moves, transmissibility the amplitudes over its own; absolute_amplitude_error,
+%                           absolute_phase_error, transmissibility_error the bounds of their errors
 %     dimensional           of a dimensional scene at its own point: frequency, frequency_hz, force, friction,
 %                           displacement_unit (P / k_1), amplitude, amplitude_error, stop_start, stop_end (times),
 %                           stop_start_error, stop_end_error, rest_interval, rest_error, all in the units of the scene

@@ -223,6 +223,13 @@ TEST_CASE("structs are refused where they are null or too small, and filled wher
     CHECK(dh_boundaries_proved(nullptr, 1, 1, nullptr, nullptr) == DH_ERROR_NULL);
     CHECK(dh_sliding_motion(nullptr, 1, 0, 1, 1, nullptr) == DH_ERROR_NULL);
     CHECK(dh_solution_mass(nullptr, 1, nullptr) == DH_ERROR_NULL);
+    CHECK(dh_solution_from_ground(nullptr, 1, nullptr, nullptr, nullptr) == DH_ERROR_NULL);
+    CHECK(dh_solution_from_ground(x, 1, nullptr, nullptr, nullptr) == DH_ERROR_NULL);
+    dh_mass from_ground{};
+    CHECK(dh_solution_from_ground(x, 1, &from_ground, nullptr, nullptr) == DH_ERROR_SIZE);
+    from_ground.size = sizeof from_ground;
+    CHECK(dh_solution_from_ground(x, 3, &from_ground, nullptr, nullptr) == DH_ERROR_INPUT);
+    CHECK(dh_solution_from_ground(x, 1, &from_ground, nullptr, nullptr) == DH_ERROR_DOMAIN); // nothing moves
 }
 
 TEST_CASE("numbers outside their rules, among them those that are none, are refused by every function", "[c_interface][faults]") {

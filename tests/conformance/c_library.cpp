@@ -48,7 +48,8 @@ TEST_CASE("the shared library exports the names of its list and no other", "[c_i
         "dh_find dh_high_frequency_limit dh_high_frequency_limit_error dh_last_message dh_map dh_modal_function_errors "
         "dh_modal_functions dh_mode_shape_errors dh_mode_shapes dh_natural_frequency_ratio_errors "
         "dh_natural_frequency_ratios dh_quantity dh_quantity_errors dh_set_effort dh_sliding_motion "
-        "dh_sliding_motion_errors dh_solution_contact dh_solution_destroy dh_solution_is_from_rest dh_solution_is_proved "
+        "dh_sliding_motion_errors dh_solution_contact dh_solution_destroy dh_solution_from_ground dh_solution_is_from_rest "
+        "dh_solution_is_proved "
         "dh_solution_mass dh_solution_motion dh_solution_stop_errors dh_solution_stops dh_solution_summary dh_solve dh_solve_points "
         "dh_solve_proved dh_solve_systems dh_status_text dh_sum_errors dh_sums dh_system_destroy dh_system_from_json "
         "dh_system_from_ratios dh_system_masses dh_version");

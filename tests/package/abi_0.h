@@ -119,6 +119,8 @@ DH_EXPORT int dh_solution_summary(const dh_solution* solution, dh_summary* summa
 DH_EXPORT int dh_solution_is_proved(const dh_solution* solution, int* proved) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_is_from_rest(const dh_solution* solution, int* from_rest) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_mass(const dh_solution* solution, size_t mass, dh_mass* result) DH_NOEXCEPT;
+DH_EXPORT int dh_solution_from_ground(const dh_solution* solution, size_t mass, dh_mass* result, double* transmissibility,
+                                      double* transmissibility_error) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_contact(const dh_solution* solution, dh_mass* result) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_stops(const dh_solution* solution, size_t count, double* start, double* end) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_stop_errors(const dh_solution* solution, size_t count, double* start_error,

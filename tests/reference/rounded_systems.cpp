@@ -24,6 +24,12 @@ Matrix<double> column(const std::vector<double>& x) {
     return Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
 }
 
+Matrix<double> real_parts(const std::vector<Complex<double>>& x) {
+    std::vector<double> parts;
+    for (const Complex<double>& each : x) parts.push_back(each.re);
+    return column(parts);
+}
+
 } // namespace
 
 TEST_CASE("a system prepared by the reference is that of double, where double has its digits", "[eq:15][eq:19][stuck]") {
@@ -42,7 +48,7 @@ TEST_CASE("a system prepared by the reference is that of double, where double ha
         same("zeta", column(one.basis.zeta), column(other.basis.zeta));
         same("D", one.basis.D, other.basis.D);
         same("momentum", one.momentum, other.momentum);
-        same("load", column(one.modal_load), column(other.modal_load));
+        same("load", real_parts(one.modal_load), real_parts(other.modal_load));
         same("contact", one.contact_shape, other.contact_shape);
         same("damping matrix", one.stuck.C, other.stuck.C);
         same("r_n held", column(one.stuck.r_n), column(other.stuck.r_n));

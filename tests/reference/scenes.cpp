@@ -257,7 +257,9 @@ TEST_CASE("the surveyed scenes are of every kind", "[scenes]") {
         count["mu above 1"] += scene.mu > 1;
         count["between two masses"] += s.json["contact"].is_array();
         count["load vector"] += s.json.contains("load") && s.json["load"].is_array();
+        count["load phases"] += s.json.contains("load_phases");
         count["base motion"] += s.json.contains("base_motion");
+        count["load of a frequency"] += load_depends_on_frequency(system);
         count["dimensional"] += s.json.contains("masses");
         count["damping matrix"] += s.json.contains("damping_matrix");
         count["no chain"] += s.json.contains("stiffness_matrix");
@@ -271,7 +273,7 @@ TEST_CASE("the surveyed scenes are of every kind", "[scenes]") {
     REQUIRE(surveyed_scenes().size() >= 120);
     REQUIRE(N.size() == 12);
     CHECK(*N.rbegin() == 12);
-    CHECK(count.size() == 11);
+    CHECK(count.size() == 13);
     for (const auto& [kind, number] : count) {
         INFO(kind);
         CHECK(number >= 3);

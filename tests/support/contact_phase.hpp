@@ -52,6 +52,7 @@ template <class T>
     row.head(N) = share.transpose() * p.K;
     row.segment(N, N) = share.transpose() * p.C;
     row(2 * N) = -share.dot(load_vector(p));
+    row(2 * N + 1) = share.dot(leading_load(p));
     row(2 * N + 2) = static_friction * next;
     return row;
 }

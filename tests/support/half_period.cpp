@@ -89,8 +89,8 @@ void check_problem(const HalfPeriodProblem<T>& p, int steps) {
 
 /// Force that holds the contact at rest against everything but its own inertia, with the sign of a pull downwards.
 template <class T>
-T load_on_contact(const HalfPeriodProblem<T>& p, const Vector<T>& x, const Vector<T>& x_prime, const T& cos_phi) {
-    const Vector<T> load = p.C * x_prime + p.K * x - cos_phi * load_vector(p), w = contact_vector(p);
+T load_on_contact(const HalfPeriodProblem<T>& p, const Vector<T>& x, const Vector<T>& x_prime, const T& cos_phi, const T& sin_phi) {
+    const Vector<T> load = p.C * x_prime + p.K * x - cos_phi * load_vector(p) + sin_phi * leading_load(p), w = contact_vector(p);
     const Eigen::FullPivLU<Matrix<T>> M(p.M);
     const Vector<T> inverse_column = M.solve(w);
     return inverse_column.dot(load) / w.dot(inverse_column);
@@ -207,6 +207,7 @@ Matrix<T> augmented_system(const HalfPeriodProblem<T>& p) {
     forces.leftCols(N) = -p.K;
     forces.middleCols(N, N) = -p.C;
     forces.col(cosine) = load_vector(p);
+    forces.col(sine) = -leading_load(p);
     forces.col(one) = p.beta * contact_vector(p);
     Matrix<T> A = Matrix<T>::Zero(2 * N + 3, 2 * N + 3);
     for (Index k = 0; k < N; ++k) A(k, N + k) = T(1);
@@ -260,7 +261,7 @@ HalfPeriodMotion<T> half_period_motion(const HalfPeriodProblem<T>& p, int steps)
     motion.x_0 = z.head(N);
     motion.x_prime_0 = z.segment(N, N);
     motion.phi_j = atan2(s, c);
-    motion.contact_load = load_on_contact(p, motion.x_0, motion.x_prime_0, c);
+    motion.contact_load = load_on_contact(p, motion.x_0, motion.x_prime_0, c, s);
     sample(step, z, steps, w, motion);
     if (!all_finite(motion.x) || !all_finite(motion.x_prime))
         throw DomainError("the motion over the half-period overflows the number type");

@@ -26,6 +26,7 @@ struct HalfPeriodProblem {
     T beta = T(0); ///< friction ratio, Eq. (11)
     Vector<T> w{}; ///< displacement of the contact over the masses, in place of `contact`; N values or none
     Vector<T> p{}; ///< force on each mass in units of P, in place of `load`; N values or none
+    Vector<T> p_i{}; ///< what of it leads by a quarter of a period: the force is p cos - p_i sin; N values or none
 };
 
 /// @brief Displacement of the contact over the masses. @param p the problem @return w, or the unit vector of `contact`
@@ -38,6 +39,12 @@ template <class T>
 template <class T>
 [[nodiscard]] Vector<T> load_vector(const HalfPeriodProblem<T>& p) {
     return p.p.size() > 0 ? p.p : Vector<T>::Unit(p.M.rows(), static_cast<Eigen::Index>(p.load.index));
+}
+
+/// @brief What of the forces leads by a quarter of a period. @param p the problem @return p_i, or zeros
+template <class T>
+[[nodiscard]] Vector<T> leading_load(const HalfPeriodProblem<T>& p) {
+    return p.p_i.size() > 0 ? p.p_i : Vector<T>::Zero(p.M.rows());
 }
 
 /// @brief The motion over the half-period, in units of P / k_1.

@@ -45,6 +45,20 @@ HalfPeriodProblem<WitnessOf<T>> half_period_problem(const Scene<T>& scene) {
     }
     p.p.resize(static_cast<Index>(scene.system.load_vector.size()));
     for (Index k = 0; k < p.p.size(); ++k) p.p(k) = static_cast<W>(scene.system.load_vector[static_cast<std::size_t>(k)]);
+    if (load_depends_on_frequency(scene.system)) { // springs and dampers of what moves, and inertia in the frame of a wall
+        const Vector<W> ones = Vector<W>::Ones(M.rows());
+        const bool wall = scene.system.base_motion == BaseMotion::wall;
+        p.p = wall ? Vector<W>(p.M * ones - p.K * ones) : Vector<W>(p.K * ones);
+        p.p_i = wall ? Vector<W>(-(p.C * ones)) : Vector<W>(p.C * ones);
+        return p;
+    }
+    if (scene.system.load_phases.empty()) return p;
+    p.p_i.resize(p.p.size());
+    for (Index k = 0; k < p.p.size(); ++k) {
+        const W theta = static_cast<W>(scene.system.load_phases[static_cast<std::size_t>(k)]), force = p.p(k);
+        p.p(k) = force * cos(theta);
+        p.p_i(k) = force * sin(theta);
+    }
     return p;
 }
 

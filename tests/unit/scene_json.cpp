@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -372,14 +373,47 @@ TEST_CASE("a moving base loads the masses by inertia, or by its springs", "[scen
     s.erase("mass_ratios");
     REQUIRE(read_scene<double>(s.dump()).system.load_vector == std::vector<double>{2.5, 1.5, 3});
     s["base_motion"] = "alone";
-    REQUIRE_THROWS_WITH(read_scene<double>(s.dump()),
-                        Catch::Matchers::Contains("base_motion must be \"with_wall\" where there is damping"));
     s["damping_ratios"] = 0;
     REQUIRE(read_scene<double>(s.dump()).system.load_vector == std::vector<double>{1, 0, 0});
     s["base_motion"] = "up";
     REQUIRE_THROWS_WITH(read_scene<double>(s.dump()), Catch::Matchers::Contains("(base and wall move together)"));
     s["load"] = 1;
     REQUIRE_THROWS_WITH(read_scene<double>(s.dump()), Catch::Matchers::Contains("must not be given together with load"));
+}
+
+TEST_CASE("the forces of a load may have phases", "[scene][json][phases][bad-input]") {
+    json s = good();
+    s["load"] = {0.5, -1, 0.25};
+    s["load_phases"] = {0, "1.5", -2};
+    const Scene<double> read = read_scene<double>(s.dump());
+    REQUIRE(read.system.load_phases == std::vector<double>{0, 1.5, -2});
+    REQUIRE(read_scene<double>(write_scene(read).dump()).system.load_phases == read.system.load_phases);
+    s["load_phases"] = {0, 0, 0}; // all in phase
+    REQUIRE(read_scene<double>(s.dump()).system.load_phases.empty());
+
+    const auto with = [](const json& load, const json& phases) {
+        return after([&](json& x) {
+            x["load"] = load;
+            x["load_phases"] = phases;
+        });
+    };
+    const json load = {0.5, -1, 0.25};
+    REQUIRE(says(with(load, {0, 1}), "load_phases", "as many values as there are masses (3)", "2", "/load_phases"));
+    REQUIRE(says(with(load, {0, 1, "x"}), "load_phases", "number", "\"x\"", "/load_phases/2"));
+    REQUIRE(says(with(load, "late"), "load_phases", "must be an array", "\"late\"", "/load_phases"));
+    REQUIRE(says(with(1, {0, 1, 2}), "load_phases", "together with load as a list", "[0,1,2]", "/load_phases"));
+    REQUIRE(says(with({0, 0, 0}, {0, 1, 2}), "load", "must act on at least one mass", "0 on all", "/load"));
+    REQUIRE(says(after([](json& x) {
+                     x.erase("load");
+                     x["base_motion"] = "with_wall";
+                     x["load_phases"] = {0, 1, 2};
+                 }),
+                 "load_phases", "must not be given together with base_motion", "[0,1,2]", "/load_phases"));
+    Scene<double> in_code = read;
+    in_code.system.load_phases[1] = std::numeric_limits<double>::quiet_NaN();
+    REQUIRE_THROWS_WITH(check(in_code), Catch::Matchers::Contains("load_phases of the force on mass 2 must be finite"));
+    in_code.system.load_vector.clear();
+    REQUIRE_THROWS_WITH(check(in_code), Catch::Matchers::Contains("load_phases must be given together with load as a force on each"));
 }
 
 TEST_CASE("a dimensional scene is asked for what it lacks under its own names", "[scene][json][bad-input]") {
@@ -434,6 +468,17 @@ TEST_CASE("a dimensional scene may have matrices, a frequency in hertz and a bas
     s["damping_ratios"] = 0;
     s["base_motion"] = "alone";
     CHECK(read_scene<double>(s.dump()).units.value().force == 4.0);
+    s["base_motion"] = "wall";
+    CHECK(read_scene<double>(s.dump()).units.value().force == 4.0);
+    s["base_acceleration"] = 2.25;
+    CHECK_THROWS_WITH(read_scene<double>(s.dump()),
+                      Catch::Matchers::StartsWith("base_acceleration must not be given together with base_displacement"));
+    s.erase("base_displacement");
+    CHECK(read_scene<double>(s.dump()).units.value().force == 16 * 2.25 / 9);
+    s["base_motion"] = "with_wall";
+    CHECK(read_scene<double>(s.dump()).units.value().force == 4 * 2.25);
+    s.erase("base_acceleration");
+    s["base_displacement"] = 0.25;
     s.erase("base_motion");
     s["load"] = 1;
     CHECK_THROWS_WITH(read_scene<double>(s.dump()), Catch::Matchers::StartsWith("base_displacement must be given together with"));

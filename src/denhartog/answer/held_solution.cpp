@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "denhartog/answer/certify.hpp"
+#include "denhartog/answer/from_ground.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/model/linear_algebra.hpp"
@@ -109,24 +110,29 @@ struct HeldResponse {
 
 HeldResponse held_response(const Scene<double>& scene, const StuckConfiguration& stuck, Matrix<double> of_damping) {
     const std::size_t N = stuck.masses.size() + 1, a = stuck.contact.a;
-    std::vector<double> p = load_vector(scene.system);
+    std::vector<Complex<double>> p = complex_load(scene.system);
+    std::vector<double> of_p = error_of_load(scene.system);
+    const double of_direct = of_p.empty() ? 0 : of_p[a];
     if (stuck.contact.b) { // x_a moves as x_b does
         const std::size_t b = *stuck.contact.b;
+        if (!of_p.empty()) of_p[b] += of_p[a];
         const auto row = static_cast<Eigen::Index>(b), of_a = static_cast<Eigen::Index>(a);
-        p[b] += p[a];
+        p[b] = p[b] + p[a];
         of_damping.col(row) += of_damping.col(of_a);
         of_damping.row(row) += of_damping.row(of_a);
     }
-    std::vector<double> forces;
+    std::vector<Complex<double>> forces;
+    std::vector<double> errors;
     std::vector<Eigen::Index> others;
     for (const Mass& k : stuck.masses) {
         forces.push_back(p[k.index]);
+        if (!of_p.empty()) errors.push_back(of_p[k.index]);
         others.push_back(static_cast<Eigen::Index>(k.index));
     }
     const Bounded<double> r = as_input(*scene.r);
     std::vector<Complex<Bounded<double>>> moving;
     if (N > 1)
-        moving = harmonic_responses(harmonic_system(stuck.M, stuck.C, stuck.K, of_damping(others, others), r), forces);
+        moving = harmonic_responses(harmonic_system(stuck.M, stuck.C, stuck.K, of_damping(others, others), r), forces, errors);
     HeldResponse held{{N, {Bounded<double>(0), Bounded<double>(0)}}, {}};
     std::vector<Bounded<double>> C_j, K_j;
     for (std::size_t i = 0; i + 1 < N; ++i) {
@@ -137,10 +143,27 @@ HeldResponse held_response(const Scene<double>& scene, const StuckConfiguration&
         K_j.push_back(as_input(stuck.k_j[i]) - r * r * as_input(stuck.m_j[i]));
     }
     if (stuck.contact.b) held.X[a] = held.X[*stuck.contact.b];
-    const double direct = direct_load(stuck, scene.system.load);
+    const Complex<double> direct = direct_load(stuck, scene.system.load);
+    const auto bounded = [of_direct](double part) {
+        return part == 1 ? Bounded<double>(1) : Bounded<double>(part, as_input(part).e + of_direct);
+    };
     held.load = modulus(
-        paper::load_on_held_contact<Bounded<double>>(C_j, K_j, moving, direct == 1 ? Bounded<double>(1) : as_input(direct)));
+        paper::load_on_held_contact<Bounded<double>>(C_j, K_j, moving, {bounded(direct.re), bounded(direct.im)}));
     return held;
+}
+
+// A mass of a complex amplitude; `largest` is that of all masses.
+SolvedMass mass_of(const Complex<Bounded<double>>& X, double largest) {
+    SolvedMass mass{exactly(0), std::nullopt, std::nullopt};
+    const double amplitude = elementary::hypot(X.re.x, X.im.x), error = X.re.e + X.im.e + 2 * unit_of<double>() * amplitude;
+    if (does_not_move(amplitude, error, largest)) {
+        mass.amplitude.error = amplitude + error;
+        return mass;
+    }
+    const double of_phase = error < amplitude ? largest_turn(error, amplitude) + 4 * unit_of<double>() : pi<double>();
+    mass.amplitude = certified({amplitude, error});
+    mass.phase = certified({-elementary::atan2(X.im.x, X.re.x), of_phase});
+    return mass;
 }
 
 } // namespace
@@ -155,20 +178,18 @@ HeldSolution held_solution(const Scene<double>& scene, const StuckConfiguration&
     double largest = held.load.x * compliance.x; // no mass moves where the load acts on the contact
     for (const Complex<Bounded<double>>& X : held.X) largest = std::max(largest, modulus(X).x);
     for (std::size_t k = 0; k < held.X.size(); ++k) {
-        SolvedMass& mass = solution.masses.emplace_back(SolvedMass{exactly(0), std::nullopt, std::nullopt});
-        if (k == contact_row(s).index) continue;
-        const auto& [re, im] = held.X[k];
-        const double amplitude = elementary::hypot(re.x, im.x), error = re.e + im.e + 2 * unit_of<double>() * amplitude;
-        if (does_not_move(amplitude, error, largest)) {
-            mass.amplitude.error = amplitude + error;
-            continue;
-        }
-        const double of_phase = error < amplitude ? largest_turn(error, amplitude) + 4 * unit_of<double>() : pi<double>();
-        mass.amplitude = certified({amplitude, error});
-        mass.phase = certified({-elementary::atan2(im.x, re.x), of_phase});
-        if (only && k != only->index) continue;
-        solution.relative = std::max({solution.relative, amplitude > 0 ? error / amplitude : 1.0, of_phase});
+        const bool rests = k == contact_row(s).index;
+        solution.masses.push_back(rests ? SolvedMass{exactly(0), std::nullopt, std::nullopt} : mass_of(held.X[k], largest));
+        const auto& [amplitude, phase, none] = solution.masses.back();
+        if (!phase || (only && k != only->index)) continue;
+        solution.relative =
+            std::max({solution.relative, amplitude.value > 0 ? amplitude.error / amplitude.value : 1.0, phase->error});
     }
+    const Bounded<double> frame = amplitude_of_frame(scene);
+    for (const Complex<Bounded<double>>& X : held.X)
+        if (s.base_motion != BaseMotion::none)
+            solution.from_ground.push_back(from_ground(mass_of({X.re + frame, X.im}, std::max(largest, frame.x)),
+                                                       s.base_motion == BaseMotion::alone ? Bounded<double>(1) : frame));
     if (s.contact_with) solution.masses.push_back({exactly(0), std::nullopt, std::nullopt});
     Bounded<double> to = (as_input(scene.mu) * as_input(*scene.beta) - held.load) * compliance;
     if (!std::isfinite(to.e)) {

@@ -15,6 +15,7 @@ namespace denhartog {
 /// @brief The stuck response with its error.
 struct HeldSolution {
     std::vector<SolvedMass> masses;          ///< N; the contact's amplitude is zero
+    std::vector<MassFromGround> from_ground; ///< N, where base or wall move: the same as it is seen from the ground
     RestInterval rest_interval;              ///< where the contact may rest
     std::optional<Certified> sticking_by_88; ///< the boundary of permanent sticking by (88) as printed, for chains
     double relative = 0;                     ///< largest error, relative to amplitudes, absolute for phases

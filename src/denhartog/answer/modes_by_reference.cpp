@@ -45,6 +45,7 @@ std::vector<std::size_t> rows_in_balls(const System<double>& s) {
     for (std::size_t k = 0; k < N; ++k) rows[k] = k;
     if (s.contact_with) rows.push_back(N);
     if (load_row(s).index == rows.size()) rows.push_back(N + 1);
+    if (load_rows(s).im) rows.push_back(N + 2);
     return rows;
 }
 
@@ -205,11 +206,10 @@ std::optional<RoundedModes> held_modes(const SceneInBalls& s, const ModesInBalls
 } // namespace
 
 ModalBasis<Bounded<double>> modes_by_reference(const SceneSource& source, bool coinciding) {
-    const SceneSource at_one = at_frequency(source, 1); // where psi of (17) is phi
     const System<double>& system = source->in_double().system;
     return with_more_bits(number_of_masses(system), first_bits, most_bits, [&](slong bits, bool) {
         std::optional<ModalBasis<Bounded<double>>> basis;
-        const SceneInBalls s = scene_in_balls(at_one);
+        const SceneInBalls s = scene_at_one(source);
         const ModesInBalls m = signed_modes(s);
         if (!coinciding && !told_apart(m, bits)) return basis;
         basis = basis_of(s, m, system);
@@ -247,11 +247,10 @@ std::vector<evaluation::ModeFunctions<Bounded<double>>> mode_functions_by_refere
 }
 
 SystemByReference system_by_reference(const SceneSource& source) {
-    const SceneSource at_one = at_frequency(source, 1);
     const System<double>& system = source->in_double().system;
     return with_more_bits(number_of_masses(system), first_bits, most_bits, [&](slong, bool) {
         std::optional<SystemByReference> found;
-        SceneInBalls s = scene_in_balls(at_one);
+        SceneInBalls s = scene_at_one(source);
         const ModesInBalls m = signed_modes(s);
         ModalBasis<Bounded<double>> basis = basis_of(s, m, system);
         if (!is_nearly_rounded(basis)) return found;

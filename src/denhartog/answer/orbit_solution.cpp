@@ -6,6 +6,7 @@
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/orbit/floquet.hpp"
+#include "denhartog/sliding/steady_state.hpp"
 
 namespace denhartog {
 namespace {
@@ -37,7 +38,10 @@ public:
         return found ? std::optional(solver.end_of(*found)) : std::nullopt;
     }
 
+    double frame = 0; // by how much the frame moves, if the states are wanted as they are seen from the ground
+
     State at(double tau) {
+        const double instant = tau;
         bool mirrored = false;
         for (; tau < 0; tau += stretch) mirrored = mirrors && !mirrored;
         for (; tau > stretch; tau -= stretch) mirrored = mirrors && !mirrored;
@@ -48,6 +52,12 @@ public:
             solver.system().stuck.contact.append(*part);
             for (double& each : *part)
                 if (mirrored) each = -each;
+        }
+        if (!(frame > 0)) return state;
+        const auto [sine, cosine] = sine_cosine(instant);
+        for (std::size_t k = 0; k < state.x.size(); ++k) {
+            state.x[k] += frame * cosine;
+            state.x_prime[k] -= frame * sine;
         }
         return state;
     }
@@ -110,13 +120,26 @@ std::vector<SolvedStop> stops_of(OnOrbit& on_orbit, const ExactSolver& solver, c
 
 } // namespace
 
-OrbitSolution orbit_solution(ExactSolver& solver, const PeriodicOrbit& orbit, std::optional<Mass> only) {
+OrbitSolution orbit_solution(ExactSolver& solver, const PeriodicOrbit& orbit, std::optional<Mass> only, double frame) {
     OnOrbit on_orbit(solver, orbit);
+    std::vector<MassMotion> absolute;
+    if (frame > 0)
+        for (const Extremum& each : solver.largest_displacements(orbit.error_bound, frame))
+            absolute.push_back({std::abs(each.x), wrapped(each.x < 0 ? each.instant + pi<double>() : each.instant), each.spread});
     const std::size_t j = solver.system().contact.index, count = std::max(orbit.start.x.size(), j + 1);
-    double largest = orbit.contact.amplitude; // of the other masses the state at the start, where their maxima were not sought
+    double largest = std::max(orbit.contact.amplitude, frame); // with the state at the start, where maxima were not sought
     for (double x : orbit.start.x) largest = std::max(largest, abs(x));
     for (const MassMotion& mass : orbit.masses) largest = std::max(largest, mass.amplitude);
+    const double rounding = std::numeric_limits<double>::epsilon() * (16 * largest);
     const auto number = [](double x, double error) { return certified(Bounded<double>(x, error)); };
+    const auto solved = [&](std::size_t k, const MassMotion& mass) {
+        if (does_not_move(mass.amplitude, orbit.error_bound + rounding, largest))
+            return SolvedMass{number(mass.amplitude, orbit.error_bound), std::nullopt, std::nullopt};
+        const double velocity_error = orbit.velocity_errors[k] + rounding / 16;
+        const double of_instant = error_of_extremum(on_orbit, k, mass, orbit.periods, velocity_error);
+        const double phase_error = std::min(pi<double>(), of_instant + mass.spread + 4 * unit_of<double>());
+        return SolvedMass{number(mass.amplitude, orbit.error_bound), number(mass.phase, phase_error), std::nullopt};
+    };
     OrbitSolution solution;
     solution.stops = stops_of(on_orbit, solver, orbit);
     for (std::size_t k = 0; k < count; ++k) {
@@ -124,20 +147,14 @@ OrbitSolution orbit_solution(ExactSolver& solver, const PeriodicOrbit& orbit, st
             solution.masses.push_back({});
             continue;
         }
-        const MassMotion& mass = k == j ? orbit.contact : orbit.masses[k];
-        const double rounding = std::numeric_limits<double>::epsilon() * (16 * largest);
-        if (does_not_move(mass.amplitude, orbit.error_bound + rounding, largest)) {
-            solution.masses.push_back({number(mass.amplitude, orbit.error_bound), std::nullopt, std::nullopt});
-            continue;
-        }
-        const double velocity_error = orbit.velocity_errors[k] + rounding / 16;
-        const double of_instant = error_of_extremum(on_orbit, k, mass, orbit.periods, velocity_error);
-        const double phase_error = std::min(pi<double>(), of_instant + mass.spread + 4 * unit_of<double>());
-        solution.masses.push_back({number(mass.amplitude, orbit.error_bound), number(mass.phase, phase_error), std::nullopt});
-        const double relative = mass.amplitude > 0 ? orbit.error_bound / mass.amplitude : 1.0;
+        const SolvedMass& mass = solution.masses.emplace_back(solved(k, k == j ? orbit.contact : orbit.masses[k]));
+        if (!mass.phase) continue;
+        const double relative = mass.amplitude.value > 0 ? orbit.error_bound / mass.amplitude.value : 1.0;
         solution.relative_amplitude = std::max(solution.relative_amplitude, relative);
-        solution.phase_error = std::max(solution.phase_error, phase_error);
+        solution.phase_error = std::max(solution.phase_error, mass.phase->error);
     }
+    on_orbit.frame = frame;
+    for (std::size_t k = 0; k < absolute.size(); ++k) solution.from_ground.push_back(solved(k, absolute[k]));
     return solution;
 }
 

@@ -16,6 +16,7 @@ namespace denhartog {
 /// @brief A periodic orbit as an answer.
 struct OrbitSolution {
     std::vector<SolvedMass> masses; ///< N, and that of a contact between two; zero where not asked about
+    std::vector<SolvedMass> from_ground{}; ///< N in their absolute motion, where a frame that moves was asked about
     std::vector<SolvedStop> stops;  ///< stops of the contact
     double relative_amplitude = 0;  ///< largest error of an amplitude, relative
     double phase_error = 0;         ///< largest error of a phase
@@ -26,9 +27,9 @@ struct OrbitSolution {
 /// The error of a phase is that of the velocity at the extremum over the acceleration there. That of an instant at which a stop
 /// begins is found likewise, and that of its end from the load on the contact and its rate. Where the rate may vanish within the
 /// error, an instant may be anywhere. The solver is moved along the orbit once more. With `only` one mass is asked about; for the
-/// contact the orbit needs no other.
+/// contact the orbit needs no other. `frame` is by how much the frame of the displacements moves.
 [[nodiscard]] OrbitSolution orbit_solution(ExactSolver& solver, const PeriodicOrbit& orbit,
-                                           std::optional<Mass> only = std::nullopt);
+                                           std::optional<Mass> only = std::nullopt, double frame = 0);
 
 /// @brief Where the contact of an orbit of permanent sticking rests; none without a finite bound of its error.
 [[nodiscard]] std::optional<Certified> place_of_rest(const PeriodicOrbit& orbit);

@@ -7,6 +7,7 @@
 
 #include "denhartog/answer/printed.hpp"
 #include "denhartog/answer/reference_attempts.hpp"
+#include "denhartog/answer/reference_from_ground.hpp"
 #include "denhartog/answer/reference_point.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/tried.hpp"
@@ -93,6 +94,14 @@ void write_sliding(const PointInBalls& p, const Scene<double>& scene, const Refe
         return out;
     };
     write_masses(scene, q.mass, row, s);
+    if (const std::optional<Ball> frame = frame_of(scene, q, p.scene.r)) {
+        ResponsesInBalls seen = r;
+        for (std::size_t k = 0; k < r.contact(); ++k) {
+            seen.V[k] = response_from_ground(r.V[k], scene.system.base_motion, *frame);
+            const SlidingMassInBalls m = mass_in_balls(seen, contact, *p.scene.beta, k, false);
+            s.from_ground.push_back(from_ground(m.amplitude, m.phase, *frame, w));
+        }
+    }
     s.method.model = "closed form";
 }
 
@@ -113,6 +122,11 @@ bool write_stuck(const PointInBalls& p, const Scene<double>& scene, const Refere
         return SolvedMass{w.relative(amplitude), phases ? w.absolute(phase) : w.shown(phase), std::nullopt};
     };
     write_masses(scene, q.mass, row, s);
+    if (const std::optional<Ball> frame = frame_of(scene, q, p.scene.r))
+        for (Complex<Ball> X : p.stuck->X) {
+            X.re += *frame;
+            s.from_ground.push_back(from_ground(size_of(X), wrapped_in_balls(-argument(X)), *frame, w));
+        }
     const Ball to = (p.scene.mu * *p.scene.beta - size_of(p.stuck->load)) * p.stuck->compliance;
     s.rest_interval = RestInterval{w.shown(-to), w.shown(to), std::nullopt};
     s.method.model = "stuck response";
@@ -146,7 +160,8 @@ void set_regime_by_stops(const PointInBalls& p, const OrbitInBalls& o, Solution&
         s.regime.reason += Why::rest_leads_to_stops;
 }
 
-void write_orbit(const OrbitInBalls& o, const Scene<double>& scene, const ReferenceQuestion& q, WrittenNumbers& w, Solution& s) {
+void write_orbit(const OrbitInBalls& o, const Scene<double>& scene, const Ball& r, const ReferenceQuestion& q, WrittenNumbers& w,
+                 Solution& s) {
     const bool phases = q.asked != Asked::amplitude;
     Ball largest(0);
     for (const Ball& each : o.amplitude) largest = larger(largest, each);
@@ -158,6 +173,8 @@ void write_orbit(const OrbitInBalls& o, const Scene<double>& scene, const Refere
         return out;
     };
     write_masses(scene, q.mass, row, s);
+    if (const std::optional<Ball> frame = frame_of(scene, q, r))
+        for (const PeakInBalls& each : o.from_ground) s.from_ground.push_back(from_ground(each.size, each.phase, *frame, w));
     for (const StopInBalls& stop : o.stops) s.stops.push_back({w.shown(stop.start), w.shown(stop.end), w.shown(stop.x)});
     s.start.emplace();
     for (std::size_t k = 0; k < o.x.size(); ++k) {
@@ -173,12 +190,15 @@ void write_orbit(const OrbitInBalls& o, const Scene<double>& scene, const Refere
     s.method.model = "exact solver";
 }
 
-OrbitInBalls orbit_in_balls(const SceneSource& source, const ReferenceQuestion& q, slong bits, OrbitGuesses& guesses) {
+OrbitInBalls orbit_in_balls(const SceneSource& source, const ReferenceQuestion& q, const Ball& r, slong bits,
+                            OrbitGuesses& guesses) {
     std::vector<std::size_t> wanted;
     if (q.mass) wanted = {q.mass->index};
     const auto scene = [&] { return damped_scene_in_balls(source); };
     return guesses.first_proved(
-        [&](const OrbitGuess& guess) { return proved_orbit(scene, guess, bits, wanted, q.asked == Asked::motion); });
+        [&](const OrbitGuess& guess) {
+            return proved_orbit(scene, guess, bits, wanted, q.asked == Asked::motion, frame_of(source->in_double(), q, r));
+        });
 }
 
 // Whether the bits are enough for an answer, or to disprove the regime. It has the regime where nothing else can be proved.
@@ -212,14 +232,14 @@ bool attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, 
         if (q.asked == Asked::regime || (q.closed_form_alone && regime != Regime::continuous)) {
             s.method.model = q.closed_form_alone ? "boundary of the sliding regime" : "boundaries";
             if (q.met == Regime::stick_slip && !q.closed_form_alone)
-                set_regime_by_stops(p, orbit_in_balls(source, q, bits, guesses), s);
+                set_regime_by_stops(p, orbit_in_balls(source, q, p.scene.r, bits, guesses), s);
         } else if (regime == Regime::continuous) {
             write_sliding(p, scene, q, w, s);
         } else if (regime == Regime::permanent_sticking) {
             if (!write_stuck(p, scene, q, w, s)) return disproved(Why::hold_disproved);
         } else {
-            const OrbitInBalls orbit = orbit_in_balls(source, q, bits, guesses);
-            write_orbit(orbit, scene, q, w, s);
+            const OrbitInBalls orbit = orbit_in_balls(source, q, p.scene.r, bits, guesses);
+            write_orbit(orbit, scene, p.scene.r, q, w, s);
             set_regime_by_stops(p, orbit, s);
         }
         if (has_88(scene) && !q.closed_form_alone && (q.asked == Asked::regime || regime == Regime::permanent_sticking))
@@ -227,6 +247,7 @@ bool attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, 
     } else {
         s.method.model = "boundary of the sliding regime";
     }
+    write_base(scene, q, p.scene.r, w, s);
     s.relative_error = w.largest_error();
     s.method.precision = "reference";
     s.method.why = {Why::proved, bits};

@@ -48,6 +48,11 @@ std::size_t stretches(const std::vector<InvariantPointsOfMass<Certified>>& masse
 
 std::vector<InvariantPointsOfMass<Certified>> invariant_points(const SceneSource& source, const RangeInText& range,
                                                                std::optional<int> asked_for) {
+    const System<double>& system = source->in_double().system;
+    if (load_depends_on_frequency(system))
+        throw InputError("base_motion", "must have one load at all frequencies for invariant points: (87) is for such a load", "");
+    if (!system.load_phases.empty())
+        throw InputError("load_phases", "must not be given for invariant points: (87) is for forces in phase", "");
     const int digits = aim_of(asked_for).digits;
     const auto first = static_cast<slong>(std::max(128.0, bits_of_digit * digits + 64));
     const slong most = asked_for ? std::max<slong>(1024, 4 * first) : 2 * first;

@@ -122,10 +122,19 @@ SceneInBalls scene_in_balls(const SceneSource& source) {
     if (s.zeta.empty() && tolerance > 0) {
         const ModesInBalls m = modes_in_balls(s);
         const BallMatrix D = damping_of_modes(s, m);
-        if (!counts_as_modal(m, D, tolerance)) return s;
+        if (!counts_as_modal(m, D, tolerance)) return with_load_of_base(std::move(s));
         s = by_themselves(s, m, D);
         s.C = BallMatrix();
     }
+    return with_load_of_base(std::move(s));
+}
+
+SceneInBalls scene_at_one(const SceneSource& source) {
+    SceneInBalls s = scene_in_balls(at_frequency(source, 1));
+    if (s.base_motion == BaseMotion::none) return s;
+    const SceneInBalls there = scene_in_balls(source);
+    s.p = there.p;
+    s.p_i = there.p_i;
     return s;
 }
 

@@ -28,6 +28,9 @@ struct PointInBalls {
 /// `damping_tolerance` of having them.
 [[nodiscard]] reference::SceneInBalls scene_in_balls(const SceneSource& source);
 
+/// @brief The same at r = 1, where psi of (17) is phi, under the load that it has at its own r.
+[[nodiscard]] reference::SceneInBalls scene_at_one(const SceneSource& source);
+
 /// @brief The mode shapes of the masses, Psi of (17), mass by mode.
 [[nodiscard]] BallMatrix shapes_of(const reference::ModesInBalls& modes);
 

@@ -4,6 +4,7 @@
 
 #include "denhartog/number/ball_or_none.hpp"
 #include "denhartog/scene/converted.hpp"
+#include "denhartog/sums/load_of_base.hpp"
 #if DENHARTOG_REFERENCE
 #include "denhartog/reference/modes.hpp"
 #endif
@@ -35,10 +36,16 @@ SceneSource source_of_doubles(const std::shared_ptr<const Scene<double>>& given)
     return std::make_shared<const SceneReader>(SceneReader{given, {}, for_balls(read), no_modes_yet()});
 }
 
+// Gives a scene the load that its base or wall makes at its frequency, where that depends on it.
+void set_load_of_base(Scene<double>& scene) {
+    if (scene.r && load_depends_on_frequency(scene.system)) scene.system = with_load_at(scene.system, *scene.r);
+}
+
 template <class Change>
 SceneSource changed(const SceneSource& source, const Change& change) {
     auto scene = std::make_shared<Scene<double>>(source->in_double());
     change(*scene);
+    set_load_of_base(*scene);
     const auto read = [source, change](auto& in_balls) {
         source->in_balls(in_balls);
         change(in_balls);
@@ -54,9 +61,12 @@ const Scene<double>& SceneReader::in_double() const {
 }
 
 SceneSource scene_source(const SceneText& part) {
-    const SceneOrError<double> narrow = read_scene<double>(part);
+    SceneOrError<double> narrow = read_scene<double>(part);
     std::shared_ptr<const Scene<double>> scene;
-    if (narrow.scene) scene = std::make_shared<const Scene<double>>(*narrow.scene);
+    if (narrow.scene) {
+        set_load_of_base(*narrow.scene);
+        scene = std::make_shared<const Scene<double>>(*narrow.scene);
+    }
     const auto read = [text = std::string(part.text), line = part.line, alone = part.alone]<class T>(Scene<T>& out) {
         SceneOrError<T> found = read_scene<T>(SceneText{text, line, alone});
         if (found.error) throw InputError(*found.error);
@@ -65,9 +75,14 @@ SceneSource scene_source(const SceneText& part) {
     return std::make_shared<const SceneReader>(SceneReader{std::move(scene), narrow.error, for_balls(read), no_modes_yet()});
 }
 
-SceneSource scene_source(const Scene<double>& scene) { return source_of_doubles(std::make_shared<const Scene<double>>(scene)); }
+SceneSource scene_source(const Scene<double>& scene) {
+    auto copy = std::make_shared<Scene<double>>(scene);
+    set_load_of_base(*copy);
+    return source_of_doubles(std::move(copy));
+}
 
 SceneSource source_of_kept(const Scene<double>& scene) {
+    if (load_depends_on_frequency(scene.system)) return scene_source(scene);
     return source_of_doubles(std::shared_ptr<const Scene<double>>(std::shared_ptr<void>(), &scene)); // which nobody deletes
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "denhartog/answer/certify.hpp"
+#include "denhartog/answer/from_ground.hpp"
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/number/why.hpp"
 #include "denhartog/scene/point_rules.hpp"
@@ -61,7 +62,7 @@ Number paper_limit(const Scene<double>& scene, ModalBasis<Number> basis, const B
     const bool couples = basis.couples;
     basis.D.resize(0, 0);
     basis.couples = false;
-    const ModeSums<Number> sums = mode_sums(basis, contact_row(scene.system), load_row(scene.system), as_input(*scene.r));
+    const ModeSums<Number> sums = mode_sums(basis, contact_row(scene.system), load_rows(scene.system), as_input(*scene.r));
     const Boundary<Number> b = boundary_with(sums, as_input(scene.mu), SearchedSums(sums).demands());
     const double change = std::abs(b.exact.x - coupled.exact.x), most = hardly_changed * coupled.exact.x;
     Number paper = change <= most ? b.paper : coupled.paper;
@@ -71,12 +72,16 @@ Number paper_limit(const Scene<double>& scene, ModalBasis<Number> basis, const B
 }
 
 // Next to a pole the numbers are those of rounding: one unit in the last place of r changes them by a tenth and more.
-void check_poles(const ModalBasis<Number>& basis, Mass load, double r) {
+void check_poles(const ModalBasis<Number>& basis, const LoadRows& load, double r) {
     constexpr double units = 8;
     for (std::size_t i = 0; i < basis.r_n.size() && !basis.coupled(); ++i) {
         const double R = r / basis.r_n[i].x;
-        const Number& loaded = basis.phi(static_cast<Eigen::Index>(load.index), static_cast<Eigen::Index>(i));
-        if (basis.zeta[i].x == 0 && std::abs(loaded.x) > loaded.e && std::abs(R - 1) <= units * unit_of<double>())
+        const auto excites = [&](Mass row) {
+            const Number& loaded = basis.phi(static_cast<Eigen::Index>(row.index), static_cast<Eigen::Index>(i));
+            return std::abs(loaded.x) > loaded.e;
+        };
+        const bool excited = excites(load.re) || (load.im && excites(*load.im));
+        if (basis.zeta[i].x == 0 && excited && std::abs(R - 1) <= units * unit_of<double>())
             throw DomainError({Why::pole_by_rounding, i + 1, R, R == 1});
     }
 }
@@ -89,6 +94,23 @@ SolvedMass solved_mass(const MassResponse<Number>& m, bool with_motion) {
         mass.sliding = SlidingOfMass{certified(m.x0), certified(m.v0), certified(instant), certified(m.amplitude_monoharmonic),
                                      certified(m.phase_monoharmonic)};
     return mass;
+}
+
+std::vector<MassFromGround> masses_from_ground(const Scene<double>& scene, const ModeSums<Number>& sums,
+                                               const SteadyState<Number>& state) {
+    std::vector<MassFromGround> seen;
+    const BaseMotion base = scene.system.base_motion;
+    const std::size_t N = number_of_masses(scene.system);
+    const Number b = amplitude_of_frame(scene);
+    const auto add = [&](const SteadyState<Number>& of, const Number& amplitude) {
+        for (std::size_t k = 0; k < N; ++k) seen.push_back(from_ground(solved_mass(of.masses[k], false), amplitude));
+    };
+    if (base == BaseMotion::none) return seen;
+    if (base == BaseMotion::alone)
+        add(state, Number(1));
+    else
+        add(SearchedSums(sums_from_ground(sums, N, base, b)).steady_state(state.beta, std::nullopt, true), b);
+    return seen;
 }
 
 // Writes a point into an answer: regime, limits and masses.
@@ -106,6 +128,7 @@ void write_point(const Scene<double>& scene, SlidingPoint& point, Asked asked, S
     if (!point.state) return;
     s.masses.reserve(point.state->masses.size());
     for (const MassResponse<Number>& m : point.state->masses) s.masses.push_back(solved_mass(m, asked == Asked::motion));
+    s.from_ground = std::move(point.from_ground);
 }
 
 } // namespace
@@ -149,6 +172,7 @@ SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Number>&
     if (point.regime->regime != Regime::continuous || !wish.motion) return point;
     point.state = at.steady_state(as_input(*scene.beta), wish.only, true);
     point.attempted.relative = std::max(point.attempted.relative, error_of_masses(*point.state, wish.only));
+    if (wish.from_ground) point.from_ground = masses_from_ground(scene, at.sums(), *point.state);
     return point;
 }
 
@@ -158,17 +182,19 @@ Solution sliding_solution(const SceneSource& source, const SlidingQuestion& ques
     if (!question.modes) check(scene);
     (void)frequency_ratio_of(scene);
     const auto modes = question.modes ? question.modes : modes_with_errors(scene.system);
-    check_poles(*modes, load_row(scene.system), *scene.r);
+    check_poles(*modes, load_rows(scene.system), *scene.r);
     // Where mu > 1 the motion from rest may be the sliding one.
     const bool motion = question.asked != Asked::regime || scene.mu > 1;
     const bool limits = question.asked == Asked::motion || question.asked == Asked::regime;
-    SlidingPoint point = sliding_point(scene, *modes, {motion, limits, question.only});
+    SlidingPoint point =
+        sliding_point(scene, *modes, {motion, limits, question.only, question.asked == Asked::motion && !question.only});
     Solution s;
     s.asked = question.asked;
     s.contact = scene.system.contact;
     s.r = exactly(*scene.r);
     s.mu = exactly(scene.mu);
     if (scene.beta) s.beta = exactly(*scene.beta);
+    if (const auto base = amplitude_of_base(scene.system.base_motion, as_input(*scene.r))) s.base_amplitude = certified(*base);
     write_point(scene, point, question.asked, s);
     s.method = {point.state ? "closed form" : "boundary of the sliding regime", "double", verdict(point.attempted, aim)};
     s.relative_error = point.attempted.relative;

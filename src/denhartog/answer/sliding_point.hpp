@@ -57,6 +57,7 @@ struct SlidingPoint {
     Boundary<Bounded<double>> boundary;                ///< the boundary there
     std::optional<RegimeAtPoint> regime;               ///< the regime; none without a friction ratio
     std::optional<SteadyState<Bounded<double>>> state; ///< the steady state, in the sliding regime and where it was asked for
+    std::vector<MassFromGround> from_ground{};         ///< the same as it is seen from the ground, where base or wall move
     Attempted attempted{0};                            ///< the largest error, and whether the regime is certain
 };
 
@@ -65,6 +66,7 @@ struct PointWish {
     bool motion = true;         ///< whether the steady state is wanted too, or boundary and regime alone
     bool limits = true;         ///< whether the friction ratios of the boundary must have the digits, or the regime be certain
     std::optional<Mass> only{}; ///< the one mass that must have the digits: no other has a maximum; none for all
+    bool from_ground = false;   ///< whether absolute displacements are wanted too, where base or wall move
 };
 
 /// @brief The point of a scene.

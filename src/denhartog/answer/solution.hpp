@@ -79,6 +79,13 @@ struct SolvedMass {
 /// @brief Bound of the errors of all displacements that are given of a mass. @param m the mass @return it, in units of P / k_1
 [[nodiscard]] double error_of_displacements(const SolvedMass& m);
 
+/// @brief What a mass does as it is seen from the ground, where base, wall or both move harmonically.
+struct MassFromGround {
+    Certified amplitude;            ///< its largest absolute displacement; units of P / k_1
+    Certified transmissibility;     ///< the same over the amplitude of base or wall
+    std::optional<Certified> phase; ///< lag of its largest absolute displacement behind base or wall, radians in (-pi, pi]
+};
+
 /// @brief A stop of the contact within the period of the motion.
 ///
 /// The bound of an instant is the error of the velocity of the contact, at the start, or of the load on it, at the end, over its
@@ -154,6 +161,8 @@ struct Solution {
     std::optional<Certified> sticking_by_88;   ///< boundary of permanent sticking by (88) as printed; for chains only
     std::vector<SolvedMass> masses;            ///< N values, or one if one mass was asked about; empty for `Asked::regime`
     std::optional<Mass> only;                  ///< the mass that `masses` lists, if one mass was asked about
+    std::optional<Certified> base_amplitude;   ///< amplitude of base or wall, if one moves; units of P / k_1
+    std::vector<MassFromGround> from_ground;   ///< N values, if base or wall move and the motion of all masses was asked for
     std::vector<SolvedStop> stops;             ///< stops of the contact within the period of the motion
     std::optional<SolvedState> start;          ///< the state at the maximum of the force, if the exact solver answered
     std::optional<RestInterval> rest_interval; ///< where the contact may rest; in permanent sticking only

@@ -28,7 +28,8 @@ constexpr double boundary_of_antiresonance = 1e-25;
 // Boundary and closed form at a point.
 Solution closed_form_at(const dh_system* system, double r, double beta, double mu, Asked asked, std::optional<Mass> mass) {
     const SceneSource source = point_of(system, r, beta, mu);
-    return sliding_answer(source, SlidingQuestion{asked, digits_of_formulas, mass, system->prepared.bounded});
+    const bool own_load = load_depends_on_frequency(source->in_double().system); // that of what is prepared is another
+    return sliding_answer(source, SlidingQuestion{asked, digits_of_formulas, mass, own_load ? nullptr : system->prepared.bounded});
 }
 
 void need_digits(const Solution& found) {
@@ -194,9 +195,9 @@ int dh_system_masses(const dh_system* system, size_t* N, size_t* contact, size_t
         *N = count;
         const System<double>& s = system->prepared.scene().system;
         if (contact != nullptr) *contact = s.contact.index + 1;
-        const std::vector<double> p = load_vector(s);
-        const auto first = std::ranges::find_if(p, [](double force) { return force != 0; });
-        if (load != nullptr) *load = static_cast<std::size_t>(first - p.begin()) + 1;
+        const auto first = std::ranges::find_if(s.load_vector, [](double force) { return force != 0; });
+        if (load != nullptr)
+            *load = s.load_vector.empty() ? s.load.index + 1 : static_cast<std::size_t>(first - s.load_vector.begin()) + 1;
     });
 }
 

@@ -401,6 +401,18 @@ DH_EXPORT int dh_solution_is_from_rest(const dh_solution* solution, int* from_re
 /// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_INPUT, #DH_ERROR_PRECISION
 DH_EXPORT int dh_solution_mass(const dh_solution* solution, size_t mass, dh_mass* result) DH_NOEXCEPT;
 
+/// @brief Absolute displacement of a mass where base or wall move: amplitude, phase behind base or wall, and transmissibility, which
+/// is the amplitude over that of base or wall. The numbers are those of dh_solution_mass() if the base moves alone.
+/// @param solution                a solution
+/// @param mass                    k, from 1 to N
+/// @param result                  receives amplitude and phase with their errors; the caller has set its size
+/// @param transmissibility        receives it; may be null
+/// @param transmissibility_error  receives the bound of its error; may be null
+/// @return                        #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_INPUT, #DH_ERROR_DOMAIN if neither base nor wall
+///                                moves, #DH_ERROR_PRECISION
+DH_EXPORT int dh_solution_from_ground(const dh_solution* solution, size_t mass, dh_mass* result, double* transmissibility,
+                                      double* transmissibility_error) DH_NOEXCEPT;
+
 /// @brief Amplitude and phase of the contact with their errors. If two masses rub against each other, the motion is that of the
 /// first relative to the second; otherwise it is that of the mass in contact.
 /// @param solution  a solution

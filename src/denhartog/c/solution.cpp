@@ -127,6 +127,22 @@ int dh_solution_mass(const dh_solution* solution, size_t mass, dh_mass* result) 
     });
 }
 
+int dh_solution_from_ground(const dh_solution* solution, size_t mass, dh_mass* result, double* transmissibility,
+                            double* transmissibility_error) noexcept {
+    return guarded([&] {
+        need(solution, "solution");
+        need_struct(result, "result");
+        const std::vector<MassFromGround>& seen = solution->solution.from_ground;
+        const Mass k = mass_from(mass, solution->solution.masses.size(), "mass");
+        if (seen.empty()) throw DomainError("neither base nor wall moves: displacements are absolute as they are");
+        const MassFromGround& m = seen[k.index];
+        need_finite(std::array{m.transmissibility.value, m.transmissibility.error});
+        hand_out_mass({m.amplitude, m.phase, std::nullopt}, result);
+        if (transmissibility != nullptr) *transmissibility = m.transmissibility.value;
+        if (transmissibility_error != nullptr) *transmissibility_error = m.transmissibility.error;
+    });
+}
+
 int dh_solution_contact(const dh_solution* solution, dh_mass* result) noexcept {
     return guarded([&] {
         need(solution, "solution");

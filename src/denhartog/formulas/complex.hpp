@@ -30,6 +30,12 @@ template <class T>
     return {s * a.re, s * a.im};
 }
 
+/// @brief \f$ \mathrm{i}a \f$: what turns a quarter of a period ahead. @param a a complex number @return i a
+template <class T>
+[[nodiscard]] Complex<T> times_i(const Complex<T>& a) {
+    return {-a.im, a.re};
+}
+
 /// @brief \f$ |a|^2 \f$. @param a a complex number @return its squared modulus
 template <class T>
 [[nodiscard]] T squared_modulus(const Complex<T>& a) {

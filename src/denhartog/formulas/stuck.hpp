@@ -62,12 +62,13 @@ template <class T>
 /// @param C_j      row j of the non-dimensional damping matrix, Eq. (7)
 /// @param K_j      row j of the non-dimensional stiffness matrix, Eq. (7); less that of the mass matrix where it is not diagonal
 /// @param X        complex amplitudes of the displacements with the contact held, \f$ \bar{x}_k = \mathrm{Re}\{X_ke^{i\tau}\} \f$
-/// @param delta_lj part of the load on the mass in contact: 1 where it acts on that alone, 0 where on another; p_j of several
+/// @param delta_lj part of the load on the mass in contact: 1 where it acts on that alone, 0 where on another; p_j of several,
+///                 complex where they are out of phase
 /// @return         the amplitude, complex; in units of P
 template <class T>
 [[nodiscard]] Complex<T> load_on_held_contact(std::span<const T> C_j, std::span<const T> K_j, std::span<const Complex<T>> X,
-                                              const T& delta_lj) {
-    Complex<T> load{-delta_lj, T(0)};
+                                              const Complex<T>& delta_lj) {
+    Complex<T> load{-delta_lj.re, -delta_lj.im};
     for (std::size_t k = 0; k < X.size(); ++k)
         load = load + Complex<T>{K_j[k] * X[k].re - C_j[k] * X[k].im, K_j[k] * X[k].im + C_j[k] * X[k].re};
     return load;

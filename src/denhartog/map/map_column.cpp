@@ -251,6 +251,7 @@ MapPoint map_point(const AnswerOrNone& answer) {
 }
 
 bool answers_together(const MapSystem& map) {
+    if (!map.prepared.scene().system.load_phases.empty()) return false; // the arrays have one row of the load
     return !map.system().basis.coupled() && map.masses.size() == 1 && map.masses.front() == map.system().contact &&
            (map.mu == 1 || map.start == MapStart::sliding);
 }

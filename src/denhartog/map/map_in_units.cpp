@@ -24,32 +24,6 @@ std::vector<double> friction_ratios(const std::vector<double>& friction, double 
     return beta;
 }
 
-// Columns whose force is not the same: each is a map of its own.
-RegimeMap column_by_column(const Scene<double>& scene, const FrequenciesInUnits& frequencies, const std::vector<double>& friction,
-                           const MapRequest& request, const std::atomic<bool>& stop,
-                           const std::function<void(std::size_t done)>& done) {
-    const std::size_t columns = frequencies.r.size(), amplitudes = friction.size() * request.masses.size();
-    check_size_of_map(columns, amplitudes);
-    RegimeMap all;
-    all.points.resize(columns * friction.size());
-    all.amplitudes.resize(columns * amplitudes);
-    Progress progress(done);
-    parallel_for(columns, request.threads, [&](std::size_t m) {
-        MapRequest one = request;
-        one.threads = 1;
-        one.r = {frequencies.r[m]};
-        one.beta = friction_ratios(friction, frequencies.force[m]);
-        const RegimeMap column = regime_map(scene, one, stop);
-        if (!column.complete) return false;
-        std::ranges::copy(column.points, all.points.begin() + static_cast<std::ptrdiff_t>(m * friction.size()));
-        std::ranges::copy(column.amplitudes, all.amplitudes.begin() + static_cast<std::ptrdiff_t>(m * amplitudes));
-        progress.add(1);
-        return true;
-    });
-    all.complete = progress.done() == columns;
-    return all;
-}
-
 } // namespace
 
 FrequenciesInUnits frequencies_in_units(const Scene<double>& scene, const std::vector<double>& hertz) {
@@ -75,8 +49,16 @@ FrequenciesInUnits frequencies_in_units(const Scene<double>& scene, const std::v
 RegimeMap map_in_units(const Scene<double>& scene, const FrequenciesInUnits& frequencies, const std::vector<double>& friction,
                        MapRequest request, const std::atomic<bool>& stop, const std::function<void(std::size_t done)>& done) {
     RegimeMap map;
-    if (scene.units->base) {
-        map = column_by_column(scene, frequencies, friction, request, stop, done);
+    if (scene.units->force_changes()) {
+        request.r = frequencies.r;
+        request.beta = friction; // each column has ratios of its own
+        map = map_by_columns(
+            request,
+            [&](std::size_t m, MapRequest one) {
+                one.beta = friction_ratios(friction, frequencies.force[m]);
+                return regime_map(scene, one, stop);
+            },
+            done);
     } else {
         request.r = frequencies.r;
         request.beta = friction_ratios(friction, frequencies.force.front());

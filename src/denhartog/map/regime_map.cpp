@@ -5,6 +5,7 @@
 
 #include "denhartog/map/contact_arrays.hpp"
 #include "denhartog/map/map_column.hpp"
+#include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/parallel.hpp"
 #include "denhartog/scene/point_rules.hpp"
@@ -58,6 +59,36 @@ private:
     ContactLimits limits;
 };
 
+// Absolute amplitudes, as `solve` answers at every point.
+RegimeMap map_from_ground(const Scene<double>& scene, const MapRequest& request, const std::atomic<bool>& stop,
+                          const std::function<void(std::size_t done)>& done) {
+    if (scene.system.base_motion == BaseMotion::none)
+        throw InputError("base_motion", "must be given for absolute amplitudes", "");
+    if (request.start != MapStart::rest) throw InputError("start", "must be rest for absolute amplitudes", "sliding");
+    const PreparedSystem prepared = prepare(scene_source(scene), {}, Prepared::every_regime);
+    const std::size_t columns = request.r.size(), rows = request.beta.size(), masses = request.masses.size();
+    RegimeMap map;
+    map.points.resize(columns * rows);
+    map.amplitudes.assign(map.points.size() * masses, std::nan(""));
+    Progress progress(done);
+    parallel_for(columns, request.threads, [&](std::size_t m) {
+        for (std::size_t n = 0; n < rows; ++n) {
+            if (stop) return false;
+            const QuestionEffort effort(number_of_masses(scene.system), request.effort, [&stop] { return stop.load(); });
+            const AnswerOrNone answer = decide(prepared, {request.r[m], request.beta[n], nullptr}, {});
+            const std::vector<MassFromGround>& seen = answer.solution.from_ground;
+            MapPoint& point = map.points[m * rows + n] = map_point(answer);
+            if (has_numbers(point.status) && (seen.empty() || !answer.solution.digits_reached)) point = {};
+            for (std::size_t k = 0; k < masses && has_numbers(point.status); ++k)
+                map.amplitudes[(m * rows + n) * masses + k] = seen[request.masses[k].index].amplitude.value;
+        }
+        progress.add(1);
+        return true;
+    });
+    map.complete = progress.done() == columns;
+    return map;
+}
+
 } // namespace
 
 std::string name(PointStatus status) {
@@ -77,10 +108,42 @@ void check_size_of_map(std::size_t columns, std::size_t amplitudes) {
                          std::to_string(columns) + " times " + std::to_string(amplitudes));
 }
 
+RegimeMap map_by_columns(const MapRequest& request, const ColumnOfMap& column_at, const std::function<void(std::size_t done)>& done) {
+    const std::size_t columns = request.r.size(), rows = request.beta.size(), amplitudes = rows * request.masses.size();
+    check_size_of_map(columns, amplitudes);
+    RegimeMap all;
+    all.points.resize(columns * rows);
+    all.amplitudes.resize(columns * amplitudes);
+    Progress progress(done);
+    parallel_for(columns, request.threads, [&](std::size_t m) {
+        MapRequest one = request;
+        one.threads = 1;
+        one.r = {request.r[m]};
+        const RegimeMap column = column_at(m, std::move(one));
+        if (!column.complete) return false;
+        std::ranges::copy(column.points, all.points.begin() + static_cast<std::ptrdiff_t>(m * rows));
+        std::ranges::copy(column.amplitudes, all.amplitudes.begin() + static_cast<std::ptrdiff_t>(m * amplitudes));
+        progress.add(1);
+        return true;
+    });
+    all.complete = progress.done() == columns;
+    return all;
+}
+
 RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, const std::atomic<bool>& stop,
                      const std::function<void(std::size_t done)>& done) {
     check(scene);
     check_request(request, number_of_masses(scene.system));
+    if (request.from_ground) return map_from_ground(scene, request, stop, done);
+    if (load_depends_on_frequency(scene.system) && !(request.r.size() == 1 && scene.r == request.r.front()))
+        return map_by_columns(
+            request,
+            [&](std::size_t m, const MapRequest& one) {
+                Scene<double> there = scene;
+                there.r = request.r[m];
+                return regime_map(there, one, stop);
+            },
+            done);
     PreparedSystem prepared = prepare(scene_source(scene), {}, Prepared::every_regime);
     const MapSystem shared{std::move(prepared), scene.mu, request.start, request.beta, request.masses, request.effort};
     Arrays arrays(shared);
@@ -112,7 +175,7 @@ std::vector<BoundaryPoint> boundary_curves(const Scene<double>& scene, const std
     const SceneSource source = scene_source(scene);
     SlidingQuestion question;
     question.asked = Asked::regime;
-    question.modes = modes_with_errors(source->in_double().system);
+    if (!load_depends_on_frequency(scene.system)) question.modes = modes_with_errors(source->in_double().system);
     std::vector<BoundaryPoint> curves(r.size());
     for (std::size_t n = 0; n < r.size(); ++n) {
         const AnswerOrNone answer = decide_sliding(at_frequency(source, r[n]), question);

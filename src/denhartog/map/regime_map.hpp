@@ -59,6 +59,7 @@ struct MapRequest {
     MapStart start = MapStart::rest; ///< which motion, if there are several
     unsigned threads = 1;            ///< number of threads, at least 1
     std::optional<long> effort{};    ///< operations allowed for a point; by default those of `QuestionEffort`
+    bool from_ground = false;        ///< whether amplitudes are those of absolute displacements, where base or wall move
 };
 
 /// @brief A map.
@@ -80,9 +81,22 @@ void check_size_of_map(std::size_t columns, std::size_t amplitudes);
 /// @param stop     the caller or a signal handler may set it, to stop the computation early
 /// @param done     called after each column with the number of columns done, by one thread at a time; may be empty
 /// @return         the map; a point without an answer has a status, not an exception
-/// @throws         InputError if the scene, the grid or a mass breaks a rule
+/// @throws         InputError if the scene, the grid or a mass breaks a rule; or if absolute amplitudes are asked for, and neither base
+///                 nor wall moves, or not the motion from rest is meant
 [[nodiscard]] RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, const std::atomic<bool>& stop,
                                    const std::function<void(std::size_t done)>& done = {});
+
+/// @brief A map of one frequency ratio, the m-th of a request.
+using ColumnOfMap = std::function<RegimeMap(std::size_t m, MapRequest one)>;
+
+/// @brief A map whose columns have a scene each, because the load or its unit changes with the frequency.
+/// @param request    grid, masses, threads
+/// @param column_at  the map of one column
+/// @param done       as of `regime_map`
+/// @return           the map
+/// @throws           InputError if it is too large, or what `column_at` throws
+[[nodiscard]] RegimeMap map_by_columns(const MapRequest& request, const ColumnOfMap& column_at,
+                                       const std::function<void(std::size_t done)>& done);
 
 /// @brief The four boundaries at one frequency ratio, for curves over r. They are those of `Limits`, in double.
 struct BoundaryPoint {

@@ -1,6 +1,8 @@
 #include "denhartog/model/contact_and_load.hpp"
 
 #include <array>
+#include <cmath>
+#include <limits>
 #include <span>
 
 #include "denhartog/evaluation/contact.hpp"
@@ -49,6 +51,15 @@ Matrix<double> stiffness_matrix(const System<double>& s) {
     const auto N = static_cast<Eigen::Index>(s.stiffness_ratios.size());
     const std::vector<double> entries = paper::chain_stiffness_matrix(std::span<const double>(s.stiffness_ratios));
     return Eigen::Map<const RowMajor>(entries.data(), N, N);
+}
+
+std::vector<double> error_of_load(const System<double>& s) {
+    if (s.load_phases.empty()) return s.load_error;
+    std::vector<double> errors = s.load_error;
+    errors.resize(s.load_vector.size());
+    for (std::size_t k = 0; k < errors.size(); ++k)
+        errors[k] += (2 + std::abs(s.load_phases[k])) * std::numeric_limits<double>::epsilon() * std::abs(s.load_vector[k]);
+    return errors;
 }
 
 HeldMatrices held_matrices(const System<double>& s, const Contact& held, const Matrix<double>& C) {

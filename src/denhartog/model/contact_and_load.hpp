@@ -1,15 +1,17 @@
 /// @file
 /// @brief Where contact and load act: the displacement of the contact is \f$ \mathbf{w}^T\mathbf{x} \f$, and the force on the masses
-/// \f$ \mathbf{p}\cos\tau \f$.
+/// \f$ \mathrm{Re}\{\mathbf{p}\,e^{\mathrm{i}\tau}\} \f$.
 ///
 /// In the paper w and p are unit vectors. Between two masses the displacement of the contact is \f$ x_j - x_k \f$. All that the
 /// paper derives from (6) holds of them, with \f$ \mathbf{w}^T\boldsymbol\psi_i \f$ for \f$ \psi_{ji} \f$ and
-/// \f$ \mathbf{p}^T\boldsymbol\psi_i \f$ for \f$ \psi_{li} \f$. Where w or p is no unit vector it has a row of its own behind those
-/// of the masses, wherever there is a row a mass: first that of w, then that of p.
+/// \f$ \mathbf{p}^T\boldsymbol\psi_i \f$ for \f$ \psi_{li} \f$, which is complex where forces are out of phase. Where w or p is no
+/// unit vector it has a row of its own behind those of the masses, wherever there is a row a mass: first that of w, then that of
+/// p, and of a complex p those of its real and its imaginary part.
 #pragma once
 
 #include <algorithm>
 
+#include "denhartog/formulas/complex.hpp"
 #include "denhartog/scene/scene.hpp"
 
 namespace denhartog {
@@ -26,14 +28,22 @@ template <class T>
     return s.contact_with ? Mass{number_of_masses(s)} : s.contact;
 }
 
-/// @brief p, N values in units of P.
+/// @brief p, N values in units of P: \f$ p_k e^{\mathrm{i}\theta_k} \f$ of a force that leads by \f$ \theta_k \f$.
 template <class T>
-[[nodiscard]] std::vector<T> load_vector(const System<T>& s) {
-    if (!s.load_vector.empty()) return s.load_vector;
-    std::vector<T> p(number_of_masses(s), T(0));
-    p[s.load.index] = T(1);
+[[nodiscard]] std::vector<Complex<T>> complex_load(const System<T>& s) {
+    std::vector<Complex<T>> p(number_of_masses(s), Complex<T>{T(0), T(0)});
+    if (s.load_vector.empty()) p[s.load.index].re = T(1);
+    for (std::size_t k = 0; k < s.load_vector.size(); ++k) {
+        p[k].re = s.load_vector[k];
+        if (s.load_phases.empty() || s.load_phases[k] == T(0)) continue;
+        p[k] = {s.load_vector[k] * cos(s.load_phases[k]), s.load_vector[k] * sin(s.load_phases[k])};
+    }
     return p;
 }
+
+/// @brief Bounds of what errors of phases in the last place make of p, and of those that the system has besides; N values, or none
+/// of a load whose entries are off by units in the last place.
+[[nodiscard]] std::vector<double> error_of_load(const System<double>& s);
 
 /// @brief w, N values.
 template <class T>
@@ -49,11 +59,25 @@ template <class T>
 [[nodiscard]] Mass load_row(const System<T>& s) {
     const std::vector<T>& p = s.load_vector;
     if (p.empty()) return s.load;
+    if (!s.load_phases.empty()) return Mass{p.size() + (s.contact_with ? 1 : 0)};
     if (p == contact_vector(s)) return contact_row(s);
     const auto one = std::ranges::find(p, T(1));
     if (one != p.end() && std::ranges::count(p, T(0)) + 1 == std::ssize(p))
         return Mass{static_cast<std::size_t>(one - p.begin())};
     return Mass{p.size() + (s.contact_with ? 1 : 0)};
+}
+
+/// @brief The rows of a load: that of its real part and, where forces are out of phase, that of its imaginary part.
+struct LoadRows {
+    Mass re;                  ///< the row of `load_row`
+    std::optional<Mass> im{}; ///< the one behind it, or none
+};
+
+/// @brief The rows of the load of a system.
+template <class T>
+[[nodiscard]] LoadRows load_rows(const System<T>& s) {
+    const Mass re = load_row(s);
+    return {re, s.load_phases.empty() ? std::nullopt : std::optional(Mass{re.index + 1})};
 }
 
 /// @brief w and p as rows of N columns, those of them that have a row of their own.
@@ -66,7 +90,14 @@ template <class T>
         for (Eigen::Index k = 0; k < N; ++k) rows(rows.rows() - 1, k) = row[static_cast<std::size_t>(k)];
     };
     if (s.contact_with) add(contact_vector(s));
-    if (load_row(s).index == number_of_masses(s) + static_cast<std::size_t>(rows.rows())) add(s.load_vector);
+    if (load_row(s).index != number_of_masses(s) + static_cast<std::size_t>(rows.rows())) return rows;
+    std::vector<T> re, im;
+    for (const Complex<T>& each : complex_load(s)) {
+        re.push_back(each.re);
+        im.push_back(each.im);
+    }
+    add(re);
+    if (!s.load_phases.empty()) add(im);
     return rows;
 }
 

@@ -133,7 +133,7 @@ StuckConfiguration stuck_configuration(const System<double>& s, const ModalBasis
     stuck.k_j = entries(all.K, j, others);
     stuck.k_jj = all.K(j, j);
     stuck.k_contact = N == 1 ? stuck.k_jj : 1 / compliance(basis, static_cast<Eigen::Index>(contact_row(s).index));
-    stuck.load = s.load_vector;
+    if (!s.load_vector.empty()) stuck.load = complex_load(s);
     stuck.carried.assign(N, 0.0);
     stuck.carried[stuck.contact.a] = stuck.contact.sign;
     stuck.coupling = 0.0;

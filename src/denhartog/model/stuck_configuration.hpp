@@ -32,7 +32,7 @@ struct StuckConfiguration {
     Matrix<double> shapes;            ///< the same of all N masses
     Matrix<double> momentum;          ///< phi^T M: modal coordinates of the displacements of all N masses
     std::vector<double> carried;      ///< how far each of the N masses goes with the contact while the modes are at rest
-    std::vector<double> load;         ///< force on each mass where it acts on several, N values; else none
+    std::vector<Complex<double>> load; ///< force on each mass where it acts on several, N values; else none
     Matrix<double> damping;           ///< phi^T C phi; its diagonal is 2 zeta*_i r_n,i
     double coupling;                  ///< largest off-diagonal |D_ik| / sqrt(D_ii D_kk) of `damping`; zero for fewer than two
     bool modes_diagonalise_damping{}; ///< whether `coupling` is explained by rounding: zeta*_i then describe the motion
@@ -48,25 +48,26 @@ struct RoundedModes {
     Matrix<double> damping;  ///< phi^T C phi of these; zero where it does not couple two modes
 };
 
-/// @brief The force on a mass in units of P, where the load is on l or, if the configuration has it, on several.
-[[nodiscard]] inline double force_on(const StuckConfiguration& stuck, Mass k, Mass load) {
-    return stuck.load.empty() ? (k == load ? 1 : 0) : stuck.load[k.index];
+/// @brief The complex force on a mass in units of P, where the load is on l or, if the configuration has it, on several.
+[[nodiscard]] inline Complex<double> force_on(const StuckConfiguration& stuck, Mass k, Mass load) {
+    return stuck.load.empty() ? Complex<double>{k == load ? 1.0 : 0.0, 0} : stuck.load[k.index];
 }
 
 /// @brief What a load brings to each stuck mode, phi^T p.
-[[nodiscard]] inline std::vector<double> load_on_stuck_modes(const StuckConfiguration& stuck, Mass load) {
-    std::vector<double> of_modes(stuck.masses.size(), 0.0);
+[[nodiscard]] inline std::vector<Complex<double>> load_on_stuck_modes(const StuckConfiguration& stuck, Mass load) {
+    std::vector<Complex<double>> of_modes(stuck.masses.size(), {0, 0});
     for (Eigen::Index k = 0; k < stuck.shapes.rows(); ++k) {
-        const double force = force_on(stuck, Mass{static_cast<std::size_t>(k)}, load);
-        if (force == 0) continue;
-        for (std::size_t i = 0; i < of_modes.size(); ++i) of_modes[i] += force * stuck.shapes(k, static_cast<Eigen::Index>(i));
+        const Complex<double> force = force_on(stuck, Mass{static_cast<std::size_t>(k)}, load);
+        if (force.re == 0 && force.im == 0) continue;
+        for (std::size_t i = 0; i < of_modes.size(); ++i)
+            of_modes[i] = of_modes[i] + stuck.shapes(k, static_cast<Eigen::Index>(i)) * force;
     }
     return of_modes;
 }
 
 /// @brief The part of a load that acts on the contact itself, delta_lj, or p_j of a load on several.
-[[nodiscard]] inline double direct_load(const StuckConfiguration& stuck, Mass load) {
-    return stuck.contact.sign * force_on(stuck, Mass{stuck.contact.a}, load);
+[[nodiscard]] inline Complex<double> direct_load(const StuckConfiguration& stuck, Mass load) {
+    return static_cast<double>(stuck.contact.sign) * force_on(stuck, Mass{stuck.contact.a}, load);
 }
 
 /// @brief The compliance of a row of the mode shapes, (K^-1)_jj of a mass, as a sum of squares over the modes.

@@ -10,6 +10,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/sums/load_of_base.hpp"
 
 namespace denhartog {
 namespace {
@@ -33,6 +34,8 @@ void check(const ContactProblem& p) {
     };
     index("contact", p.contact);
     if (p.load_vector.empty()) index("load", p.load);
+    if (!p.load_phases.empty() && (p.load_phases.size() != static_cast<std::size_t>(N) || p.load_vector.size() != p.load_phases.size()))
+        throw InputError("load_phases", "must have one value for each mass, beside as many forces", std::to_string(p.load_phases.size()));
     if (p.contact_with) index("contact", *p.contact_with);
     if (!p.static_load.empty() && std::ssize(p.static_load) != N)
         throw InputError("static_load", "must have " + std::to_string(N) + " values", std::to_string(p.static_load.size()));
@@ -47,7 +50,7 @@ ContactProblem contact_problem(const Scene<double>& scene) {
     check(scene);
     (void)frequency_ratio_of(scene);
     (void)friction_ratio_of(scene);
-    const System<double>& s = scene.system;
+    const System<double> s = with_load_at(scene.system, *scene.r);
     return {non_dimensional_matrices(s, modal_basis(s), *scene.r),
             s.contact,
             s.load,
@@ -55,6 +58,7 @@ ContactProblem contact_problem(const Scene<double>& scene) {
             *scene.beta,
             s.contact_with,
             s.load_vector,
+            s.load_phases,
             scene.static_load};
 }
 
@@ -66,8 +70,15 @@ ContactEquations::ContactEquations(const ContactProblem& p) : beta(p.beta), mu(p
     System<double> places; // of contact and load
     places.mass_ratios.resize(static_cast<std::size_t>(rows));
     places.contact = p.contact, places.load = p.load, places.contact_with = p.contact_with, places.load_vector = p.load_vector;
-    const std::vector<double> of_w = contact_vector(places), of_p = load_vector(places);
-    const Eigen::Map<const Eigen::VectorXd> w(of_w.data(), rows), load(of_p.data(), rows);
+    places.load_phases = p.load_phases;
+    out_of_phase_ = !p.load_phases.empty();
+    const std::vector<double> of_w = contact_vector(places);
+    std::vector<double> of_p, of_sine;
+    for (const Complex<double>& each : complex_load(places)) {
+        of_p.push_back(each.re);
+        of_sine.push_back(each.im);
+    }
+    const Eigen::Map<const Eigen::VectorXd> w(of_w.data(), rows), load(of_p.data(), rows), ahead(of_sine.data(), rows);
     const Eigen::LLT<Matrix<double>> factor(M);
     if (factor.info() != Eigen::Success) throw InputError("M", "must be positive definite", "");
     const Matrix<double> inverse = factor.solve(Matrix<double>::Identity(rows, rows));
@@ -81,16 +92,17 @@ ContactEquations::ContactEquations(const ContactProblem& p) : beta(p.beta), mu(p
     // With the contact held, the reaction takes its acceleration away.
     const Matrix<double> held = of_contact / compliance;
     Matrix<double> held_accelerations = accelerations - held * contact.row_of(accelerations);
-    const Matrix<double> of_load = inverse * load;
-    Matrix<double> held_load = of_load - held * contact.row_of(of_load);
     contact.hold(held_accelerations);
-    contact.hold(held_load);
+    const auto held_force = [&](const Matrix<double>& of_force) {
+        Matrix<double> held_load = of_force - held * contact.row_of(of_force);
+        contact.hold(held_load);
+        return held_load;
+    };
+    const Matrix<double> of_load = inverse * load, of_ahead = inverse * ahead;
     if (!p.static_load.empty()) {
         const Matrix<double> of_static = inverse * Eigen::Map<const Eigen::VectorXd>(p.static_load.data(), rows);
-        Matrix<double> held_static = of_static - held * contact.row_of(of_static);
-        contact.hold(held_static);
         sliding_static_ = of_static;
-        sticking_static_ = held_static;
+        sticking_static_ = held_force(of_static);
         static_load = contact.of(of_static.col(0)) / compliance;
     }
     // The contact's row with the accelerations of the others eliminated; for a diagonal M it is row j itself.
@@ -99,12 +111,15 @@ ContactEquations::ContactEquations(const ContactProblem& p) : beta(p.beta), mu(p
     sliding_ = accelerations;
     sticking_ = held_accelerations;
     sliding_load_ = of_load;
-    sticking_load_ = held_load;
+    sticking_load_ = held_force(of_load);
+    sliding_ahead_ = of_ahead;
+    sticking_ahead_ = held_force(of_ahead);
     contact_column_ = of_contact;
     friction_.resize(rows);
-    harmonic_load = of_contact.dot(load) / compliance;
-    direct_load_ = contact.sign * load(static_cast<Eigen::Index>(contact.a));
-    inertial_load_ = harmonic_load - direct_load_;
+    const auto a = static_cast<Eigen::Index>(contact.a);
+    harmonic_load = {of_contact.dot(load) / compliance, of_contact.dot(ahead) / compliance};
+    direct_load_ = {contact.sign * load(a), contact.sign * ahead(a)};
+    inertial_load_ = {harmonic_load.re - direct_load_.re, harmonic_load.im - direct_load_.im};
     if (!(sliding_.allFinite() && sticking_.allFinite() && sliding_load_.allFinite() && contact_row_.allFinite()))
         throw InputError("M", "must not be singular to working precision", "");
     set(1);
@@ -113,19 +128,21 @@ ContactEquations::ContactEquations(const ContactProblem& p) : beta(p.beta), mu(p
 void ContactEquations::set(int direction) {
     rows_ = (direction == 0 ? sticking_ : sliding_).data();
     load_column_ = (direction == 0 ? sticking_load_ : sliding_load_).data();
+    ahead_column_ = (direction == 0 ? sticking_ahead_ : sliding_ahead_).data();
     friction_ = (-direction * beta) * contact_column_;
     if (sliding_static_.size() > 0) friction_ += direction == 0 ? sticking_static_ : sliding_static_;
 }
 
 double ContactEquations::load_on_contact(std::span<const double> y, double tau) const {
     const std::span<const double> row(contact_row_.data(), 2 * N);
-    const double load =
-        paper::dynamic_load_on_contact<double>(row.subspan(N), row.first(N), y.first(N), y.subspan(N), direct_load_, tau);
-    return (inertial_load_ == 0 ? -load : inertial_load_ * elementary::cos(tau) - load) + static_load;
+    double load =
+        paper::dynamic_load_on_contact<double>(row.subspan(N), row.first(N), y.first(N), y.subspan(N), direct_load_.re, tau);
+    if (out_of_phase_) load += harmonic_load.im * elementary::sin(tau);
+    return (inertial_load_.re == 0 ? -load : inertial_load_.re * elementary::cos(tau) - load) + static_load;
 }
 
 double ContactEquations::load_error(std::span<const double> y) const {
-    double size = std::abs(harmonic_load) + mu * beta + std::abs(static_load);
+    double size = std::abs(harmonic_load.re) + std::abs(harmonic_load.im) + mu * beta + std::abs(static_load);
     for (std::size_t n = 0; n < 2 * N; ++n) size += std::abs(contact_row_.data()[n] * y[n]);
     return 16 * std::numeric_limits<double>::epsilon() * size;
 }

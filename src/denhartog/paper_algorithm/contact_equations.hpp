@@ -23,6 +23,7 @@ struct ContactProblem {
     double beta = 0;                    ///< friction ratio, Eq. (11); not negative
     std::optional<Mass> contact_with{}; ///< the mass that the contact rubs against, instead of a wall
     std::vector<double> load_vector{};  ///< force on each mass in units of P, instead of `load`
+    std::vector<double> load_phases{};  ///< by how much each of them leads, radians; none where all are in phase
     std::vector<double> static_load{};  ///< constant force on each mass in units of P; none where empty
 };
 
@@ -32,6 +33,12 @@ struct ContactProblem {
 /// @return       the problem
 /// @throws       InputError where the scene breaks a rule or r or beta is missing
 [[nodiscard]] ContactProblem contact_problem(const Scene<double>& scene);
+
+/// @brief A harmonic part of the load on the contact, counted from an instant; the second factor is its rate there.
+struct HarmonicLoad {
+    double cosine; ///< of the cosine of the time since
+    double sine;   ///< of its sine
+};
 
 /// @brief (6) solved for the accelerations, in the three forms that a phase can have.
 class ContactEquations {
@@ -55,10 +62,11 @@ public:
     /// @param tau      non-dimensional time, zero at a maximum of the force; radians
     void operator()(const std::vector<double>& y, std::vector<double>& y_prime, double tau) {
         ++evaluations;
-        const double force = elementary::cos(tau);
+        const double force = elementary::cos(tau), ahead = out_of_phase_ ? -elementary::sin(tau) : 0;
         const double* row = rows_;
         for (std::size_t k = 0; k < N; ++k, row += 2 * N) {
             double sum = friction_.data()[k] + load_column_[k] * force;
+            if (out_of_phase_) sum += ahead_column_[k] * ahead;
             for (std::size_t n = 0; n < 2 * N; ++n) sum += row[n] * y[n];
             y_prime[k] = y[N + k];
             y_prime[N + k] = sum;
@@ -75,6 +83,14 @@ public:
     /// @return     the load, positive where it pushes the contact upwards, in units of P
     [[nodiscard]] double load_on_contact(std::span<const double> y, double tau) const;
 
+    /// @brief The force's part of the load on the contact over a stretch of time. @param tau its start @return the factors
+    [[nodiscard]] HarmonicLoad harmonic_load_at(double tau) const {
+        const double c = elementary::cos(tau), s = elementary::sin(tau);
+        HarmonicLoad at{harmonic_load.re * c, -harmonic_load.re * s};
+        if (out_of_phase_) at = {at.cosine - harmonic_load.im * s, at.sine - harmonic_load.im * c};
+        return at;
+    }
+
     /// @brief What rounding can change of the load. @param y the state @return an absolute error, in units of P
     [[nodiscard]] double load_error(std::span<const double> y) const;
 
@@ -89,7 +105,7 @@ public:
     Contact contact;        ///< the contact
     double beta;            ///< friction ratio
     double mu;              ///< static over kinetic friction
-    double harmonic_load;   ///< amplitude of the force's part of the load on the contact
+    Complex<double> harmonic_load; ///< complex amplitude of the force's part of the load on the contact
     double static_load = 0; ///< the constant forces' part of it
     double compliance;      ///< acceleration of the contact that a unit force on it makes
     long evaluations = 0;   ///< right-hand sides evaluated
@@ -98,10 +114,12 @@ private:
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> sliding_, sticking_; // N x 2N, per unit of y
     Eigen::VectorXd sliding_load_, sticking_load_, contact_column_; // accelerations per unit of force, and on the contact
     Eigen::VectorXd sliding_static_, sticking_static_;              // accelerations by constant forces, or none
+    Eigen::VectorXd sliding_ahead_, sticking_ahead_;                // those by the parts of the forces a quarter of a period ahead
     Eigen::VectorXd friction_;                                      // acceleration by friction in this phase, and by these
     Eigen::RowVectorXd contact_row_;                                // K and C of the contact's row, 2N
-    const double *rows_ = nullptr, *load_column_ = nullptr;         // of this phase
-    double direct_load_, inertial_load_; // of the force: what acts on the contact itself, and what the others pass on
+    const double *rows_ = nullptr, *load_column_ = nullptr, *ahead_column_ = nullptr; // of this phase
+    bool out_of_phase_ = false;
+    Complex<double> direct_load_, inertial_load_; // of the force: what acts on the contact itself, and what the others pass on
 };
 
 } // namespace denhartog

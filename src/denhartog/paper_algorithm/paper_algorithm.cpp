@@ -83,7 +83,7 @@ private:
             equations_.set(0);
             equations_(step_.y_0, step_.f_0, tau_);
             const double load = equations_.load_on_contact(step_.y_0, tau_);
-            const double rate = equations_.linear_load(step_.f_0) - equations_.harmonic_load * elementary::sin(tau_);
+            const double rate = equations_.linear_load(step_.f_0) + equations_.harmonic_load_at(tau_).sine;
             // Rounding, that of the time included.
             const double error = equations_.load_error(step_.y_0) + 2 * epsilon * std::abs(tau_ * rate);
             const double margin = paper::sticking_margin(std::abs(load), equations_.mu, equations_.beta);
@@ -168,8 +168,9 @@ private:
     // The end of a sticking phase, Sigma_j > mu beta by more than rounding.
     std::optional<double> breakaway() {
         StepFunction load = step_.over_step([this](const DenseStep::Y& y) { return equations_.linear_load(y); });
-        load.cosine = equations_.harmonic_load * elementary::cos(tau_);
-        load.sine = -equations_.harmonic_load * elementary::sin(tau_);
+        const HarmonicLoad at = equations_.harmonic_load_at(tau_);
+        load.cosine = at.cosine;
+        load.sine = at.sine;
         load.h = step_.h;
         load.c[0] += equations_.static_load;
         const double limit = equations_.mu * equations_.beta + noise_, noise = first_ ? noise_ : 0;

@@ -35,10 +35,11 @@ StateMatrix state_matrix(const SceneInBalls& s) {
 }
 
 // The complex amplitudes of the masses under a harmonic force.
-std::vector<Complex<Ball>> harmonic_response(const SceneInBalls& s, const BallMatrix& force) {
+std::vector<Complex<Ball>> harmonic_response(const SceneInBalls& s, const BallMatrix& force, const BallMatrix& imaginary) {
     const slong N = s.N();
     BallMatrix b(2 * N, 1), X;
     for (slong i = 0; i < N; ++i) b(i) = force(i);
+    for (slong i = 0; i < imaginary.rows(); ++i) b(N + i) = imaginary(i);
     if (!solved(dynamic_stiffness(s, N), b, X)) throw Unproved("the load may excite a resonance without damping");
     std::vector<Complex<Ball>> out;
     for (slong i = 0; i < N; ++i) out.push_back({X(i), X(N + i)});
@@ -152,9 +153,9 @@ void add_states(const SceneInBalls& s, const StateMatrix& m, FrictionInTime& f) 
 ResponsesInBalls responses_of_state(const SceneInBalls& s) {
     const StateMatrix m = state_matrix(s);
     ResponsesInBalls r;
-    r.V = harmonic_response(s, s.p);
+    r.V = harmonic_response(s, s.p, s.p_i);
     r.V.push_back(at_contact(s, r.V));
-    r.Y = at_contact(s, harmonic_response(s, s.w));
+    r.Y = at_contact(s, harmonic_response(s, s.w, BallMatrix()));
     const FreeMotions free(m.A);
     if (free.are_simple())
         add_free_motions(s, free, m.rest, r.friction);

@@ -147,8 +147,9 @@ NaturalModesInBalls natural_modes(const SceneInBalls& s) {
     const Ball eps = upper_bound_of(near.off);
     // Mass-normalised shapes. If the vectors turn by an angle, an entry changes by at most the angle times the length of its row.
     const BallMatrix V = by_transposed_factor(L, near.X * by_transposed_factor(near.factor, unit_matrix(N)));
-    const BallMatrix rows[] = {V, transposed(s.w) * V, transposed(s.p) * V};
-    m.phi.assign(count + 2, std::vector<Ball>(count));
+    std::vector<BallMatrix> rows{V, transposed(s.w) * V, transposed(s.p) * V};
+    if (s.p_i.rows() > 0) rows.push_back(transposed(s.p_i) * V);
+    m.phi.assign(count + rows.size() - 1, std::vector<Ball>(count));
     for (std::size_t first = 0, last = 0; first < count; first = last) {
         for (last = first + 1; last < count && !(value(last) - value(last - 1) > 4 * eps); ++last) {
         }
@@ -200,13 +201,14 @@ std::shared_ptr<const NaturalModesInBalls> KeptModes::of(const SceneInBalls& s) 
         return x.rows() == y.rows() && arb_mat_equal(x.a, y.a) != 0;
     };
     for (const Kept& k : kept_)
-        if (k.bits == ball_bits && same(k.M, s.M) && same(k.K, s.K) && same(k.w, s.w) && same(k.p, s.p)) {
+        if (k.bits == ball_bits && same(k.M, s.M) && same(k.K, s.K) && same(k.w, s.w) && same(k.p, s.p) &&
+            same(k.p_i, s.p_i)) {
             QuestionEffort::pay(k.modes->work);
             return k.modes;
         }
     if (kept_.size() == most_kept) kept_.erase(kept_.begin());
     ++solved_;
-    kept_.push_back({ball_bits, s.M, s.K, s.w, s.p, std::make_shared<const NaturalModesInBalls>(natural_modes(s))});
+    kept_.push_back({ball_bits, s.M, s.K, s.w, s.p, s.p_i, std::make_shared<const NaturalModesInBalls>(natural_modes(s))});
     return kept_.back().modes;
 }
 
@@ -222,6 +224,18 @@ ModesInBalls modes_in_balls(const SceneInBalls& s) {
     for (std::vector<Ball>& row : m.psi)
         for (Ball& entry : row) entry /= s.r;
     return m;
+}
+
+SceneInBalls with_load_of_base(SceneInBalls s) {
+    if (s.base_motion == BaseMotion::none) return s;
+    BallMatrix ones(s.N(), 1);
+    for (slong k = 0; k < s.N(); ++k) ones(k) = Ball(1);
+    s.p = s.K * ones;
+    s.p_i = (s.zeta.empty() ? s.C : damping_matrix_in_balls(s, modes_in_balls(s))) * ones * s.r;
+    if (s.base_motion == BaseMotion::alone) return s;
+    s.p = s.M * ones * (s.r * s.r) - s.p;
+    s.p_i = s.p_i * Ball(-1);
+    return s;
 }
 
 BallMatrix damping_matrix_in_balls(const SceneInBalls& s, const ModesInBalls& m) {

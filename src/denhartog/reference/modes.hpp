@@ -24,7 +24,7 @@ struct ModeCluster {
 struct ModesInBalls {
     std::vector<Ball> R{};                ///< modal frequency ratios (22), by ascending natural frequency
     std::vector<Ball> zeta{};             ///< damping ratios
-    std::vector<std::vector<Ball>> psi{}; ///< psi_ki of (17): a row for each mass, then w^T psi, then p^T psi
+    std::vector<std::vector<Ball>> psi{}; ///< psi_ki of (17): a row for each mass, then w^T psi, then p^T psi, part by part
     std::vector<ModeCluster> clusters{};  ///< the clusters of more than one mode
     slong N = 0;                          ///< number of masses
 
@@ -32,6 +32,11 @@ struct ModesInBalls {
     [[nodiscard]] const std::vector<Ball>& at_contact() const { return psi[static_cast<std::size_t>(N)]; }
     /// @brief Row of the load, p^T psi_i.
     [[nodiscard]] const std::vector<Ball>& at_load() const { return psi[static_cast<std::size_t>(N) + 1]; }
+
+    /// @brief Row of the imaginary part of the load; null where forces are in phase.
+    [[nodiscard]] const std::vector<Ball>* at_load_i() const {
+        return psi.size() > static_cast<std::size_t>(N) + 2 ? &psi.back() : nullptr;
+    }
 
     /// @brief What the sum of psi_ki psi_ni f_i over the modes leaves open, if a cluster has one ball f for all its modes.
     ///
@@ -64,7 +69,7 @@ public:
 private:
     struct Kept {
         slong bits;
-        BallMatrix M, K, w, p;
+        BallMatrix M, K, w, p, p_i;
         std::shared_ptr<const NaturalModesInBalls> modes;
     };
     std::mutex one_at_a_time_{};
@@ -88,5 +93,11 @@ private:
 
 /// @brief The damping matrix that gives the modes their damping ratios. @eq{19}
 [[nodiscard]] BallMatrix damping_matrix_in_balls(const SceneInBalls& scene, const ModesInBalls& modes);
+
+/// @brief The same scene with the load of its base or wall, where that depends on the frequency: in the frame at rest
+/// \f$ (\mathbf K + \mathrm ir\mathbf C)\mathbf 1 \f$ of a base that moves alone; in that of a wall that does
+/// \f$ -(\mathbf K + \mathrm ir\mathbf C - r^2\mathbf M)\mathbf 1 \f$.
+/// @throws as `modes_in_balls`, where (19) is needed
+[[nodiscard]] SceneInBalls with_load_of_base(SceneInBalls scene);
 
 } // namespace denhartog::reference

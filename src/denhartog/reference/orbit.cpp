@@ -91,7 +91,7 @@ OrbitInPhases orbit_in_phases(const std::function<SceneInBalls()>& scene, const 
 }
 
 OrbitInBalls proved_orbit(const std::function<SceneInBalls()>& scene, const OrbitGuess& guess, slong bits,
-                          const std::vector<std::size_t>& masses, bool with_multipliers) {
+                          const std::vector<std::size_t>& masses, bool with_multipliers, const std::optional<Ball>& frame) {
     const OrbitInPhases motion = orbit_in_phases(scene, guess, bits);
     const ProvedOrbit& orbit = motion.orbit;
     const ContactMechanics& s = orbit.s;
@@ -112,6 +112,7 @@ OrbitInBalls proved_orbit(const std::function<SceneInBalls()>& scene, const Orbi
         const auto mass = static_cast<slong>(k);
         set(k, s.on_a_wall && mass == s.lead ? contact : peak_of_mass(orbit, motion.phases, mass));
     }
+    for (slong k = 0; frame && k < s.N; ++k) r.from_ground.push_back(peak_of_mass(orbit, motion.phases, k, *frame));
     r.stops = stops_of(orbit);
     const BallMatrix start = motion.at(Ball(0));
     for (slong k = 0; k < s.N; ++k) {

@@ -29,6 +29,7 @@ struct OrbitInBalls {
     /// N + 1 values: lag behind the force in (-pi, pi], as in `MassMotion`; empty for a mass that no force reaches, and where it
     /// was not asked for
     std::vector<std::optional<Ball>> phase{};
+    std::vector<PeakInBalls> from_ground{}; ///< N values, of the masses as they are seen from the ground; empty where not asked for
     std::vector<StopInBalls> stops{}; ///< within the period, starts ascending in [0, 2 pi periods)
     std::vector<Ball> x{};            ///< displacements of the masses at tau = 0, where the force is largest
     std::vector<Ball> x_prime{};      ///< their velocities there
@@ -42,12 +43,14 @@ struct OrbitInBalls {
 /// @brief Proves that there is a periodic motion near a guess, and bounds its numbers.
 ///
 /// A guess may be wrong in the order of its phases. That is found out, but only what is certainly wrong is `Disproved`.
-/// Somewhat fewer bits are certain than it computes with. No `masses` are all; the contact's amplitude is always given.
+/// Somewhat fewer bits are certain than it computes with. No `masses` are all; the contact's amplitude is always given. `frame` is
+/// by how much the frame of the displacements moves, if the masses are wanted as they are seen from the ground.
 /// @throws Disproved        where the motion near the guess is certainly not what the guess says
 /// @throws Unproved         where more bits, or another guess, may help
 /// @throws PrecisionError   where the budget of the question is spent, see `QuestionEffort`
 [[nodiscard]] OrbitInBalls proved_orbit(const std::function<SceneInBalls()>& scene, const OrbitGuess& guess, slong bits,
-                                        const std::vector<std::size_t>& masses = {}, bool with_multipliers = true);
+                                        const std::vector<std::size_t>& masses = {}, bool with_multipliers = true,
+                                        const std::optional<Ball>& frame = std::nullopt);
 
 /// @brief A motion that obeys its equations and all that friction demands.
 struct OrbitInPhases {

@@ -35,11 +35,13 @@ ContactMechanics::ContactMechanics(const SceneInBalls& scene)
       lead(0) {
     const BallMatrix inverse = inverse_of(scene.M * (scene.r * scene.r));
     const BallMatrix stiffness = inverse * scene.K, damping = inverse * (scene.C * scene.r), force = inverse * scene.p;
+    const BallMatrix ahead = scene.p_i.rows() > 0 ? inverse * scene.p_i : BallMatrix();
     sigma = Ball(std::sqrt(std::max(norm(stiffness), 1e-280)));
     push = inverse * w * (Ball(1) / sigma);
     for (slong i = 0; i < N; ++i) {
         free(i, N + i) = sigma;
         free(N + i, 2 * N) = force(i) / sigma;
+        if (scene.p_i.rows() > 0) free(N + i, 2 * N + 1) = -(ahead(i) / sigma);
         for (slong k = 0; k < N; ++k) {
             free(N + i, k) = -(stiffness(i, k) / sigma);
             free(N + i, N + k) = -damping(i, k);

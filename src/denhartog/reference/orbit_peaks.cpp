@@ -49,7 +49,7 @@ bool is_reached(const ContactMechanics& s, slong mass) {
     std::vector<char> reached(static_cast<std::size_t>(N), 0);
     for (slong rounds = 0; rounds <= N; ++rounds)
         for (slong i = 0; i < N; ++i) {
-            bool now = !s.push(i).is_zero() || !s.free(N + i, 2 * N).is_zero();
+            bool now = !s.push(i).is_zero() || !s.free(N + i, 2 * N).is_zero() || !s.free(N + i, 2 * N + 1).is_zero();
             for (slong k = 0; k < N && !now; ++k)
                 now =
                     reached[static_cast<std::size_t>(k)] != 0 && !(s.free(N + i, k).is_zero() && s.free(N + i, N + k).is_zero());
@@ -69,10 +69,12 @@ struct PlaceOfPeak {
 // The search for the largest size of one displacement.
 class PeakSearch {
 public:
-    PeakSearch(const ProvedOrbit& orbit, const std::vector<PhaseInStretches>& phases, slong k, slong few)
+    PeakSearch(const ProvedOrbit& orbit, const std::vector<PhaseInStretches>& phases, slong k, const Ball& frame, slong few)
         : orbit_(orbit), phases_(phases), row_(1, orbit.s.n()), row_of_velocity_(1, orbit.s.n()), few_(few) {
         row_(0, k) = Ball(1);
         row_of_velocity_(0, orbit.s.N + k) = Ball(1);
+        row_(0, 2 * orbit.s.N) = frame;
+        row_of_velocity_(0, 2 * orbit.s.N + 1) = -(frame / orbit.s.sigma);
     }
 
     PeakInBalls largest() {
@@ -164,9 +166,9 @@ PeakInBalls peak_of_contact(const ProvedOrbit& orbit) {
     return largest_of(candidates);
 }
 
-PeakInBalls peak_of_mass(const ProvedOrbit& orbit, const std::vector<PhaseInStretches>& phases, slong k) {
-    if (!is_reached(orbit.s, k)) return {Ball(0), std::nullopt};
-    return PeakSearch(orbit, phases, k, 64).largest();
+PeakInBalls peak_of_mass(const ProvedOrbit& orbit, const std::vector<PhaseInStretches>& phases, slong k, const Ball& frame) {
+    if (frame.is_zero() && !is_reached(orbit.s, k)) return {Ball(0), std::nullopt};
+    return PeakSearch(orbit, phases, k, frame, 64).largest();
 }
 
 } // namespace denhartog::reference

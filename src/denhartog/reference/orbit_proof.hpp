@@ -80,8 +80,9 @@ struct PeakInBalls {
 /// @brief Where the displacement of the contact is largest: where it comes to rest or turns.
 [[nodiscard]] PeakInBalls peak_of_contact(const ProvedOrbit& orbit);
 
-/// @brief Where the displacement of a mass is largest.
-[[nodiscard]] PeakInBalls peak_of_mass(const ProvedOrbit& orbit, const std::vector<PhaseInStretches>& phases, slong k);
+/// @brief Where the displacement of a mass is largest; as it is seen from the ground, where the frame moves by `frame` cos tau.
+[[nodiscard]] PeakInBalls peak_of_mass(const ProvedOrbit& orbit, const std::vector<PhaseInStretches>& phases, slong k,
+                                       const Ball& frame = Ball(0));
 
 /// @brief What becomes of deviations over a stretch.
 ///

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "denhartog/formulas/system.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 
 namespace denhartog::reference {
 namespace {
@@ -64,8 +65,13 @@ SceneInBalls in_matrices(const Scene<Ball>& scene) {
     out.w(static_cast<slong>(s.contact.index)) = Ball(1);
     if (s.contact_with) out.w(static_cast<slong>(s.contact_with->index)) = Ball(-1);
     out.p = BallMatrix(out.N(), 1);
-    if (s.load_vector.empty()) out.p(static_cast<slong>(s.load.index)) = Ball(1);
-    for (std::size_t k = 0; k < s.load_vector.size(); ++k) out.p(static_cast<slong>(k)) = s.load_vector[k];
+    if (!s.load_phases.empty()) out.p_i = BallMatrix(out.N(), 1);
+    const std::vector<Complex<Ball>> load = complex_load(s);
+    for (std::size_t k = 0; k < load.size(); ++k) {
+        out.p(static_cast<slong>(k)) = load[k].re;
+        if (!s.load_phases.empty()) out.p_i(static_cast<slong>(k)) = load[k].im;
+    }
+    out.base_motion = load_depends_on_frequency(s) ? s.base_motion : BaseMotion::none;
     out.r = *scene.r;
     out.mu = scene.mu;
     out.beta = scene.beta;

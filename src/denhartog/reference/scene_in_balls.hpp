@@ -5,7 +5,7 @@
 /// \f$ \mathbf{p} \f$ are unit vectors. A contact between two masses has \f$ \mathbf{w} = \mathbf{e}_j - \mathbf{e}_k \f$, and a
 /// load may act on several masses; the equations are the same:
 /// \f[ \overline{\mathbf M}\bar{\mathbf x}'' + \overline{\mathbf C}\bar{\mathbf x}' + \overline{\mathbf K}\bar{\mathbf x} =
-/// \mathbf{p}\cos\tau - \beta\,\mathbf{w}\,\mathrm{sgn}(\mathbf{w}^T\bar{\mathbf x}') \f]
+/// \mathbf{p}\cos\tau - \mathbf{p}_{\mathrm i}\sin\tau - \beta\,\mathbf{w}\,\mathrm{sgn}(\mathbf{w}^T\bar{\mathbf x}') \f]
 #pragma once
 
 #include <memory>
@@ -38,7 +38,9 @@ struct SceneInBalls {
     BallMatrix C{}; ///< damping in units of sqrt(k_1 m_1), N x N; the bar of (7) is a factor r. Empty until (19) if zeta is given
     std::vector<Ball> zeta{};          ///< damping ratios by ascending natural frequency, Eq. (18); empty where C is given
     BallMatrix w{};                    ///< w^T x is the displacement of the contact, N x 1
-    BallMatrix p{};                    ///< force on each mass in units of P, N x 1
+    BallMatrix p{};                    ///< force on each mass in units of P, N x 1; its real part where forces are out of phase
+    BallMatrix p_i{};                  ///< its imaginary part; empty where forces are in phase
+    BaseMotion base_motion = BaseMotion::none; ///< of whose motion the load is made
     Ball r{};                          ///< frequency ratio, Eq. (10)
     Ball mu{};                         ///< static over kinetic friction, Eq. (3)
     std::optional<Ball> beta{};        ///< friction ratio, Eq. (11)

@@ -24,6 +24,7 @@ std::optional<StuckInBalls> stuck_in_balls(const SceneInBalls& s) {
     BallMatrix A = dynamic_stiffness(s, n), b(2 * n, 1), x, at_rest;
     for (slong i = 0; i < N; ++i) {
         b(i) = s.p(i);
+        if (s.p_i.rows() > 0) b(n + i) = s.p_i(i);
         A(i, N) = A(N, i) = A(n + i, n + N) = A(n + N, n + i) = s.w(i);
     }
     if (!solved(A, b, x)) return std::nullopt;
@@ -36,7 +37,7 @@ std::optional<StuckInBalls> stuck_in_balls(const SceneInBalls& s) {
 }
 
 Ball sticking_limit_in_balls(const SceneInBalls& s, const StuckInBalls& stuck) {
-    return same(s.w, s.p) ? paper::sticking_limit_under_load(s.mu) : paper::sticking_limit(stuck.load, s.mu);
+    return s.p_i.rows() == 0 && same(s.w, s.p) ? paper::sticking_limit_under_load(s.mu) : paper::sticking_limit(stuck.load, s.mu);
 }
 
 Ball sticking_limit_by_88(const SceneInBalls& s, std::size_t load) {

@@ -30,7 +30,10 @@ template <class To, class From>
             s.contact,
             s.load,
             s.contact_with,
-            in_type<To>(s.load_vector)};
+            in_type<To>(s.load_vector),
+            in_type<To>(s.load_phases),
+            s.base_motion,
+            s.load_error};
 }
 
 } // namespace denhartog

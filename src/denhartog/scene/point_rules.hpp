@@ -54,7 +54,7 @@ template <class T>
 template <class T>
 [[nodiscard]] const T& friction_ratio_of(const Scene<T>& scene) {
     if (scene.beta) return *scene.beta;
-    if (scene.units && (scene.units->force || scene.units->base)) throw InputError("friction", "must be given", "");
+    if (scene.units && (scene.units->force || scene.units->force_changes())) throw InputError("friction", "must be given", "");
     if (scene.units) throw InputError("force", "must be given, and friction with it", "");
     throw InputError("beta", "must be given", "");
 }

@@ -119,6 +119,13 @@ void check_load(const System<T>& s, const SceneNames& names) {
         loads = loads || p[k] != 0;
     }
     if (!loads) fail(names, "load", "must act on at least one mass", "0 on all");
+    const std::vector<T>& theta = s.load_phases;
+    if (!theta.empty() && theta.size() != N)
+        fail(names, "load_phases", "must have as many values as there are masses (" + std::to_string(N) + ")",
+             std::to_string(theta.size()));
+    for (std::size_t k = 0; k < theta.size(); ++k)
+        if (const char* rule = broken_rule(theta[k]))
+            fail(names, "load_phases", "of the force on mass " + number(k) + " " + rule, number_to_text(theta[k]), at(k));
 }
 
 template <class T>
@@ -166,6 +173,11 @@ void check_system(const System<T>& s, const SceneNames& names) {
     if (s.contact_with && s.contact_with->index >= N) fail(names, "contact", mass_rule(N), number(s.contact_with->index), at(1));
     if (s.contact_with && *s.contact_with == s.contact)
         fail(names, "contact", "must be between two masses, not between one and itself", number(s.contact.index), at(1));
+    if (s.base_motion == BaseMotion::wall && s.contact_with)
+        fail(names, "base_motion", "must be \"with_wall\" or \"alone\" where the contact is between two masses: nothing rubs against the wall",
+             "wall");
+    if (s.load_vector.empty() && !s.load_phases.empty())
+        fail(names, "load_phases", "must be given together with load as a force on each mass", "given with a load on one mass");
     if (!s.load_vector.empty()) check_load(s, names);
 }
 

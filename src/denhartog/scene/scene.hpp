@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -29,6 +30,14 @@ struct Mode {
     bool operator==(const Mode&) const = default;
 };
 
+/// @brief What of the surroundings moves harmonically, in place of a load.
+enum class BaseMotion : std::uint8_t {
+    none,      ///< nothing: a load is given
+    with_wall, ///< base and wall together; displacements are relative to them
+    alone,     ///< the base, and the wall stays; displacements are absolute
+    wall       ///< the wall, and the base stays; displacements are relative to the wall
+};
+
 /// @brief The system: a chain by ratios, or symmetric matrices of any topology.
 ///
 /// Fill exactly one of `stiffness_ratios` and `stiffness_matrix`, exactly one of `mass_ratios` and `mass_matrix`, and exactly one
@@ -46,7 +55,21 @@ struct System {
     Mass load;                          ///< the loaded mass, l
     std::optional<Mass> contact_with{}; ///< the mass that the contact rubs against, instead of a wall: x_j - x_k slides
     std::vector<T> load_vector{};       ///< force on each mass in units of P, instead of `load`; N values or none
+    std::vector<T> load_phases{};       ///< by how much each of them leads cos(tau), radians; N values, or none if all are in phase
+    BaseMotion base_motion = BaseMotion::none; ///< whose load `load_vector` is, if it is that of a moving base or wall
+    std::vector<double> load_error{};          ///< bounds of errors of the force on each mass besides rounding; N values or none
 };
+
+/// @brief Whether dampers, or inertia, make the load of a base or wall depend on the frequency. @param s a system @return true if so
+template <class T>
+[[nodiscard]] bool load_depends_on_frequency(const System<T>& s) {
+    if (s.base_motion != BaseMotion::alone) return s.base_motion == BaseMotion::wall;
+    for (const T& zeta : s.damping_ratios)
+        if (zeta != T(0)) return true;
+    for (Eigen::Index i = 0; i < s.damping_matrix.size(); ++i)
+        if (s.damping_matrix.data()[i] != T(0)) return true;
+    return false;
+}
 
 /// @brief What a scene in physical units was divided by, in its own units.
 struct Units {
@@ -54,9 +77,15 @@ struct Units {
     double stiffness = 1;        ///< k_1
     std::optional<double> force; ///< P, if it is known
     std::optional<double> base;  ///< amplitude X of a base that moves with the wall; then P is m_1 omega^2 X
+    std::optional<double> acceleration{}; ///< amplitude A of the acceleration of a base or wall alone; then P is k_1 A / omega^2
 
     /// @brief P at a frequency. @param omega angular frequency @return P; empty if it is not known
-    [[nodiscard]] std::optional<double> force_at(double omega) const { return base ? mass * omega * omega * *base : force; }
+    [[nodiscard]] std::optional<double> force_at(double omega) const {
+        if (acceleration) return stiffness * (*acceleration / (omega * omega));
+        return base ? mass * omega * omega * *base : force;
+    }
+    /// @brief Whether P changes with the frequency. @return true if so
+    [[nodiscard]] bool force_changes() const { return base.has_value() || acceleration.has_value(); }
 };
 
 /// @brief A system with friction, and the point (r, beta) that is asked about.
@@ -67,7 +96,6 @@ struct Scene {
     std::optional<T> r;           ///< frequency ratio, Eq. (10); positive
     std::optional<T> beta;        ///< friction ratio, Eq. (11); zero or positive
     std::optional<Units> units{}; ///< if the scene was in physical units: the units to convert answers back
-    bool base_moves = false;      ///< whether base and wall move together, and displacements are relative to them
     /// Constant force on each mass in units of P, N values or none. Displacements of a steady motion are those from the place of
     /// rest to which it moves the masses, see `place_of_rest`
     std::vector<T> static_load{};

@@ -1,5 +1,6 @@
 #include "denhartog/scene/scene_json.hpp"
 
+#include <algorithm>
 
 #include "denhartog/evaluation/contact.hpp"
 #include "denhartog/formulas/system.hpp"
@@ -43,10 +44,12 @@ T read_in_units_of_first(const SceneItem& x, std::vector<T>& ratios, Matrix<T>& 
     return list[0];
 }
 
-/// The force that ratios are in units of; that of a base that moves with the wall is known with the frequency.
+/// The force that ratios are in units of: P as it is given, or m_1 times the acceleration of a base that moves with the wall, or k_1
+/// times the displacement of a base or wall that moves alone. Where the frequency takes part in it, it is known with that.
 template <class T>
 std::optional<T> read_force(const json& object, const T& m_1, const T& k_1, const std::optional<T>& omega, Units& units) {
-    if (!object.contains("base_displacement")) {
+    const bool accelerates = object.contains("base_acceleration");
+    if (!accelerates && !object.contains("base_displacement")) {
         if (!object.contains("force")) return std::nullopt;
         const SceneItem force = item(object, "force");
         const T P = read_number<T>(force);
@@ -55,14 +58,18 @@ std::optional<T> read_force(const json& object, const T& m_1, const T& k_1, cons
                               : "must be positive");
         return P;
     }
-    const SceneItem base = item(object, "base_displacement");
+    const SceneItem base = item(object, accelerates ? "base_acceleration" : "base_displacement");
+    if (accelerates && object.contains("base_displacement")) base.fail("must not be given together with base_displacement");
     if (object.contains("force")) base.fail("must not be given together with force");
     if (!object.contains("base_motion")) base.fail("must be given together with base_motion");
-    const T displacement = read_positive<T>(base);
-    if (object.at("base_motion") == "alone") return T(k_1 * displacement);
-    units.base = static_cast<double>(displacement);
+    const T amplitude = read_positive<T>(base);
+    const bool with_wall = object.at("base_motion") == "with_wall";
+    if (with_wall && accelerates) return T(m_1 * amplitude);
+    if (!with_wall && !accelerates) return T(k_1 * amplitude);
+    (accelerates ? units.acceleration : units.base) = static_cast<double>(amplitude);
     if (!omega) return std::nullopt;
-    return T(m_1 * *omega * *omega * displacement);
+    if (accelerates) return T(k_1 * amplitude / (*omega * *omega));
+    return T(m_1 * *omega * *omega * amplitude);
 }
 
 /// Kinetic friction, if it is given, as a force or by its coefficient; with that of static friction their ratio is mu.
@@ -107,6 +114,8 @@ T read_dimensional(const json& object, Scene<T>& scene) {
     if (const std::optional<T> friction = read_friction(object, scene)) {
         if (scene.units->base && !omega)
             throw InputError("frequency", "must be given, as the force of a base that moves with the wall depends on it", "");
+        if (scene.units->acceleration && !omega)
+            throw InputError("frequency", "must be given, as the displacement of the base depends on it", "");
         if (!P) require(object, "force");
         scene.beta = paper::friction_ratio(*friction, *P);
     }
@@ -152,34 +161,39 @@ void read_contact(const json& object, System<T>& s) {
     s.contact_with = Mass{read_index(contact[1])};
 }
 
-/// Forces of inertia where base and wall move together; of springs where the base moves alone.
+BaseMotion read_base_motion(const SceneItem& base) {
+    constexpr std::pair<const char*, BaseMotion> names[] = {
+        {"with_wall", BaseMotion::with_wall}, {"alone", BaseMotion::alone}, {"wall", BaseMotion::wall}};
+    for (const auto& [name, motion] : names)
+        if (base.value == name) return motion;
+    base.fail("must be \"with_wall\" (base and wall move together), \"alone\" (the base moves and the wall stays) or \"wall\" (the "
+              "wall moves and the base stays)");
+}
+
+/// Forces of inertia where base and wall move together. Of springs where one of them moves alone: dampers, and the inertia of masses
+/// in a moving wall's frame, load them besides at a frequency, which is not known here.
 template <class T>
-std::vector<T> load_of_base(const SceneItem& base, const System<T>& s) {
-    const std::string which = base.value.is_string() ? base.value.get<std::string>() : "";
-    if (which != "with_wall" && which != "alone")
-        base.fail("must be \"with_wall\" (base and wall move together) or \"alone\" (the wall stays)");
-    const bool alone = which == "alone";
-    for (const T& zeta : s.damping_ratios)
-        if (alone && zeta != 0)
-            base.fail("must be \"with_wall\" where there is damping: dampers of a base that moves alone would load the masses a "
-                      "quarter of a period after the springs; without dampers to the base give its load, K 1, as \"load\"");
-    if (alone && !(s.damping_matrix.array() == T(0)).all()) base.fail("must be \"with_wall\" where there is damping");
-    const Matrix<T>& matrix = alone ? s.stiffness_matrix : s.mass_matrix;
-    if (matrix.size() == 0 && !alone) return s.mass_ratios;
+std::vector<T> load_of_base(const System<T>& s) {
+    const bool inertia = s.base_motion == BaseMotion::with_wall;
+    const Matrix<T>& matrix = inertia ? s.mass_matrix : s.stiffness_matrix;
+    if (matrix.size() == 0 && inertia) return s.mass_ratios;
     std::vector<T> load(matrix.size() == 0 ? number_of_masses(s) : static_cast<std::size_t>(matrix.rows()), T(0));
     if (matrix.size() == 0) load.front() = s.stiffness_ratios.front(); // the base holds mass 1 alone
-    if (matrix.size() == 0) return load;
-    for (std::size_t k = 0; k < load.size(); ++k) // rows of K add up to next to nothing
+    for (std::size_t k = 0; k < load.size() && matrix.size() > 0; ++k) // rows of K add up to next to nothing
         load[k] = evaluation::sum_with_rests<T>(matrix.row(static_cast<Eigen::Index>(k)));
+    if (s.base_motion == BaseMotion::wall)
+        for (T& each : load) each = -each;
     return load;
 }
 
-/// One loaded mass, a force on each, or a moving base.
+/// One loaded mass, a force on each with the phase of each, or a moving base or wall.
 template <class T>
 void read_load(const json& object, System<T>& s) {
     require(object, "load", "base_motion");
     if (object.contains("base_motion")) {
-        s.load_vector = load_of_base(item(object, "base_motion"), s);
+        if (object.contains("load_phases")) item(object, "load_phases").fail("must not be given together with base_motion");
+        s.base_motion = read_base_motion(item(object, "base_motion"));
+        s.load_vector = load_of_base(s);
         return;
     }
     const SceneItem load = item(object, "load");
@@ -187,6 +201,12 @@ void read_load(const json& object, System<T>& s) {
         s.load_vector = read_list<T>(load);
     else
         s.load.index = read_index(load);
+    if (!object.contains("load_phases")) return;
+    const SceneItem phases = item(object, "load_phases");
+    if (s.load_vector.empty()) phases.fail("must be given together with load as a list, the force on each mass");
+    s.load_phases = read_list<T>(phases);
+    if (std::ranges::all_of(s.load_phases, [](const T& theta) { return theta == T(0); }) && s.load_phases.size() == s.load_vector.size())
+        s.load_phases.clear(); // all in phase
 }
 
 } // namespace
@@ -206,7 +226,6 @@ Scene<T> scene_from_json(const json& object) {
     names.one_zeta = object.contains("damping_ratios") && !object.at("damping_ratios").is_array();
     read_contact(object, scene.system);
     read_load(object, scene.system);
-    scene.base_moves = object.contains("base_motion") && object.at("base_motion") == "with_wall";
     if (object.contains("mu")) scene.mu = read_number<T>(item(object, "mu"));
     if constexpr (!is_ball<T>) check_under_names(scene, names); // of balls the scene in double was checked
     return scene;

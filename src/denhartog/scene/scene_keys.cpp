@@ -23,6 +23,7 @@ constexpr auto keys = std::to_array<std::string_view>({"mass_ratios",
                                                        "damping_ratios",
                                                        "contact",
                                                        "load",
+                                                       "load_phases",
                                                        "mu",
                                                        "r",
                                                        "beta",
@@ -41,11 +42,12 @@ constexpr auto keys = std::to_array<std::string_view>({"mass_ratios",
                                                        "static_load",
                                                        "base_motion",
                                                        "base_displacement",
+                                                       "base_acceleration",
                                                        "damping_tolerance",
                                                        "comment"});
 constexpr auto dimensional_keys =
     std::to_array<const char*>({"masses", "stiffnesses", "force", "friction", "normal_force", "friction_coefficient",
-                                "static_friction_coefficient", "frequency", "frequency_hz", "base_displacement"});
+                                "static_friction_coefficient", "frequency", "frequency_hz", "base_displacement", "base_acceleration"});
 // Words for what a scene has under other names, and these.
 constexpr auto other_words = std::to_array<std::pair<std::string_view, std::string_view>>(
     {{"mass", "masses, or mass_ratios"},
@@ -63,6 +65,9 @@ constexpr auto other_words = std::to_array<std::pair<std::string_view, std::stri
      {"P", "force"},
      {"N", "normal_force"},
      {"amplitude", "force, or base_displacement"},
+     {"phases", "load_phases"},
+     {"phase", "load_phases"},
+     {"acceleration", "base_acceleration"},
      {"mu_k", "friction_coefficient, with normal_force"},
      {"mu_s", "static_friction_coefficient, with friction_coefficient and normal_force"},
      {"coefficient_of_friction", "friction_coefficient, with normal_force"},

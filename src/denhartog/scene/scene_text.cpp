@@ -104,6 +104,7 @@ nlohmann::ordered_json write_scene(const Scene<double>& scene) {
     else
         object["load"] = s.load_vector;
     if (!scene.static_load.empty()) object["static_load"] = scene.static_load;
+    if (!s.load_phases.empty()) object["load_phases"] = s.load_phases;
     object["mu"] = scene.mu;
     if (scene.r) object["r"] = *scene.r;
     if (scene.beta) object["beta"] = *scene.beta;

@@ -94,7 +94,7 @@ SumsAtContact sums_at_contact(const ContactModes& all, const Number& r, const Fu
 // The largest demand by a search, with its bound; twice that, because the instant found is not followed.
 std::optional<double> demand_by_search(const ContactModes& all, const Number& r, const Functions& functions) {
     const auto demand = [&] {
-        const ModeSums<Number> sums = mode_sums(*all.basis, all.contact, all.load, r, functions);
+        const ModeSums<Number> sums = mode_sums(*all.basis, all.contact, LoadRows{all.load}, r, functions);
         const Number largest = sliding_demand(sums, Number(instant_of_largest_demand(values_of(sums))));
         const Number held = paper::static_friction_demand(sums.H_j, Number(1), sums.sum_of_squares);
         return std::max(largest.x + 2 * largest.e, held.x + 2 * held.e);

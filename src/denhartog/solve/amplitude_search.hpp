@@ -21,7 +21,7 @@ namespace denhartog {
 /// @brief What is known at one value of the number.
 struct SeenAmplitude {
     std::optional<Certified> amplitude{}; ///< none if no steady motion is certain
-    std::string why{};                    ///< the reason, if so
+    Reasons why{};                        ///< the reason, if so
 };
 
 /// @brief The amplitude at a value of the number.

@@ -9,6 +9,7 @@
 
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/number/certified.hpp"
+#include "denhartog/number/errors.hpp"
 
 namespace denhartog {
 
@@ -72,7 +73,7 @@ struct FoundPlace {
 struct FoundPlaces {
     std::vector<FoundPlace> places; ///< ascending; of an extreme the one that is the largest, or the least, of all that were seen
     std::vector<double> unanswered; ///< values of the number at which there is no steady motion that is certain
-    std::string why;                ///< the reason at the first of them
+    Reasons why;                    ///< the reason at the first of them
     long questions = 0;             ///< how many motions were asked for
 };
 

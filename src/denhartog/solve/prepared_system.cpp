@@ -35,7 +35,8 @@ PreparedSystem prepare(const SceneSource& source, const Question& question, Prep
     check(p.scene());
     const System<double>& s = p.scene().system;
     check(question, number_of_masses(s));
-    if (s.damping_matrix.size() == 0 && p.scene().mu == 1 && asks_for_contact(question, s))
+    const bool in_phase = s.load_phases.empty() && !load_depends_on_frequency(s);
+    if (s.damping_matrix.size() == 0 && p.scene().mu == 1 && in_phase && asks_for_contact(question, s))
         p.contact = tried([&] { return modes_of_contact(s); }).value; // without, another model answers
     if (points == Prepared::every_regime) {
         const ModesInDouble modes = modes_in_double(source);

@@ -114,7 +114,7 @@ QuantitiesAnswer quantities(const SceneSource& asked_source, std::span<const dou
     Reasons why;
     if (digits <= most_digits_in_double) {
         seen = tried([&] {
-            if (!basis) basis = modes_with_errors(scene.system);
+            if (!basis || load_depends_on_frequency(scene.system)) basis = modes_with_errors(scene.system);
             return quantities_in_double(scene, bounded_sums(scene.system, *basis, as_input(*scene.r)), tau);
         });
         if (seen.value) {

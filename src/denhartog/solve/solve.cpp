@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "denhartog/answer/from_ground.hpp"
 #include "denhartog/answer/held_solution.hpp"
 #include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/number/effort.hpp"
@@ -54,6 +55,7 @@ void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit& orbit, bool
 
 void answer_by_boundaries(SolveTask& task, const std::string& model, Solution& s) {
     s.masses.clear();
+    s.from_ground.clear();
     s.method.model = model;
     s.sticking_by_88 = sticking_by_88(task.scene);
     if (!s.sticking_by_88) return;
@@ -165,6 +167,7 @@ void answer(SolveTask& task, Solution& s) {
 
 void keep_asked_mass(const Question& question, Solution& s) {
     if (!question.mass) return;
+    s.from_ground.clear();
     if (!s.only && !s.masses.empty()) {
         s.masses = {s.masses[question.mass->index]};
         s.only = question.mass;
@@ -207,18 +210,22 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
         keep_asked_mass(question, s);
     }
     take_contact_between(p.scene().system, s);
+    if (const auto base = amplitude_of_base(p.scene().system.base_motion, as_input(at.r))) s.base_amplitude = certified(*base);
     s.mu = exactly(p.scene().mu);
     return found;
 }
 
 } // namespace
 
-AnswerOrNone decide(const PreparedSystem& p, const SolvePoint& at, const Question& question) {
-    const std::size_t N = number_of_masses(p.scene().system);
+AnswerOrNone decide(const PreparedSystem& prepared, const SolvePoint& at, const Question& question) {
+    const std::size_t N = number_of_masses(prepared.scene().system);
     check(question, N);
     check_frequency_ratio(at.r);
     check_friction_ratio(at.beta);
     const QuestionEffort effort(N);
+    std::optional<PreparedSystem> there; // where what is prepared has the load of another frequency
+    if (load_depends_on_frequency(prepared.scene().system)) there.emplace(PreparedSystem{source_at(prepared, at)});
+    const PreparedSystem& p = there ? *there : prepared;
     return answer_or_reference(p, at, question, [&](const Question& of) {
         return tried_in_double([&] { return solve_in_double(p, at, of); });
     });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "denhartog/answer/from_ground.hpp"
 #include "denhartog/answer/held_solution.hpp"
 #include "denhartog/answer/orbit_solution.hpp"
 
@@ -53,6 +54,7 @@ void answer_by_stuck_response(const SolveTask& task, const std::optional<Certifi
     const std::shared_ptr<const ContactSystem> moving = task.moving ? task.moving : moving_in_double(task.source, task.known);
     const HeldSolution held = held_solution(task.scene, moving->stuck, *task.known.basis, task.question.mass);
     s.masses = held.masses;
+    s.from_ground = held.from_ground;
     s.rest_interval = held.rest_interval;
     s.rest_interval->rests_at = rests_at;
     s.sticking_by_88 = held.sticking_by_88;
@@ -61,8 +63,15 @@ void answer_by_stuck_response(const SolveTask& task, const std::optional<Certifi
 }
 
 void answer_by_orbit(const SolveTask& task, ExactSolver& solver, const PeriodicOrbit& orbit, bool open, Solution& s) {
-    OrbitSolution found = orbit_solution(solver, orbit, task.question.mass);
+    const bool all = task.question.asked == Asked::motion && !task.question.mass;
+    const Bounded<double> frame = amplitude_of_frame(task.scene);
+    OrbitSolution found = orbit_solution(solver, orbit, task.question.mass, all ? frame.x : 0);
     s.masses = std::move(found.masses);
+    s.from_ground.clear();
+    const bool absolute = task.scene.system.base_motion == BaseMotion::alone; // as they are
+    const std::vector<SolvedMass>& seen = absolute ? s.masses : found.from_ground;
+    for (std::size_t k = 0; all && k < std::min(seen.size(), number_of_masses(task.scene.system)); ++k)
+        s.from_ground.push_back(from_ground(seen[k], absolute ? Bounded<double>(1) : frame));
     s.stops = std::move(found.stops);
     s.start = SolvedState{certified_of(orbit.start.x, solver, [&](std::size_t) { return orbit.error_bound; }),
                           certified_of(orbit.start.x_prime, solver, [&](std::size_t k) { return orbit.velocity_errors[k]; })};

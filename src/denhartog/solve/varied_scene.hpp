@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "denhartog/number/certified.hpp"
+#include "denhartog/number/errors.hpp"
 #include "denhartog/scene/scene.hpp"
 
 namespace denhartog {
@@ -18,8 +19,8 @@ namespace denhartog {
 /// @brief The amplitudes at the point of a scene.
 struct AmplitudesOfScene {
     std::vector<Certified>
-        amplitudes{};      ///< of the masses asked for, in the scene's unit of length, else of P / k_1; none if refused
-    std::string refused{}; ///< why there is no answer
+        amplitudes{};  ///< of the masses asked for, in the scene's unit of length, else of P / k_1; none if refused
+    Reasons refused{}; ///< why there is no answer
 };
 
 /// @brief Solves a scene for the amplitude of a mass, or of all. InputError where it breaks a rule.

@@ -7,6 +7,7 @@
 
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "elementary/elementary.hpp"
 
 namespace denhartog {
 
@@ -32,13 +33,14 @@ void ContactPhases::set(const Excitation& excitation) {
     const double r2 = e.r * e.r;
     for (std::size_t i = 0; i < N; ++i) {
         set_mode(sliding, i, basis.r_n[i], basis.zeta[i] * basis.r_n[i]);
-        sliding.F[i] = system->modal_load[i] / r2;
     }
+    sliding.set_force(system->modal_load, r2);
     if (basis.coupled()) sliding.D = basis.D / e.r;
     sliding.prepare();
     w = basis.phi * system->contact_shape / r2;
     inertia = r2 / system->contact_shape.squaredNorm();
     direct = direct_load(system->stuck, system->load);
+    size_of_direct = direct.im == 0 ? std::abs(direct.re) : elementary::hypot(direct.re, direct.im);
     set_sticking(r2);
 }
 
@@ -53,7 +55,7 @@ void ContactPhases::set_sticking(double r2) {
     k_j = s.phi.transpose() * column(s.k_j);
     c_j = s.phi.transpose() * column(s.c_j) * e.r;
     m_j = s.phi.transpose() * column(s.m_j) * r2;
-    column(sticking.F) = column(system->stuck_load) / r2;
+    sticking.set_force(system->stuck_load, r2);
     for (std::size_t i = 0; i + 1 < N; ++i) set_mode(sticking, i, s.r_n[i], s.damping(i, i) / 2);
     if (!s.modes_diagonalise_damping) sticking.D = s.damping / e.r;
     sticking.prepare();
@@ -107,7 +109,8 @@ evaluation::LinearSum ContactPhases::motion_of_masses(int direction, double tau)
     const auto [sin_0, cos_0] = sine_cosine(tau);
     for (std::size_t i = 0; i < n; ++i) {
         const double omega = motion.omega_0[i], zeta = motion.decay[i] / omega, at_rest = motion.G[i] / (omega * omega);
-        const Complex<double> X = motion.F[i] * evaluation::response_by_R_squared(motion.gap[i], motion.decay[i]);
+        Complex<double> X = motion.F[i] * evaluation::response_by_R_squared(motion.gap[i], motion.decay[i]);
+        if (!motion.lead.empty()) X = evaluation::product(motion.lead[i], X);
         const auto [s, s_prime] = evaluation::free_start({motion.q[0][i], motion.q[1][i]}, 0.0, X, cos_0, sin_0);
         sum.coordinates.push_back({1 / omega, zeta, evaluation::w_if_oscillating(zeta), at_rest, s, s_prime});
         for (std::size_t k = 0; k < N; ++k) {
@@ -150,12 +153,13 @@ Jet ContactPhases::load(double t) {
     effort->spend(sticking.cost());
     sticking.differentiate_at(t);
     const double c = sticking.cos_tau(), s = sticking.sin_tau();
-    const double pull = system->stuck.k_jj * rest - system->constant.direct;
-    Jet jet{{direct * c - pull, -direct * s, -direct * c, direct * s},
-            std::abs(direct),
+    const double constant = system->constant.direct, pull = system->stuck.k_jj * rest - constant;
+    const double force = direct.re * c - direct.im * s, rate = -direct.re * s - direct.im * c;
+    Jet jet{{force - pull, rate, -force, -rate},
+            size_of_direct,
             0.0,
-            std::abs(pull) + std::abs(direct) + std::abs(system->constant.direct),
-            std::abs(direct)};
+            std::abs(pull) + size_of_direct + std::abs(constant),
+            size_of_direct};
     for (std::size_t i = 0; i + 1 < N; ++i) {
         for (int m = 0; m < 4; ++m)
             jet.f[m] -= k_j[i] * sticking.q[m][i] + c_j[i] * sticking.q[m + 1][i] + m_j[i] * sticking.q[m + 2][i];
@@ -191,9 +195,9 @@ Event ContactPhases::end_of_sticking_alone(double tau, double length) {
     const double force = system->stuck.k_jj * rest - system->constant.direct;
     Event event{length, 0, 0, 0, false};
     for (const int side : {1, -1}) {
-        const double y = (force + side * holds) / direct;
+        const double y = (force + side * holds) / direct.re;
         if (!(y > -1 && y < 1)) continue;
-        const double angle = atan2(sqrt((1 - y) * (1 + y)), y), passage = direct < 0 ? side * angle : -side * angle;
+        const double angle = atan2(sqrt((1 - y) * (1 + y)), y), passage = direct.re < 0 ? side * angle : -side * angle;
         const double t = std::max(0.0, passage + 2 * pi<double>() * std::ceil((tau - passage) / (2 * pi<double>())) - tau);
         if (t < event.t) event = {t, side, e.mu == 1 ? 2 : 1, side * holds, true};
     }

@@ -33,7 +33,8 @@ struct ContactPhases {
     double load_per_energy;      ///< bound of a derivative of the load on the contact over the energy norm of that order
     double load_rest;            ///< what the inertia of the others adds to that bound
     double load_growth;          ///< how fast the bound grows
-    double direct;               ///< part of the force that acts on the contact itself
+    Complex<double> direct;      ///< part of the force that acts on the contact itself
+    double size_of_direct;       ///< its amplitude
     double step;                 ///< a step that the search for events took
     std::vector<double> x;       ///< displacements at the start of the phase
     std::vector<double> v;       ///< velocities at the start of the phase

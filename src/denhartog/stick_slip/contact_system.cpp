@@ -46,7 +46,10 @@ ContactSystem contact_system(const System<double>& s, const ModalBasis<Bounded<d
     out.load = load_row(s);
     out.basis = values_of(modes);
     Matrix<double>& phi = out.basis.phi;
-    for (const double each : phi.row(static_cast<Eigen::Index>(out.load.index))) out.modal_load.push_back(each);
+    const std::optional<Mass> load_im = load_rows(s).im;
+    for (Eigen::Index i = 0; i < phi.cols(); ++i)
+        out.modal_load.push_back({phi(static_cast<Eigen::Index>(out.load.index), i),
+                                  load_im ? phi(static_cast<Eigen::Index>(load_im->index), i) : 0.0});
     out.contact_shape = phi.row(static_cast<Eigen::Index>(out.contact.index)).transpose();
     out.stuck = stuck_configuration(s, out.basis, held);
     phi.conservativeResize(phi.cols(), Eigen::NoChange);
@@ -79,9 +82,9 @@ void add_static_load(ContactSystem& system, const std::vector<double>& s) {
 }
 
 void take_load_away(ContactSystem& system) {
-    system.modal_load.assign(system.modal_load.size(), 0.0);
-    system.stuck_load.assign(system.stuck_load.size(), 0.0);
-    system.stuck.load.assign(system.modal_load.size(), 0.0);
+    system.modal_load.assign(system.modal_load.size(), {});
+    system.stuck_load.assign(system.stuck_load.size(), {});
+    system.stuck.load.assign(system.modal_load.size(), {});
 }
 
 } // namespace denhartog

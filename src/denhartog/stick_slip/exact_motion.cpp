@@ -114,7 +114,7 @@ void ExactSolver::Work::run(double tau_0, double tau_1, bool with_jacobian) {
         const double length = tau_1 - tau;
         effort->spend(cost_of_phase);
         const Event event = direction != 0 ? end_of_sliding(direction, length, order)
-                            : N == 1       ? end_of_sticking_alone(tau, length)
+                            : N == 1 && direct.im == 0 ? end_of_sticking_alone(tau, length)
                                            : end_of_sticking(length);
         if (event.open) {
             motion.status = MotionStatus::open;

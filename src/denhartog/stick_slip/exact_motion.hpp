@@ -47,8 +47,8 @@ struct ContactSystem {
     ModalBasis<double> basis;         ///< modes while the contact slides
     Matrix<double> momentum;          ///< phi^T M in units of m_1: modal coordinates of a state, mode by mass
     StuckConfiguration stuck;         ///< modes while the contact sticks
-    std::vector<double> modal_load{}; ///< phi^T p, what the load brings to each mode
-    std::vector<double> stuck_load{}; ///< the same of the stuck modes
+    std::vector<Complex<double>> modal_load{}; ///< phi^T p, what the load brings to each mode
+    std::vector<Complex<double>> stuck_load{}; ///< the same of the stuck modes
     std::vector<double> detuned{};    ///< by what part of itself each natural frequency may be off
     Matrix<double> damping_error{};   ///< bounds of what rounding makes of phi^T C phi and what is left out of it, N x N, or none
     ConstantLoad constant{};          ///< the constant load, see `add_static_load`
@@ -129,7 +129,7 @@ public:
     /// @brief Frequency and friction as set last.
     [[nodiscard]] const Excitation& excitation() const;
 
-    /// @brief The motion from one instant to a later one; the force is cos tau, and a contact at rest sticks where (74) lets it.
+    /// @brief The motion from one instant to a later one; the forces are Re{p exp(i tau)}, and a contact at rest sticks where (74) lets it.
     /// With the derivative of the end with respect to the start, if it is wanted. Valid until the next call.
     const ExactMotion& run(const State& start, double tau_0, double tau_1, bool with_jacobian = false);
 
@@ -152,7 +152,9 @@ public:
     /// @brief Largest size of every displacement over the last motion, then that of a contact between two, guaranteed between
     /// samples; of the contact without what else may be. One that is smaller by less than twice `error`, a bound of the errors of
     /// the displacements, may be the largest.
-    [[nodiscard]] std::vector<Extremum> largest_displacements(double error = 0);
+    /// Where the frame of the displacements moves by `frame` cos tau, of the masses as they are seen from the ground, the one in
+    /// contact as every other, and of no contact.
+    [[nodiscard]] std::vector<Extremum> largest_displacements(double error = 0, double frame = 0);
 
 private:
     struct Work;

@@ -11,6 +11,7 @@
 #include "denhartog/search/largest_in_double.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/stick_slip/contact_phases.hpp"
+#include "elementary/elementary.hpp"
 
 namespace denhartog {
 namespace {
@@ -18,8 +19,8 @@ namespace {
 // Displacements over a stretch, remembered: the masses share their instants.
 class Displacements {
 public:
-    Displacements(LinearMotion& motion, const Matrix<double>& phi, Effort& effort)
-        : motion_(motion), phi_(phi), effort_(effort), sizes_(phi.cwiseAbs()), norms_(phi.cols()) {
+    Displacements(LinearMotion& motion, const Matrix<double>& phi, double frame, Effort& effort)
+        : motion_(motion), phi_(phi), effort_(effort), frame_(frame), sizes_(phi.cwiseAbs()), norms_(phi.cols()) {
         const Column F = column(motion_.F);
         growth_ = motion_.coupled() ? Column(phi_.rowwise().norm() * F.norm()) : Column(sizes_ * F.cwiseAbs());
     }
@@ -33,7 +34,7 @@ public:
     // What rounding makes of it: some units of its terms.
     [[nodiscard]] double noise(Eigen::Index row, double t) {
         motion_.differentiate_at(t);
-        return 4 * std::numeric_limits<double>::epsilon() * sizes_.row(row).dot(column(motion_.q[0]).cwiseAbs());
+        return 4 * std::numeric_limits<double>::epsilon() * (sizes_.row(row).dot(column(motion_.q[0]).cwiseAbs()) + frame_);
     }
 
     // The size of the displacement as a curve, which refers to this object.
@@ -67,6 +68,7 @@ private:
         Eigen::Map<Matrix<double>> x(numbers.data(), phi_.rows(), columns);
         for (int m = 0; m < 5; ++m) x.col(m).noalias() = phi_.lazyProduct(column(motion_.q[m]));
         if (carried_.size() > 0) x.col(0) += carried_;
+        if (frame_ > 0) add_frame(x);
         for (const int m : {2, 4}) {
             if (motion_.coupled()) {
                 x.col(4 + m / 2) = phi_.rowwise().norm() * motion_.energy_norm(m);
@@ -75,12 +77,21 @@ private:
             for (Eigen::Index i = 0; i < norms_.size(); ++i) norms_(i) = motion_.energy_norm(m, static_cast<std::size_t>(i));
             x.col(4 + m / 2).noalias() = sizes_.lazyProduct(norms_);
         }
+        if (frame_ > 0) x.rightCols(2).array() += frame_;
         return {known_.emplace_hint(place, t, std::move(numbers))->second.data(), phi_.rows(), columns};
+    }
+
+    // Adds the frame's motion and its derivatives.
+    void add_frame(Eigen::Map<Matrix<double>>& x) const {
+        const double c = frame_ * motion_.cos_tau(), s = frame_ * motion_.sin_tau();
+        const double derivatives[] = {c, -s, -c, s, c};
+        for (int m = 0; m < 5; ++m) x.col(m).array() += derivatives[m];
     }
 
     LinearMotion& motion_;
     const Matrix<double>& phi_;
     Effort& effort_;
+    double frame_;
     Matrix<double> sizes_;
     Column growth_;
     Column carried_; // empty while the contact slides
@@ -91,12 +102,14 @@ private:
 
 } // namespace
 
-std::vector<Extremum> ExactSolver::largest_displacements(double error) {
+std::vector<Extremum> ExactSolver::largest_displacements(double error, double frame) {
     Work& work = *work_;
     if (work.effort == &work.own) work.own = {default_effort(work.N)};
     const ContactSystem& system = *work.system;
     const Contact& contact = system.stuck.contact;
-    const std::size_t j = system.contact.index, count = std::max(work.N, j + 1);
+    const bool moves = frame > 0;
+    const std::size_t count = moves ? work.N : std::max(work.N, system.contact.index + 1),
+                      j = moves ? count : system.contact.index; // the one that is not sought for
     const double start = work.motion.phases.empty() ? 0 : work.motion.phases.front().start; // a mass at rest is there as ever
     std::vector<Extremum> largest(count, Extremum{0, start});
     std::vector<std::vector<Place>> places(count);
@@ -110,6 +123,8 @@ std::vector<Extremum> ExactSolver::largest_displacements(double error) {
     };
     const auto take_all = [&](std::vector<double> x, double tau) {
         contact.append(x);
+        if (moves)
+            for (double& each : x) each += frame * elementary::cos(tau);
         for (std::size_t k = 0; k < count; ++k) take(k, x[k], tau);
     };
     for (std::size_t n = 0; n < work.motion.phases.size(); ++n) {
@@ -117,12 +132,12 @@ std::vector<Extremum> ExactSolver::largest_displacements(double error) {
         take_all({state, state + static_cast<std::ptrdiff_t>(work.N)}, work.motion.phases[n].start);
     }
     if (!work.motion.phases.empty()) take_all(work.motion.end.x, work.motion.phases.back().end);
-    for (std::size_t n = 0; n < work.motion.phases.size() && work.N > 1; ++n) {
+    for (std::size_t n = 0; n < work.motion.phases.size() && (work.N > 1 || moves); ++n) {
         const Phase& p = work.motion.phases[n];
         work.stand_at(n);
         const double length = p.end - p.start;
         const bool sticks = p.direction == 0;
-        Displacements displacements(sticks ? work.sticking : work.sliding, sticks ? system.stuck.shapes : system.basis.phi,
+        Displacements displacements(sticks ? work.sticking : work.sliding, sticks ? system.stuck.shapes : system.basis.phi, frame,
                                     *work.effort);
         if (sticks) displacements.carry(system.stuck.carried, work.rest);
         for (std::size_t k = 0; k < count; ++k) {
@@ -143,7 +158,7 @@ std::vector<Extremum> ExactSolver::largest_displacements(double error) {
         while (n + 1 < work.motion.phases.size() && work.motion.phases[n].end < tau) ++n;
         State state = state_at(n, tau);
         contact.append(state.x);
-        return state.x[k] < 0;
+        return state.x[k] + (moves ? frame * elementary::cos(tau) : 0) < 0;
     };
     for (std::size_t k = 0; k < count; ++k) {
         if (k == j || places[k].empty()) continue;

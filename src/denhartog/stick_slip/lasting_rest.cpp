@@ -10,7 +10,7 @@
 namespace denhartog {
 
 LastingRest::LastingRest(const ContactSystem& system, const Excitation& excitation)
-    : system_(&system), e_(excitation), weight_(0), terms_(std::abs(direct_load(system.stuck, system.load))) {
+    : system_(&system), e_(excitation), weight_(0), terms_(modulus(direct_load(system.stuck, system.load))) {
     const StuckConfiguration& s = system.stuck;
     try {
         response_ = stuck_response(s, system.load, e_.r);

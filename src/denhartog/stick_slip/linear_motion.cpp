@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "denhartog/model/linear_algebra.hpp"
+#include "elementary/elementary.hpp"
 
 namespace denhartog {
 
@@ -13,6 +14,17 @@ void LinearMotion::resize(std::size_t n) {
     coordinates_.resize(n);
     starts_.resize(n);
     free_.resize(n);
+}
+
+void LinearMotion::set_force(const std::vector<Complex<double>>& load, double r2) {
+    const bool in_phase = std::ranges::all_of(load, [](const Complex<double>& each) { return each.im == 0; });
+    lead.clear();
+    for (std::size_t i = 0; i < size(); ++i) {
+        F[i] = in_phase ? load[i].re / r2 : elementary::hypot(load[i].re, load[i].im) / r2;
+        if (in_phase) continue;
+        lead.push_back({1, 0});
+        if (F[i] > 0) lead[i] = {load[i].re / (F[i] * r2), load[i].im / (F[i] * r2)};
+    }
 }
 
 void LinearMotion::prepare() {
@@ -29,7 +41,9 @@ void LinearMotion::prepare_coupled() {
         const double omega = omega_0[static_cast<std::size_t>(i)];
         A(i, n + i) = 1;
         A(n + i, i) = -omega * omega;
-        A(n + i, 2 * n) = F[static_cast<std::size_t>(i)];
+        const auto k = static_cast<std::size_t>(i);
+        A(n + i, 2 * n) = lead.empty() ? F[k] : F[k] * lead[k].re;
+        if (!lead.empty()) A(n + i, 2 * n + 1) = -F[k] * lead[k].im;
         rate = std::max(rate, omega);
     }
     A.block(n, n, n, n) = -D;
@@ -41,16 +55,17 @@ void LinearMotion::prepare_coupled() {
 
 void LinearMotion::start(double tau) {
     tau_0_ = tau;
-    const auto [sin_0, cos_0] = sine_cosine(tau);
+    const SineCosine<double> at_start = sine_cosine(tau);
     differentiated_ = false;
     for (std::size_t i = 0; i < size(); ++i) {
         at_rest_[i] = G[i] / (omega_0[i] * omega_0[i]);
         const InitialValues<double> now{q[0][i], q[1][i]};
+        const auto [sin_0, cos_0] = at_force(at_start, i);
         starts_[i] = {evaluation::free_start(now, at_rest_[i], coordinates_[i].X, cos_0, sin_0), at_rest_[i], cos_0, sin_0};
     }
     if (!coupled()) return;
     Column z(rows());
-    z << column(q[0]) - column(at_rest_), column(q[1]), cos_0, sin_0;
+    z << column(q[0]) - column(at_rest_), column(q[1]), at_start.c, at_start.s;
     together_.start(std::move(z));
 }
 
@@ -68,7 +83,8 @@ void LinearMotion::move_to(double t) {
     for (std::size_t i = 0; i < size(); ++i) {
         const evaluation::DrivenCoordinate<double>& c = coordinates_[i];
         free_[i] = evaluation::free_motion(t, c.R, c.zeta, c.w);
-        const InitialValues<double> now = evaluation::motion_of_coordinate(free_[i], t, c, starts_[i], now_.c, now_.s);
+        const SineCosine<double> at = at_force(now_, i);
+        const InitialValues<double> now = evaluation::motion_of_coordinate(free_[i], t, c, starts_[i], at.c, at.s);
         q[0][i] = now.eta_0;
         q[1][i] = now.eta_prime_0;
     }
@@ -79,13 +95,12 @@ void LinearMotion::differentiate_at(double t) {
     move_to(t);
     differentiated_ = true;
     at_ = t;
-    const std::array<double, 4> wave{now_.c, -now_.s, -now_.c, now_.s};
     if (coupled()) {
         for (int m = 0; m + 2 < orders; ++m)
             for (std::size_t i = 0; i < size(); ++i) {
                 double damping = 0;
                 for (std::size_t n = 0; n < size(); ++n) damping += D(i, n) * q[m + 1][n];
-                q[m + 2][i] = evaluation::acceleration(q[m][i], omega_0[i], damping, force(wave, m, i));
+                q[m + 2][i] = evaluation::acceleration(q[m][i], omega_0[i], damping, force(m, i));
             }
         return;
     }
@@ -93,7 +108,7 @@ void LinearMotion::differentiate_at(double t) {
         double below = q[0][i], last = q[1][i];
         const double omega = omega_0[i], twice = 2 * decay[i];
         for (int m = 0; m + 2 < orders; ++m) {
-            const double next = evaluation::acceleration(below, omega, twice * last, force(wave, m, i));
+            const double next = evaluation::acceleration(below, omega, twice * last, force(m, i));
             below = last;
             last = q[m + 2][i] = next;
         }

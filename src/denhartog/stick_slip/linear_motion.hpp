@@ -1,7 +1,8 @@
 /// @file
 /// @brief One linear stretch of motion in modal coordinates:
-/// \f$ q_i'' + \sum_m D_{im} q_m' + \omega_i^2 q_i = F_i\cos\tau + G_i \f$.
+/// \f$ q_i'' + \sum_m D_{im} q_m' + \omega_i^2 q_i = F_i\cos(\tau+\theta_i) + G_i \f$.
 ///
+/// A coordinate whose force leads by \f$ \theta_i \f$ has the closed form of one in phase at \f$ \tau+\theta_i \f$.
 /// Where D is diagonal each coordinate has its closed form, that of `evaluation/driven_motion.hpp`. Where it is not, as it may be
 /// while the contact sticks and with a damping matrix that couples the modes, they are carried together, as `coupled_motion.hpp`
 /// has it.
@@ -39,6 +40,7 @@ struct LinearMotion {
     OfCoordinates<double> decay;                 ///< half the diagonal of D
     Matrix<double> D;                            ///< damping matrix where it is not diagonal, else empty
     OfCoordinates<double> F;                     ///< amplitudes of the harmonic force
+    OfCoordinates<Complex<double>> lead;         ///< exp(i theta) of each; empty where all are in phase
     OfCoordinates<double> G;                     ///< constant force
     std::array<OfCoordinates<double>, orders> q; ///< coordinates and derivatives at the instant last evaluated
     Effort* const* effort = nullptr; ///< where the budget stands that exponentials of a coupled system spend; null: none
@@ -55,6 +57,8 @@ struct LinearMotion {
         return coupled() ? 10 + n * n : n;
     }
 
+    /// @brief Sets F and lead: amplitudes of the force on the coordinates in units of r^2.
+    void set_force(const std::vector<Complex<double>>& load, double r2);
     /// @brief To be called when omega_0, gap, decay, D or F have changed.
     void prepare();
     /// @brief Starts the stretch at tau from the coordinates and velocities in q[0], q[1].
@@ -81,9 +85,16 @@ struct LinearMotion {
     void carry(double t, Matrix<double>& dq, Matrix<double>& dp);
 
 private:
-    // A derivative of the force on a coordinate, `wave` being those of cos tau.
-    [[nodiscard]] double force(const std::array<double, 4>& wave, int order, std::size_t i) const {
-        return order == 0 ? F[i] * wave[0] + G[i] : F[i] * wave[order];
+    // Sine and cosine of tau + theta_i from those of tau.
+    [[nodiscard]] SineCosine<double> at_force(const SineCosine<double>& tau, std::size_t i) const {
+        if (lead.empty()) return tau;
+        return {tau.s * lead[i].re + tau.c * lead[i].im, tau.c * lead[i].re - tau.s * lead[i].im};
+    }
+    // A derivative of the force on a coordinate.
+    [[nodiscard]] double force(int order, std::size_t i) const {
+        const SineCosine<double> at = at_force(now_, i);
+        const std::array<double, 4> wave{at.c, -at.s, -at.c, at.s};
+        return order == 0 ? F[i] * wave[0] + G[i] : F[i] * wave[static_cast<std::size_t>(order)];
     }
 
     // Of the coupled system: z = (q less that at rest, q', cos tau, sin tau) obeys z' = A z.

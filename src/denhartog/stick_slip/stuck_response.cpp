@@ -27,7 +27,7 @@ double rounding(std::size_t modes) { return 4 * static_cast<int>(modes) * std::n
 
 [[noreturn]] void resonates() { throw DomainError(Why::stuck_mode_resonates); }
 
-/// Amplitude of an uncoupled mode under the force p; D is the diagonal entry of the damping, 2 zeta r_n.
+/// Amplitude of an uncoupled mode under the force p in phase; D is the diagonal entry of the damping, 2 zeta r_n.
 Complex<double> mode_amplitude(double p, double r_n, double D, double r, double tolerance) {
     if (p == 0) return {0, 0};
     const double a = (r_n - r) * (r_n + r), b = r * D;
@@ -36,7 +36,7 @@ Complex<double> mode_amplitude(double p, double r_n, double D, double r, double 
 }
 
 /// Amplitudes of coupled modes: the complex system as a real one of twice the size, its rows and columns scaled.
-std::vector<Complex<double>> coupled_amplitudes(const StuckConfiguration& stuck, const std::vector<double>& p, double r) {
+std::vector<Complex<double>> coupled_amplitudes(const StuckConfiguration& stuck, const std::vector<Complex<double>>& p, double r) {
     const auto n = static_cast<Eigen::Index>(p.size());
     Matrix<double> A = Matrix<double>::Zero(2 * n, 2 * n);
     Eigen::Matrix<double, Eigen::Dynamic, 1> scale(2 * n), force = Eigen::Matrix<double, Eigen::Dynamic, 1>::Zero(2 * n);
@@ -44,7 +44,8 @@ std::vector<Complex<double>> coupled_amplitudes(const StuckConfiguration& stuck,
         const double r_n = stuck.r_n[static_cast<std::size_t>(i)];
         A(i, i) = A(n + i, n + i) = (r_n - r) * (r_n + r);
         scale(i) = scale(n + i) = 1 / sqrt(r_n * r_n + r * r);
-        force(i) = p[static_cast<std::size_t>(i)];
+        force(i) = p[static_cast<std::size_t>(i)].re;
+        force(n + i) = p[static_cast<std::size_t>(i)].im;
     }
     A.topRightCorner(n, n) = -r * stuck.damping;
     A.bottomLeftCorner(n, n) = r * stuck.damping;
@@ -57,12 +58,14 @@ std::vector<Complex<double>> coupled_amplitudes(const StuckConfiguration& stuck,
     return q;
 }
 
-std::vector<Complex<double>> mode_amplitudes(const StuckConfiguration& stuck, const std::vector<double>& p, double r) {
+std::vector<Complex<double>> mode_amplitudes(const StuckConfiguration& stuck, const std::vector<Complex<double>>& p, double r) {
     if (!stuck.modes_diagonalise_damping) return coupled_amplitudes(stuck, p, r);
     std::vector<Complex<double>> q;
     for (std::size_t i = 0; i < p.size(); ++i) {
         const auto n = static_cast<Eigen::Index>(i);
-        q.push_back(mode_amplitude(p[i], stuck.r_n[i], stuck.damping(n, n), r, rounding(p.size())));
+        const auto to = [&](double force) { return mode_amplitude(force, stuck.r_n[i], stuck.damping(n, n), r, rounding(p.size())); };
+        q.push_back(to(p[i].re));
+        if (p[i].im != 0) q.back() = q.back() + times_i(to(p[i].im));
     }
     return q;
 }
@@ -83,8 +86,8 @@ StuckResponse stuck_response(const StuckConfiguration& stuck, Mass load, double 
         throw InputError("load", "must be one of the masses", std::to_string(load.index + 1));
     StuckResponse response{r, Mass{stuck.contact.a}, load, {}, {}, {}};
     std::vector<Complex<double>> X(n + 1, Complex<double>{0, 0}); // of all masses
-    const std::vector<double> p = load_on_stuck_modes(stuck, load);
-    if (std::ranges::any_of(p, [](double of_mode) { return of_mode != 0; })) {
+    const std::vector<Complex<double>> p = load_on_stuck_modes(stuck, load);
+    if (std::ranges::any_of(p, [](const Complex<double>& of_mode) { return of_mode.re != 0 || of_mode.im != 0; })) {
         const std::vector<Complex<double>> q = mode_amplitudes(stuck, p, r);
         for (std::size_t k = 0; k <= n; ++k)
             for (std::size_t i = 0; i < n; ++i)
@@ -98,9 +101,10 @@ StuckResponse stuck_response(const StuckConfiguration& stuck, Mass load, double 
         K_j.push_back(stuck.k_j[k] - r * r * stuck.m_j[k]);
     }
     const std::vector<double> none(n, 0);
+    const Complex<double> direct = direct_load(stuck, load);
     const auto load_with = [&](const std::vector<double>& C) {
         return paper::load_on_held_contact(std::span<const double>(C), std::span<const double>(K_j),
-                                           std::span<const Complex<double>>(others), direct_load(stuck, load));
+                                           std::span<const Complex<double>>(others), direct);
     };
     response.contact_load = load_with(C_j);
     response.elastic_load = load_with(none);

@@ -21,6 +21,8 @@ constexpr int trust = 8;         // units in the last place a mode that an eigen
 constexpr int units_of_mode = 8; // twice what the forms of v, u, g are good to where they are well conditioned
 constexpr int units_of_form = 4; // elsewhere they are good to what that many units of R and zeta change
 
+Eigen::Map<const Column> column_of(const std::vector<double>& x) { return {x.data(), static_cast<Eigen::Index>(x.size())}; }
+
 // What an entry of a mode changes by where the mode turns by a unit angle: the root of the entry of the inverse mass matrix,
 // which is that of a sum over all modes. A light mass moves far.
 std::vector<double> reach_of_masses(const System<double>& system, const ModalBasis<double>& basis,
@@ -61,6 +63,8 @@ ModalBasis<Bounded<double>> bounded(const System<double>& system, const ModalBas
     const bool chain = of_springs > 0;
     const double highest = basis.r_n.back();
     const Matrix<double> further = further_rows(system).cwiseAbs();
+    const std::vector<double> of_load = error_of_load(system);
+    const auto first_of_load = static_cast<Eigen::Index>(load_row(system).index);
     ModalBasis<Bounded<double>> bounded;
     bounded.phi.resize(basis.phi.rows(), static_cast<Eigen::Index>(N));
     bounded.r_n.reserve(N);
@@ -85,6 +89,7 @@ ModalBasis<Bounded<double>> bounded(const System<double>& system, const ModalBas
             errors(row) = turn * reach[static_cast<std::size_t>(row)];
             if (const Eigen::Index n = row - static_cast<Eigen::Index>(N); n >= 0) // a sum over the masses, which may cancel
                 errors(row) += unit * further.row(n).dot(sizes.head(further.cols()));
+            if (row >= first_of_load && !of_load.empty()) errors(row) += sizes.head(further.cols()).dot(column_of(of_load));
             bounded.phi(row, column) = {basis.phi(row, column), errors(row)};
         }
         double of_zeta = of_input * basis.zeta[i];
@@ -137,7 +142,7 @@ ModalBasis<Bounded<double>> bounded_basis_at(const System<double>& system, const
 ModeSums<double> values_of(const ModeSums<Bounded<double>>& s) {
     return {s.r.x,         s.contact,     s.load,      values(s.R),        values(s.zeta), values(s.w),
             values(s.psi), values(s.v),   values(s.u), values(s.g),        values(s.V),    values(s.U),
-            values(s.G),   value(s.Y_jj), s.H_j.x,     s.sum_of_squares.x, s.coupled};
+            values(s.G),   value(s.Y_jj), s.H_j.x,     s.sum_of_squares.x, s.coupled,      s.load_im};
 }
 
 ModalBasis<double> values_of(const ModalBasis<Bounded<double>>& basis) {

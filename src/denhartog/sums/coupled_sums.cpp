@@ -14,10 +14,10 @@ BoundedSystem::BoundedSystem(const Matrix<double>& A, const Matrix<double>& erro
     inverse_ = system.inverse();
 }
 
-std::vector<Bounded<double>> BoundedSystem::solved(const Column& b) const {
+std::vector<Bounded<double>> BoundedSystem::solved(const Column& b, const Column& of_b) const {
     const Column x = product(inverse_, b);
     const Column left_over =
-        (b - product(A_, x)).cwiseAbs() + product_of_sizes(error_, x) + (4 * unit_of<double>()) * b.cwiseAbs();
+        (b - product(A_, x)).cwiseAbs() + product_of_sizes(error_, x) + (4 * unit_of<double>()) * b.cwiseAbs() + of_b;
     const Column error = 2.0 * (product_of_sizes(inverse_, left_over) + unit_of<double>() * x.cwiseAbs());
     std::vector<Bounded<double>> all;
     for (Eigen::Index k = 0; k < x.size(); ++k) all.emplace_back(x(k), error(k));
@@ -37,11 +37,17 @@ BoundedSystem harmonic_system(const Matrix<double>& M, const Matrix<double>& C, 
     return {A, error};
 }
 
-std::vector<Complex<Bounded<double>>> harmonic_responses(const BoundedSystem& system, const std::vector<double>& forces) {
+std::vector<Complex<Bounded<double>>> harmonic_responses(const BoundedSystem& system, const std::vector<Complex<double>>& forces,
+                                                         const std::vector<double>& errors) {
     const std::size_t n = forces.size();
-    Column b = Column::Zero(static_cast<Eigen::Index>(2 * n));
-    std::ranges::copy(forces, b.begin());
-    const std::vector<Bounded<double>> X = system.solved(b);
+    Column b = Column::Zero(static_cast<Eigen::Index>(2 * n)), of_b = b;
+    for (std::size_t k = 0; k < n; ++k) {
+        const auto row = static_cast<Eigen::Index>(k), of_sine = static_cast<Eigen::Index>(n + k);
+        b(row) = forces[k].re;
+        b(of_sine) = forces[k].im;
+        if (!errors.empty()) of_b(row) = of_b(of_sine) = errors[k];
+    }
+    const std::vector<Bounded<double>> X = system.solved(b, of_b);
     std::vector<Complex<Bounded<double>>> V;
     for (std::size_t k = 0; k < n; ++k) V.push_back({X[k], X[n + k]});
     return V;
@@ -53,8 +59,8 @@ ModeSums<Bounded<double>> coupled_sums(const System<double>& system, const Bound
     const BoundedSystem motion =
         harmonic_system(M, C, stiffness_matrix(system), Matrix<double>::Zero(C.rows(), C.rows()), r);
     if (!motion.is_regular()) throw DomainError(Why::response_33_is_infinite);
-    const auto to = [&](const std::vector<double>& forces) {
-        std::vector<Complex<Bounded<double>>> V = harmonic_responses(motion, forces);
+    const auto to = [&](const std::vector<Complex<double>>& forces, const std::vector<double>& errors) {
+        std::vector<Complex<Bounded<double>>> V = harmonic_responses(motion, forces, errors);
         if (system.contact_with) {
             const auto &of_j = V[system.contact.index], &of_k = V[system.contact_with->index];
             V.push_back({of_j.re - of_k.re, of_j.im - of_k.im});
@@ -65,8 +71,11 @@ ModeSums<Bounded<double>> coupled_sums(const System<double>& system, const Bound
     s.r = r;
     s.contact = contact_row(system);
     s.load = load_row(system);
-    s.V = to(load_vector(system));
-    s.Y_jj = (s.load == s.contact ? s.V : to(contact_vector(system)))[s.contact.index];
+    s.load_im = load_rows(system).im;
+    s.V = to(complex_load(system), error_of_load(system));
+    std::vector<Complex<double>> w;
+    for (const double each : contact_vector(system)) w.push_back({each, 0});
+    s.Y_jj = (s.load == s.contact ? s.V : to(w, {}))[s.contact.index];
     for (std::size_t k = 0; k < s.V.size(); ++k) {
         const evaluation::FrictionMotion<Bounded<double>> start = friction->motion(k, Bounded<double>(0));
         s.U.push_back(-start.prime);

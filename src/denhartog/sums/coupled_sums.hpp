@@ -16,7 +16,9 @@ public:
     /// @brief Whether no pivot is rounding of the others.
     [[nodiscard]] bool is_regular() const { return is_regular_; }
     /// @brief The solution of \f$ Ax=b \f$.
-    [[nodiscard]] std::vector<Bounded<double>> solved(const Column& b) const;
+    [[nodiscard]] std::vector<Bounded<double>> solved(const Column& b) const { return solved(b, Column::Zero(b.size())); }
+    /// @brief The same with bounds of errors of b besides rounding.
+    [[nodiscard]] std::vector<Bounded<double>> solved(const Column& b, const Column& error) const;
 
 private:
     Matrix<double> A_, error_, inverse_;
@@ -28,9 +30,11 @@ private:
 [[nodiscard]] BoundedSystem harmonic_system(const Matrix<double>& M, const Matrix<double>& C, const Matrix<double>& K,
                                             const Matrix<double>& error_of_C, const Bounded<double>& r);
 
-/// @brief Complex responses of such a system to harmonic forces.
+/// @brief Complex responses of such a system to harmonic forces, which are off by no more than `errors` besides rounding; none
+/// where they are not.
 [[nodiscard]] std::vector<Complex<Bounded<double>>> harmonic_responses(const BoundedSystem& system,
-                                                                       const std::vector<double>& forces);
+                                                                       const std::vector<Complex<double>>& forces,
+                                                                       const std::vector<double>& errors);
 
 /// @brief V, U, G, Y_jj, H_j of a system whose damping couples the modes; it has no modes, and their lists are empty.
 /// @eq{33,34,35,64,65}
@@ -40,7 +44,7 @@ private:
 /// at a pole of a mode without damping. @eq{33,34,35,64,65}
 [[nodiscard]] inline ModeSums<Bounded<double>> bounded_sums(const System<double>& system,
                                                             const ModalBasis<Bounded<double>>& basis, const Bounded<double>& r) {
-    return basis.coupled() ? coupled_sums(system, r) : mode_sums(basis, contact_row(system), load_row(system), r);
+    return basis.coupled() ? coupled_sums(system, r) : mode_sums(basis, contact_row(system), load_rows(system), r);
 }
 
 } // namespace denhartog

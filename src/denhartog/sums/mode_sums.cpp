@@ -13,10 +13,11 @@ namespace denhartog {
 namespace {
 
 template <class T>
-void check_arguments(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r) {
+void check_arguments(const ModalBasis<T>& basis, Mass contact, const LoadRows& load, const T& r) {
     const auto N = static_cast<std::size_t>(basis.phi.rows());
     check_frequency_ratio(r);
-    for (const auto& [name, mass] : {std::pair("contact", contact), std::pair("load", load)}) check_mass(mass, N, name);
+    for (const auto& [name, mass] : {std::pair("contact", contact), std::pair("load", load.im.value_or(load.re))})
+        check_mass(mass, N, name);
     check_uncoupled(basis);
 }
 
@@ -30,14 +31,18 @@ void check_pole(const evaluation::ModeFunctions<T>& f, std::size_t i, const T& R
 
 // Whether a sum over modes is smaller than the rounding errors of its terms.
 template <class T>
-bool without_a_digit(const ModeSums<T>& s, const Complex<T>& sum, Mass force) {
+bool without_a_digit(const ModeSums<T>& s, const Complex<T>& sum, const LoadRows& force) {
     const auto psi_j = mode_shapes_at(s, s.contact);
-    const auto psi_force = mode_shapes_at(s, force);
     T size(0);
-    for (std::size_t i = 0; i < s.R.size(); ++i) {
-        const T factor = psi_j[i] * psi_force[i] * s.R[i] * s.R[i];
-        size += (factor < 0 ? T(-factor) : factor) * modulus(s.v[i]);
-    }
+    const auto add = [&](Mass row) {
+        const auto psi_force = mode_shapes_at(s, row);
+        for (std::size_t i = 0; i < s.R.size(); ++i) {
+            const T factor = psi_j[i] * psi_force[i] * s.R[i] * s.R[i];
+            size += (factor < 0 ? T(-factor) : factor) * modulus(s.v[i]);
+        }
+    };
+    add(force.re);
+    if (force.im) add(*force.im);
     return modulus(sum) <= static_cast<int>(s.R.size()) * std::numeric_limits<T>::epsilon() * size;
 }
 
@@ -58,23 +63,29 @@ std::vector<evaluation::ModeFunctions<T>> mode_functions_at(const ModalBasis<T>&
 
 template <class T>
 ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r) {
+    return mode_sums(basis, contact, LoadRows{load}, r);
+}
+
+template <class T>
+ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, const LoadRows& load, const T& r) {
     check_arguments(basis, contact, load, r);
     return mode_sums(basis, contact, load, r, mode_functions_at(basis, r));
 }
 
 template <class T>
-ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r,
+ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, const LoadRows& load, const T& r,
                       const std::vector<evaluation::ModeFunctions<T>>& functions) {
     check_arguments(basis, contact, load, r);
     const std::size_t N = basis.r_n.size();
     ModeSums<T> s;
     s.r = r;
     s.contact = contact;
-    s.load = load;
+    s.load = load.re;
+    s.load_im = load.im;
     s.zeta = basis.zeta;
     const auto rows = static_cast<std::size_t>(basis.phi.rows());
     // The row of a load on several masses, behind all others, is that of a displacement where it is the contact's alone.
-    const std::size_t masses = load.index < N || load == contact ? rows : load.index;
+    const std::size_t masses = load.re.index < N || load.re == contact ? rows : load.re.index;
     s.psi.reserve(rows * N);
     for (std::size_t k = 0; k < rows; ++k)
         for (std::size_t i = 0; i < N; ++i) s.psi.push_back(basis.phi(k, i) / r);
@@ -90,12 +101,15 @@ ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const
         s.g.push_back(functions[i].g);
     }
     const auto psi_j = mode_shapes_at(s, contact);
-    const auto psi_l = mode_shapes_at(s, load);
+    const auto psi_l = mode_shapes_at(s, load.re);
     const std::span<const T> R(s.R), zeta(s.zeta), u(s.u), g(s.g);
     const std::span<const Complex<T>> v(s.v);
     for (std::size_t k = 0; k < masses; ++k) {
         const auto psi_k = mode_shapes_at(s, Mass{k});
         s.V.push_back(paper::complex_response_of_mass(psi_k, psi_l, R, v));
+        if (load.im)
+            s.V.back() = paper::complex_response_to_phases(
+                s.V.back(), paper::complex_response_of_mass(psi_k, mode_shapes_at(s, *load.im), R, v));
         s.U.push_back(paper::damping_function_of_mass(psi_k, psi_j, R, u));
         s.G.push_back(paper::damping_function_of_mass(psi_k, psi_j, R, g));
     }
@@ -108,17 +122,19 @@ ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const
 
 template <class T>
 bool contact_is_unmoved(const ModeSums<T>& sums) {
-    return without_a_digit(sums, sums.V[sums.contact.index], sums.load);
+    return without_a_digit(sums, sums.V[sums.contact.index], {sums.load, sums.load_im});
 }
 
 template <class T>
 bool stuck_system_resonates(const ModeSums<T>& sums) {
-    return without_a_digit(sums, sums.Y_jj, sums.contact);
+    return without_a_digit(sums, sums.Y_jj, {sums.contact});
 }
 
 template ModeSums<double> mode_sums(const ModalBasis<double>&, Mass, Mass, const double&);
 template ModeSums<Bounded<double>> mode_sums(const ModalBasis<Bounded<double>>&, Mass, Mass, const Bounded<double>&);
-template ModeSums<Bounded<double>> mode_sums(const ModalBasis<Bounded<double>>&, Mass, Mass, const Bounded<double>&,
+template ModeSums<double> mode_sums(const ModalBasis<double>&, Mass, const LoadRows&, const double&);
+template ModeSums<Bounded<double>> mode_sums(const ModalBasis<Bounded<double>>&, Mass, const LoadRows&, const Bounded<double>&);
+template ModeSums<Bounded<double>> mode_sums(const ModalBasis<Bounded<double>>&, Mass, const LoadRows&, const Bounded<double>&,
                                              const std::vector<evaluation::ModeFunctions<Bounded<double>>>&);
 template std::vector<evaluation::ModeFunctions<Bounded<double>>> mode_functions_at(const ModalBasis<Bounded<double>>&,
                                                                                    const Bounded<double>&);

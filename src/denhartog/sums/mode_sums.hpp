@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "denhartog/evaluation/mode.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/bounded.hpp"
 #include "denhartog/number/errors.hpp"
@@ -41,6 +42,7 @@ struct ModeSums {
     T H_j;                     ///< Eq. (64)
     T sum_of_squares;          ///< sum of psi_ji^2, Eq. (65); 1 / (gamma_j r^2) where the mass matrix is diagonal
     std::shared_ptr<const CoupledFriction> coupled{}; ///< where damping couples the modes; else null
+    std::optional<Mass> load_im{};                    ///< the row of the load's imaginary part; none where forces are in phase
 };
 
 /// @brief \f$ |c_i| \f$ of a mode with \f$ \zeta_i < 1 \f$, whose brace in (40) is \f$ 1 - \mathrm{Re}\{c_ie^{\rho_i\tau}\} \f$.
@@ -65,9 +67,13 @@ void check_uncoupled(const ModalBasis<T>& basis) {
 template <class T>
 [[nodiscard]] ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r);
 
+/// @brief The same of a load that may be out of phase. @eq{22,23,28,29,33,34,35,64,65}
+template <class T>
+[[nodiscard]] ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, const LoadRows& load, const T& r);
+
 /// @brief The same sums of modes that were evaluated before: `functions` are (23), (28), (29) of every mode at r.
 template <class T>
-[[nodiscard]] ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r,
+[[nodiscard]] ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, const LoadRows& load, const T& r,
                                     const std::vector<evaluation::ModeFunctions<T>>& functions);
 
 /// @brief (23), (28), (29) of every mode; counted. DomainError where an undamped mode is at a pole.

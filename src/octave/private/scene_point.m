@@ -41,10 +41,16 @@ function point = dimensional_point(point, scene)
   point.r = omega * sqrt(m_1 / k_1);
   P = value_of(scene, 'force');
   X = value_of(scene, 'base_displacement');
-  if ~isempty(X) && strcmp(scene.base_motion, 'alone')
-    P = k_1 * X;
-  elseif ~isempty(X)
+  A = value_of(scene, 'base_acceleration');
+  together = isfield(scene, 'base_motion') && strcmp(scene.base_motion, 'with_wall');
+  if ~isempty(A) && together
+    P = m_1 * A;
+  elseif ~isempty(A)
+    P = k_1 * A / omega ^ 2;
+  elseif ~isempty(X) && together
     P = m_1 * omega ^ 2 * X;
+  elseif ~isempty(X)
+    P = k_1 * X;
   end
   if ~isempty(P)
     point.beta = value_of(scene, 'friction') / P;

@@ -14,11 +14,11 @@ from typing import Any
 
 from ._errors import Cancelled, DomainError, Error, InputError, PrecisionError
 from ._find import Found, Place, find
-from ._results import Boundary, Functions, Map, Motion, Solution, Solutions
+from ._results import Boundary, FromGround, Functions, Map, Motion, Solution, Solutions
 from ._system import System, solve_many
 
-__all__ = ["Boundary", "Cancelled", "DomainError", "Error", "Found", "Functions", "InputError", "Map", "Motion", "Place",
-           "PrecisionError", "Solution", "Solutions", "System", "find", "solve_many"]
+__all__ = ["Boundary", "Cancelled", "DomainError", "Error", "Found", "FromGround", "Functions", "InputError", "Map", "Motion",
+           "Place", "PrecisionError", "Solution", "Solutions", "System", "find", "solve_many"]
 
 
 def __getattr__(name: str) -> Any:

@@ -61,6 +61,7 @@ _FUNCTIONS = {  # by their arguments
     "ppp": "dh_map dh_solve_points",
     "pppp": "dh_system_masses",
     "pnp": "dh_system_from_json dh_solution_mass",
+    "pnppp": "dh_solution_from_ground",
     "pnpp": "dh_natural_frequency_ratios dh_natural_frequency_ratio_errors dh_solution_stops dh_solution_stop_errors",
     "pnnpp": "dh_solution_motion",
     "pddp": "dh_boundaries dh_boundary_errors",

@@ -83,6 +83,27 @@ class Functions(FunctionNumbers):
     errors: FunctionNumbers
 
 
+class FromGround(NamedTuple):
+    """Absolute displacements of the masses asked for, where base, wall or both move.
+
+    Attributes
+    ----------
+    amplitude, amplitude_error : ndarray, shape (M,)
+        Largest absolute displacement of each mass and the bound of its error, in units of P / k_1.
+    transmissibility, transmissibility_error : ndarray, shape (M,)
+        The same over the amplitude of base or wall.
+    phase, phase_error : ndarray, shape (M,)
+        Its lag behind base or wall, in (-pi, pi], and the bound of its error; NaN for a mass at rest.
+    """
+
+    amplitude: np.ndarray
+    amplitude_error: np.ndarray
+    transmissibility: np.ndarray
+    transmissibility_error: np.ndarray
+    phase: np.ndarray
+    phase_error: np.ndarray
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Solution:
     """The steady motion at one point. M is the number of masses asked for.
@@ -122,6 +143,8 @@ class Solution:
         The same of the contact: of two masses that rub against each other, of the first relative to the second.
     contact_amplitude_error, contact_phase_error : float
         Bounds of their errors.
+    from_ground : FromGround or None
+        Absolute displacements and transmissibilities, where base, wall or both move; else None.
     relative_error : float
         The largest error of all masses before rounding to double: of amplitudes relative, of phases in radians.
     proved : bool
@@ -151,6 +174,7 @@ class Solution:
     contact_phase: float
     contact_amplitude_error: float
     contact_phase_error: float
+    from_ground: Optional[FromGround]
     relative_error: float
     proved: bool
     _handle: c_void_p

@@ -368,6 +368,9 @@ def _forces(system: System, hertz: np.ndarray) -> np.ndarray:
     scene = system.scene
     if "base_displacement" in scene:
         return np.broadcast_to(system.base_force(float(scene["base_displacement"]), hz=hertz), hertz.shape)
+    if "base_acceleration" in scene:
+        force = system.base_force(hz=hertz, acceleration=float(scene["base_acceleration"]))
+        return np.broadcast_to(force, hertz.shape)
     must("force" in scene, "force", "must be given (or base_displacement in its place)", "")
     return np.full(hertz.shape, float(scene["force"]))
 

@@ -5,7 +5,7 @@ import json
 import math
 import os
 import pathlib
-from ctypes import byref, c_int, c_size_t
+from ctypes import byref, c_double, c_int, c_size_t
 from typing import Any, Mapping, Optional, Sequence, Union
 
 import numpy as np
@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from . import _batch, _library, _plots
 from ._batch import Report, like
 from ._errors import InputError
-from ._results import (REGIMES, Boundary, BoundaryNumbers, FunctionNumbers, Functions, Map, Motion, Real, Solution,
+from ._results import (REGIMES, Boundary, BoundaryNumbers, FromGround, FunctionNumbers, Functions, Map, Motion, Real, Solution,
                        Solutions)
 
 
@@ -56,8 +56,10 @@ class System:
         The mass that rubs against a wall, or two masses that rub against each other.
     load : int or array_like, shape (N,)
         The mass that bears the force P cos(omega t), or the force on each mass in units of P.
-    base_motion : {"with_wall", "alone"}
-        A moving base in place of `load`: base and wall move together, or the base alone.
+    load_phases : array_like, shape (N,)
+        By how much each force of such a list leads, in radians: p_k cos(omega t + theta_k) on mass k.
+    base_motion : {"with_wall", "alone", "wall"}
+        A moving base or wall in place of `load`: base and wall move together, or the base alone, or the wall alone.
     mu : float
         Static over kinetic friction, Eq. (3), at least 1.
 
@@ -76,7 +78,8 @@ class System:
                  mass_ratios: Optional[ArrayLike] = None, stiffness_ratios: Optional[ArrayLike] = None,
                  damping_ratios: Optional[ArrayLike] = None, damping_matrix: Optional[ArrayLike] = None,
                  damping_tolerance: Optional[float] = None, contact: Union[int, Sequence[int], None] = None,
-                 load: Union[int, ArrayLike, None] = None, base_motion: Optional[str] = None, mu: float = 1.0) -> None:
+                 load: Union[int, ArrayLike, None] = None, load_phases: Optional[ArrayLike] = None,
+                 base_motion: Optional[str] = None, mu: float = 1.0) -> None:
         scene = {key: plain(key, value) for key, value in locals().items() if key != "self" and value is not None}
         for ratios, matrix in (("mass_ratios", "mass_matrix"), ("stiffness_ratios", "stiffness_matrix")):
             value = scene.get(ratios)
@@ -230,6 +233,15 @@ class System:
         kinds = ("amplitude", "amplitude_error", "phase", "phase_error")
         of_masses = np.array([numbers("dh_solution_mass", int(k)) for k in masses]).T.copy()
         of_contact = {f"contact_{kind}": number for kind, number in zip(kinds, numbers("dh_solution_contact"))}
+        from_ground = None
+        if "base_motion" in self._scene:
+            seen = []
+            for k in masses:
+                of, T, T_error = _library.Mass(), c_double(), c_double()
+                _library.call("dh_solution_from_ground", handle, int(k), byref(of), byref(T), byref(T_error))
+                seen.append([of.amplitude, of.error, T.value, T_error.value,
+                             *((of.phase, of.phase_error) if of.moves else (math.nan, math.nan))])
+            from_ground = FromGround(*np.array(seen).T.copy())
         stops = np.empty((2, 2, found.stops))
         for name, (start, end) in zip(("dh_solution_stops", "dh_solution_stop_errors"), stops):
             _library.call(name, handle, found.stops, start.ctypes, end.ctypes)
@@ -239,7 +251,7 @@ class System:
         return Solution(
             r=r, beta=beta, mu=mu, regime=REGIMES[found.regime], periods=found.periods, stops=stops, stop_errors=stop_errors,
             rest_interval=rest_interval, rest_error=found.rest_error, masses=masses.astype(int),
-            relative_error=found.relative_error, proved=bool(is_proved), from_rest=bool(from_rest), _handle=handle, _N=self.N, **whether, **of_contact,
+            from_ground=from_ground, relative_error=found.relative_error, proved=bool(is_proved), from_rest=bool(from_rest), _handle=handle, _N=self.N, **whether, **of_contact,
             **dict(zip(kinds, of_masses)))
 
     def _static(self, mu: Optional[float]) -> float:
@@ -404,24 +416,36 @@ class System:
         """P / k_1, by which displacements have to be multiplied, for an amplitude P of the load. Of a dimensional system only."""
         return like(_batch.numbers("force", force) / self.k_1)
 
-    def base_force(self, displacement: ArrayLike, omega: Optional[ArrayLike] = None, *, hz: Optional[ArrayLike] = None) -> Real:
-        """The force P that a moving base stands for: m_1 omega^2 X where the wall moves with it, k_1 X where it moves alone.
+    def base_force(self, displacement: Optional[ArrayLike] = None, omega: Optional[ArrayLike] = None, *,
+                   hz: Optional[ArrayLike] = None, acceleration: Optional[ArrayLike] = None) -> Real:
+        """The force P that a moving base or wall stands for: m_1 omega^2 X if they move together, k_1 X if one moves alone.
 
         Parameters
         ----------
         displacement : array_like
-            Amplitude X of the base.
+            Amplitude X of what moves; or
+        acceleration : array_like
+            that of its acceleration, omega^2 X.
         omega, hz : array_like
-            Frequency as of `frequency_ratio`; not needed where the base moves alone.
+            Frequency as of `frequency_ratio`; needed for a displacement of both, and for an acceleration of one alone.
         """
-        X = _batch.numbers("displacement", displacement)
+        if (displacement is None) == (acceleration is None):
+            raise InputError.of("displacement", "must be given, or acceleration in its place",
+                                "" if displacement is None else "given with acceleration")
         base = self._scene.get("base_motion")
         if base is None:
             raise InputError.of("base_motion", "must be given for a base to have a force", "")
-        if base == "alone":
-            return like(self.k_1 * X)
+        unit = self.m_1 if base == "with_wall" else self.k_1
+        if acceleration is not None and base == "with_wall":
+            return like(unit * _batch.numbers("acceleration", acceleration))
+        if acceleration is not None:
+            circular = self._circular(omega, hz)
+            return like(unit * (_batch.numbers("acceleration", acceleration) / (circular * circular)))
+        X = _batch.numbers("displacement", displacement)
+        if base != "with_wall":
+            return like(unit * X)
         circular = self._circular(omega, hz)
-        return like(self.m_1 * circular * circular * X)
+        return like(unit * circular * circular * X)
 
     plot_response = _plots.response
     plot_regimes = _plots.regimes

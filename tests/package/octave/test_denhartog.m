@@ -139,6 +139,15 @@ same_as_program(setfield(setfield(absolute, 'damping_ratios', 0), 'frequency', 1
 pushed = setfield(setfield(rmfield(frame, {'base_motion', 'base_displacement'}), 'load', [0, 0, 1]), 'force', 8);
 same_as_program(setfield(pushed, 'masses', diag([12, 11.5, 9.8])));
 same_as_program(setfield(rmfield(frame, 'damping_ratios'), 'damping_matrix', [40, 0, 0; 0, 65, -65; 0, -65, 65]));
+same_as_program(setfield(absolute, 'frequency', 16));
+wall = setfield(rmfield(setfield(absolute, 'base_motion', 'wall'), 'base_displacement'), 'base_acceleration', 0.5);
+same_as_program(setfield(setfield(wall, 'contact', 2), 'frequency', 16));
+same_as_program(setfield(rmfield(setfield(frame, 'base_acceleration', 0.5), 'base_displacement'), 'friction', 1));
+seen = denhartog_solve(frame);
+assert(seen.transmissibility, seen.absolute_amplitude * seen.r ^ 2, 1e-9);
+assert(numel(seen.absolute_phase), 3);
+assert(! isfield(denhartog_solve(chain), 'transmissibility'));
+same_as_program(setfield(setfield(chain, 'load', [1, 0.5, 0.25]), 'load_phases', [0, 1.25, -2]));
 printf("a dimensional scene has the program's numbers in its own units, under a force and on a base that moves\n");
 
 assert(denhartog_json(struct('beta', 0.1 + 0.2)), '{"beta":0.30000000000000004}');

@@ -23,7 +23,7 @@ from denhartog import System
 PROGRAM = os.environ["DENHARTOG_PROGRAM"]
 SOURCE = pathlib.Path(os.environ["DENHARTOG_SOURCE"]).resolve()
 DOCS = SOURCE / "docs"
-NAMES = ("example", "example_dimensional", "example_dashpots", "example_stick_slip")
+NAMES = ("example", "example_dimensional", "example_dashpots", "example_stick_slip", "example_quarter_car", "example_isolator")
 CHAIN = dict(mass_ratios=[1, 2.5, 0.75], stiffness_ratios=[1, 0.625, 1.875], damping_ratios=[0.03, 0.06, 0.09], contact=2, load=1)
 
 
@@ -158,6 +158,38 @@ class AgainstTheProgram(unittest.TestCase):
         found = system.solve(r, beta).amplitude * system.displacement_unit(force)
         np.testing.assert_allclose(found, [m["amplitude"] for m in own["masses"]], rtol=1e-12)
         np.testing.assert_allclose(system.natural_frequencies, system.natural_frequency_ratios * np.sqrt(18500 / 12), rtol=1e-15)
+
+
+    def test_absolute_displacements_are_those_of_the_program(self):
+        for name in ("example_dimensional", "example_quarter_car", "example_isolator"):
+            with self.subTest(name):
+                true = json.loads(told("solve", "--json", scene_file(name)))
+                system = System.from_scene(scene_file(name))
+                found = system.solve(true["r"], true["beta"]).from_ground
+                for key in ("amplitude", "transmissibility", "phase"):
+                    expected = [m[key] for m in true["from_ground"]["masses"]]
+                    np.testing.assert_allclose(getattr(found, key), expected, rtol=1e-9, atol=1e-9)
+                    self.assertTrue((getattr(found, f"{key}_error") >= 0).all())
+        self.assertIsNone(System(**CHAIN).solve(1.125, 0.1).from_ground)
+        system = System.from_scene(scene_file("example_isolator"))
+        force = json.loads(told("solve", "--json", scene_file("example_isolator")))["dimensional"]["force"]
+        self.assertAlmostEqual(system.base_force(acceleration=0.5) / force, 1, delta=1e-15)
+        car = System.from_scene(scene_file("example_quarter_car"))
+        self.assertAlmostEqual(car.base_force(acceleration=0.5, omega=10) / car.base_force(0.005), 1, delta=1e-15)
+        with self.assertRaisesRegex(denhartog.InputError, "displacement must be given, or acceleration"):
+            car.base_force()
+
+    def test_forces_may_be_out_of_phase(self):
+        load = {**CHAIN, "load": [1, 0.5, 0.25], "load_phases": [0, 1.25, -2]}
+        with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
+            json.dump({**load, "r": 1.125, "beta": 0.05}, file)
+            file.flush()
+            true = json.loads(told("solve", "--json", file.name))
+        found = System(**load).solve(1.125, 0.05)
+        np.testing.assert_allclose(found.amplitude, [m["amplitude"] for m in true["masses"]], rtol=1e-12)
+        np.testing.assert_allclose(found.phase, [m["phase"] for m in true["masses"]], rtol=0, atol=1e-12)
+        with self.assertRaisesRegex(denhartog.InputError, "load_phases must have as many values"):
+            System(**{**load, "load_phases": [0, 1]})
 
 
 class InPython(unittest.TestCase):

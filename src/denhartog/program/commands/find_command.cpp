@@ -37,7 +37,7 @@ Json found_json(const FoundPlaces& found, const FindOptions& options, const Vari
                 {"complete", "not known"},
                 {"complete_because", whole},
                 {"unanswered", found.unanswered}};
-    if (!found.why.empty()) answer["unanswered_because"] = found.why;
+    if (!found.why.empty()) answer["unanswered_because"] = in_words(found.why);
     answer["questions"] = found.questions;
     return answer;
 }

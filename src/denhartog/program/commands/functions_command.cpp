@@ -40,7 +40,7 @@ Json functions_json(const SceneSource& source) {
     const auto basis = certain_modes(source, modes_in_double(source).basis);
     std::optional<ModeSums<Bounded<double>>> s; // none where damping couples the modes
     if (!basis->couples)
-        s = mode_sums(*basis, contact_row(scene.system), load_row(scene.system), as_input(*scene.r),
+        s = mode_sums(*basis, contact_row(scene.system), load_rows(scene.system), as_input(*scene.r),
                       certain_mode_functions(source, basis));
     const Quantities<Bounded<double>> q = quantities(source, {}, digits_of_sums, PointNumbers::sums).numbers;
     Json all{{"modes", Json::array()}, {"masses", Json::array()}};

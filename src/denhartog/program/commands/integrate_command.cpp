@@ -84,7 +84,7 @@ Json motion_json(const PaperMotion& m, const Scene<double>& scene, const Integra
             for (const Stop& stop : m.stops)
                 all["stops"].push_back({{"start", write(stop.start)}, {"end", write(stop.end)}, {"x", write(stop.x)}});
         }
-        if (scene.base_moves) all["relative_to"] = "base and wall";
+        if (const char* frame = frame_of(scene.system)) all["relative_to"] = frame;
         if (scene.units && scene.units->force) all["dimensional"] = dimensional_json(m, scene);
     }
     Json counters = Json::object();

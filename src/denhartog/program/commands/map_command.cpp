@@ -27,6 +27,7 @@ struct MapOptions : SceneOptions {
     std::vector<long> masses;
     std::string start = "rest";
     bool boundaries = false;
+    bool from_ground = false;
     unsigned threads = 0;
 };
 
@@ -123,6 +124,7 @@ void answer(const MapOptions& options, ExitStatus& status) {
     request.masses = grid.masses;
     request.start = options.start == "sliding" ? MapStart::sliding : MapStart::rest;
     request.effort = allowed_operations(options.effort);
+    request.from_ground = options.from_ground;
     request.threads = options.threads != 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
     if (!options.output.empty()) check_writable(options.output);
     const Interruptible interruptible(stop);
@@ -159,6 +161,8 @@ void add_map_command(CLI::App& app, ExitStatus& status) {
     command->add_option("--start", options->start, "which motion, where there is more than one")
         ->check(CLI::IsMember({"rest", "sliding"}))
         ->capture_default_str();
+    command->add_flag("--from-ground", options->from_ground,
+                      "amplitudes of absolute displacements, for a scene whose base or wall moves");
     command->add_flag("--boundaries", options->boundaries, "the four boundaries over r, without a grid of beta");
     command->add_option("--output", options->output,
                         "file to write, .csv or .npy; it appears when it is complete. Default: CSV on standard output");
@@ -179,7 +183,8 @@ void add_map_command(CLI::App& app, ExitStatus& status) {
         "start from rest at every point, as solve does; sliding takes the sliding motion as far as it exists and from there\n"
         "the motion that is reached as beta rises. With mu = 1 both take the motion from the boundaries.\n"
         "With --frequency-hz and --friction the map is in the units of the scene: columns frequency_hz and friction in place of\n"
-        "r and beta, amplitudes and boundaries as lengths and forces; the scene needs its force, or base_displacement.\n"
+        "r and beta, amplitudes and boundaries as lengths and forces; the scene needs its force, base_displacement\n"
+        "or base_acceleration.\n"
         "--boundaries: r, exact, paper, approximate, sticking as `boundary` has them, status; sticking is nan if no\n"
         "friction holds the contact. An interruption leaves no file; the exit status is then 128 plus the signal.");
     command->callback([options, &status] { off_poles([&] { answer(*options, status); }); });

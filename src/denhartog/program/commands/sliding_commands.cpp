@@ -37,10 +37,10 @@ std::string respond(const SceneText& part, const SceneOptions& options) {
     const Solution found = off_poles([&] { return sliding_answer(source, options.digits, options.proved); });
     Json answer = response_json(found, NumberWriter{options.digits});
     add_damping(answer, source);
-    add_dimensional(answer, source, found);
+    add_dimensional(answer, source, found, NumberWriter{options.digits});
     add_place_of_rest(answer, source);
     return options.json ? answer.dump() + "\n"
-                        : response_table(answer) + place_of_rest_lines(answer) + dimensional_table(answer);
+                        : response_table(answer) + place_of_rest_lines(answer) + from_ground_table(answer) + dimensional_table(answer);
 }
 
 std::string boundary_table(const Json& a) {
@@ -106,7 +106,7 @@ std::string bound(const SceneText& part, const BoundaryOptions& options) {
     const NumberWriter write{options.digits};
     const Solution found = off_poles([&] { return sliding_answer(source, options.digits, options.proved); });
     Json answer = boundary_json(found, write);
-    add_dimensional(answer, source, found);
+    add_dimensional(answer, source, found, write);
     if (!options.range.empty())
         answer["invariant_points"] =
             invariant_points_json(invariant_points(source, range_from(options.range), options.digits), write);

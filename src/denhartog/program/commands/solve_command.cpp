@@ -84,12 +84,12 @@ std::string solved(const SceneText& part, const SolveOptions& options) {
                           motion_units(source->in_double(), options.units));
     Json answer = solution_json(solution, NumberWriter{options.digits});
     add_damping(answer, source);
-    add_dimensional(answer, source, solution);
+    add_dimensional(answer, source, solution, NumberWriter{options.digits});
     add_place_of_rest(answer, source);
     if (options.condition) add_condition(answer, part, options);
     if (options.json) return answer.dump() + "\n";
     const std::string damping = damping_line(answer);
-    return solution_table(answer) + damping + (damping.empty() ? "" : "\n") + place_of_rest_lines(answer) +
+    return solution_table(answer) + damping + (damping.empty() ? "" : "\n") + place_of_rest_lines(answer) + from_ground_table(answer) +
            dimensional_table(answer) + condition_table(answer);
 }
 
@@ -130,6 +130,8 @@ void add_solve_command(CLI::App& app, ExitStatus& status) {
         "dimensional: the same in the units of a scene that was given by masses and stiffnesses; times from the maximum of the\n"
         "force.\n"
         "place_of_rest: where a constant load of the scene holds the masses; displacements count from there.\n"
+        "from_ground: if base, wall or both move, the absolute displacement of each mass, its transmissibility, which is that\n"
+        "over base_amplitude, and its phase behind them.\n"
         "damping: for a damping matrix that couples the modes, whether the coupling was included, and how large it is.\n"
         "condition (--condition): an estimate for each mass by each number of the scene that is not zero, null if it is not "
         "known\n"

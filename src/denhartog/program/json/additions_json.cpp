@@ -11,7 +11,8 @@
 namespace denhartog::program {
 namespace {
 
-Json dimensional_json(const Solution& s, const Units& units) {
+// `relative`: whether displacements are relative to what moves.
+Json dimensional_json(const Solution& s, const Units& units, bool relative) {
     const NumberWriter write;
     const double omega = angular_frequency(units, s.r.value);
     const std::optional<double> beta = s.beta ? std::optional(s.beta->value) : std::nullopt;
@@ -34,6 +35,10 @@ Json dimensional_json(const Solution& s, const Units& units) {
         Json mass{{"mass", s.only ? s.only->index + 1 : k + 1}};
         mass.update(displacement(s.masses[k]));
         all["masses"].push_back(mass);
+    }
+    for (std::size_t k = 0; k < s.from_ground.size() && relative; ++k) {
+        const Certified& X = s.from_ground[k].amplitude;
+        all["masses"][k].update({{"absolute_amplitude", write(length * X.value)}, {"absolute_error_bound", bound(length, X)}});
     }
     if (s.between) {
         all["contact"] = {{"between", {s.contact.index + 1, s.contact_with.value().index + 1}}};
@@ -113,15 +118,39 @@ std::string place_of_rest_lines(const Json& answer) {
            aligned({"mass", "at", "error bound"}, answer.at("place_of_rest"), {"mass", "x", "error_bound"}) + "\n";
 }
 
-void add_dimensional(Json& answer, const SceneSource& source, const Solution& solution) {
-    if (source->in_double().base_moves) answer["relative_to"] = "base and wall";
-    if (const std::optional<Units> units = source->in_double().units) answer["dimensional"] = dimensional_json(solution, *units);
+void add_dimensional(Json& answer, const SceneSource& source, const Solution& solution, const NumberWriter& write) {
+    if (!solution.from_ground.empty()) {
+        Json& all = answer["from_ground"] = {{"base_amplitude", write(*solution.base_amplitude)}, {"masses", Json::array()}};
+        for (const MassFromGround& m : solution.from_ground) {
+            Json mass{{"mass", all.at("masses").size() + 1}, {"amplitude", write(m.amplitude)}, {"transmissibility", write(m.transmissibility)}};
+            if (m.phase) mass["phase"] = write(*m.phase);
+            mass["error_bound"] = write.bound(m.amplitude.error);
+            mass["transmissibility_error_bound"] = write.bound(m.transmissibility.error);
+            if (m.phase) mass["phase_error_bound"] = write.bound(m.phase->error);
+            all["masses"].push_back(std::move(mass));
+        }
+    }
+    const char* frame = frame_of(source->in_double().system);
+    if (frame != nullptr) answer["relative_to"] = frame;
+    if (const std::optional<Units> units = source->in_double().units)
+        answer["dimensional"] = dimensional_json(solution, *units, frame != nullptr);
 }
 
 std::string units_in_words(const Json& answer) {
     return std::string("; displacements in units of P / k_1") +
            (answer.contains("relative_to") ? ", relative to " + cell(answer, "relative_to") : "") +
            ", phases in radians behind the force\n";
+}
+
+std::string from_ground_table(const Json& answer) {
+    if (!answer.contains("from_ground")) return "";
+    const Json& seen = answer.at("from_ground");
+    const std::string frame = answer.contains("relative_to") ? cell(answer, "relative_to") : "base";
+    return "seen from the ground, where " + (frame == "base and wall" ? frame + " move" : "the " + frame + " moves") + " by " +
+           cell(seen, "base_amplitude") + ":\n" +
+           aligned({"mass", "amplitude", "transmissibility", "phase", "error bound", "of the phase"}, seen.at("masses"),
+                   {"mass", "amplitude", "transmissibility", "phase", "error_bound", "phase_error_bound"}) +
+           "\n";
 }
 
 std::string dimensional_table(const Json& answer) {
@@ -142,6 +171,10 @@ std::string dimensional_table(const Json& answer) {
         for (const Json& m : a.at("masses"))
             rows.push_back({"mass " + in_table(m.at("mass")), cell(m, "amplitude"),
                             m.contains("error_bound") ? "+- " + cell(m, "error_bound") : ""});
+    if (a.contains("masses") && a.at("masses").front().contains("absolute_amplitude"))
+        for (const Json& m : a.at("masses"))
+            rows.push_back({"mass " + in_table(m.at("mass")) + ", absolute", cell(m, "absolute_amplitude"),
+                            "+- " + cell(m, "absolute_error_bound")});
     if (a.contains("contact"))
         rows.push_back({contact_in_words({{"between", a.at("contact").at("between")}}), cell(a.at("contact"), "amplitude"),
                         "+- " + cell(a.at("contact"), "error_bound")});

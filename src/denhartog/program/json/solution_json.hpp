@@ -8,6 +8,12 @@
 
 namespace denhartog::program {
 
+/// @brief What displacements are relative to; null where they are absolute.
+[[nodiscard]] inline const char* frame_of(const System<double>& system) {
+    if (system.base_motion == BaseMotion::with_wall) return "base and wall";
+    return system.base_motion == BaseMotion::wall ? "wall" : nullptr;
+}
+
 // An answer to `response`, with beta: regime, boundary, method and, in the sliding regime, every mass.
 [[nodiscard]] Json response_json(const Solution& solution, const NumberWriter& write);
 
@@ -42,8 +48,10 @@ void add_place_of_rest(Json& answer, const SceneSource& source);
 
 // Adds `dimensional` to the answer to a scene in physical units: frequencies, forces, displacements and times in these units, in
 // double. Without its force no displacement and no force is known. And the same as lines, empty where there is none. Where base and
-// wall move, adds what displacements are relative to.
-void add_dimensional(Json& answer, const SceneSource& source, const Solution& solution);
+// wall move, adds what displacements are relative to and, where all masses were asked about, `from_ground`: their absolute
+// displacements with the transmissibility of each; and that as lines.
+void add_dimensional(Json& answer, const SceneSource& source, const Solution& solution, const NumberWriter& write);
+[[nodiscard]] std::string from_ground_table(const Json& answer);
 [[nodiscard]] std::string dimensional_table(const Json& answer);
 
 } // namespace denhartog::program

@@ -1,0 +1,21 @@
+/// @file
+/// @brief Random scenes whose forces are out of phase.
+#pragma once
+
+#include "tests/support/sample_scenes.hpp"
+
+namespace denhartog {
+
+/// @brief Those of `random_vector_scenes`, each with a force on two masses or more, if it has as many, and a phase for each force:
+/// 534 in all. Phases are multiples of 1/8 from -4 to 4.
+/// @param seed  any number; the same seed gives the same scenes
+/// @return      the scenes, by ascending N
+[[nodiscard]] std::vector<RandomScene<double>> random_phased_scenes(std::uint64_t seed);
+
+/// @brief Those of `random_scenes` on a base that moves alone, or with the wall, or with a wall that moves alone, one in three each;
+/// the contact of one in four of the first two is between two masses. A single mass without damping is left out.
+/// @param seed  any number; the same seed gives the same scenes
+/// @return      the scenes, by ascending N
+[[nodiscard]] std::vector<RandomScene<double>> random_base_scenes(std::uint64_t seed);
+
+} // namespace denhartog
