@@ -34,8 +34,10 @@ void check(const ContactProblem& p) {
     };
     index("contact", p.contact);
     if (p.load_vector.empty()) index("load", p.load);
-    if (!p.load_phases.empty() && (p.load_phases.size() != static_cast<std::size_t>(N) || p.load_vector.size() != p.load_phases.size()))
-        throw InputError("load_phases", "must have one value for each mass, beside as many forces", std::to_string(p.load_phases.size()));
+    if (!p.load_phases.empty() &&
+        (p.load_phases.size() != static_cast<std::size_t>(N) || p.load_vector.size() != p.load_phases.size()))
+        throw InputError("load_phases", "must have one value for each mass, beside as many forces",
+                         std::to_string(p.load_phases.size()));
     if (p.contact_with) index("contact", *p.contact_with);
     if (!(p.mu >= 1) || !std::isfinite(p.mu)) throw InputError("mu", "must be finite and at least 1", number_to_text(p.mu));
     if (!(p.beta >= 0) || !std::isfinite(p.beta))

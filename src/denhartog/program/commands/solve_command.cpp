@@ -61,7 +61,8 @@ std::string solved(const SceneText& part, const SolveOptions& options) {
     add_dimensional(answer, source, solution, NumberWriter{options.digits});
     if (options.json) return answer.dump() + "\n";
     const std::string damping = damping_line(answer);
-    return solution_table(answer) + damping + (damping.empty() ? "" : "\n") + from_ground_table(answer) + dimensional_table(answer);
+    return solution_table(answer) + damping + (damping.empty() ? "" : "\n") + from_ground_table(answer) +
+           dimensional_table(answer);
 }
 
 } // namespace
