@@ -99,9 +99,9 @@ Values responses_to_phases(int N) {
     for (int k = 0; k < N; ++k) {
         Values psi_k;
         for (int i = 0; i < N; ++i) psi_k.push_back(Symbolic(s.Psi(k, i)));
-        const Complex<Symbolic> V = paper::complex_response_to_phases(
-            paper::complex_response_of_mass<Symbolic>(psi_k, of_p, R, v),
-            paper::complex_response_of_mass<Symbolic>(psi_k, of_q, R, v));
+        const Complex<Symbolic> V =
+            paper::complex_response_to_phases(paper::complex_response_of_mass<Symbolic>(psi_k, of_p, R, v),
+                                              paper::complex_response_of_mass<Symbolic>(psi_k, of_q, R, v));
         all.push_back(V.re);
         all.push_back(V.im);
     }
@@ -113,7 +113,8 @@ std::vector<ex> derived_responses_to_phases(int N) {
     from_premise();
     const SymbolicSystem& s = symbolic_system(N);
     const matrix across = s.Psi.transpose();
-    const matrix inertia = across.mul(s.M).mul(s.Psi), damping = across.mul(s.C).mul(s.Psi), stiffness = across.mul(s.K).mul(s.Psi);
+    const matrix inertia = across.mul(s.M).mul(s.Psi), damping = across.mul(s.C).mul(s.Psi),
+                 stiffness = across.mul(s.K).mul(s.Psi);
     const matrix p = across.mul(load_direction(N)), q = across.mul(leading_direction(N));
     std::vector<ex> a, b;
     for (int i = 0; i < N; ++i) { // (16) to (18): each mode by itself

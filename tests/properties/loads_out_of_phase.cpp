@@ -28,8 +28,8 @@ int compare_with_events(const std::vector<RandomScene<double>>& scenes, std::siz
         try {
             const Limits limits = boundary(scene);
             if (N > 4 || !limits.sticking || limits.sticking->value < 1.05 * limits.exact.value) continue;
-            scene.beta = friction_ratio_at(1, limits.exact.value + scenes[n].fraction_of_limit *
-                                                                       (limits.sticking->value - limits.exact.value));
+            scene.beta = friction_ratio_at(1, limits.exact.value +
+                                                  scenes[n].fraction_of_limit * (limits.sticking->value - limits.exact.value));
             s = solve(scene, {Asked::motion, 12});
         } catch (const PrecisionError&) {
             continue;
@@ -47,7 +47,8 @@ int compare_with_events(const std::vector<RandomScene<double>>& scenes, std::siz
         for (Eigen::Index k = 0; k < x.size(); ++k) {
             INFO("mass " << k + 1);
             CHECK(std::abs(as_double(followed.x(k) - x(k))) < 1e-10 * size);
-            CHECK(std::abs(as_double(followed.amplitude(k)) - s.masses[static_cast<std::size_t>(k)].amplitude.value) < 1e-10 * size);
+            CHECK(std::abs(as_double(followed.amplitude(k)) - s.masses[static_cast<std::size_t>(k)].amplitude.value) <
+                  1e-10 * size);
         }
         int within = 0; // a rest that goes on where the period ends is none that ends within it
         for (const auto& stop : s.stops) within += stop.end.value < 2 * pi<double>() * s.periods;
@@ -97,7 +98,8 @@ int compare_stuck(const std::vector<RandomScene<double>>& scenes, std::size_t ev
             const Real50 expected = sqrt(Real50(X(k) * X(k) + X(m + k) * X(m + k)));
             CHECK(std::abs(mass.amplitude.value - as_double(expected)) <= 1e-12 * size + mass.amplitude.error + 1e-30);
             if (mass.phase && as_double(expected) > 1e-6 * size)
-                CHECK(std::abs(std::remainder(mass.phase->value + std::atan2(as_double(X(m + k)), as_double(X(k))), 2 * pi<double>())) < 1e-9);
+                CHECK(std::abs(std::remainder(mass.phase->value + std::atan2(as_double(X(m + k)), as_double(X(k))),
+                                              2 * pi<double>())) < 1e-9);
         }
         const Real50 load = sqrt(Real50(X(N) * X(N) + X(m + N) * X(m + N)));
         CHECK(limits.sticking->value == Approx(as_double(load) / scene.mu).epsilon(1e-11));
@@ -152,7 +154,8 @@ TEST_CASE("forces that all lead by one angle are forces in phase, that much earl
             INFO(damping << " " << beta);
             const std::string rest = std::string(R"(, "beta": )") + beta + "}";
             const Solution a = solve(scene(phased_chain + damping + R"(, "load": [1, 0.5, 0.25])" + rest)),
-                           b = solve(scene(phased_chain + damping + R"(, "load": [1, 0.5, 0.25], "load_phases": [0.75, 0.75, 0.75])" + rest));
+                           b = solve(scene(phased_chain + damping +
+                                           R"(, "load": [1, 0.5, 0.25], "load_phases": [0.75, 0.75, 0.75])" + rest));
             CHECK(a.regime.regime == b.regime.regime);
             CHECK(a.stops.size() == b.stops.size());
             for (std::size_t k = 0; k < 3; ++k) {

@@ -21,7 +21,8 @@ Absolute absolute_of(const HalfPeriodMotion<Real50>& w, Eigen::Index k, double b
     const double h = pi<double>() / static_cast<double>(steps), phi = static_cast<double>(w.phi_j);
     const auto at = [&](Eigen::Index n) {
         const double tau = h * static_cast<double>(n) + phi;
-        return std::pair{static_cast<double>(w.x(k, n)) + b * std::cos(tau), static_cast<double>(w.x_prime(k, n)) - b * std::sin(tau)};
+        return std::pair{static_cast<double>(w.x(k, n)) + b * std::cos(tau),
+                         static_cast<double>(w.x_prime(k, n)) - b * std::sin(tau)};
     };
     Absolute largest{0, 0};
     const auto take = [&](double x, double tau) {
@@ -68,7 +69,8 @@ int compare_from_ground(const std::vector<RandomScene<double>>& scenes, std::siz
             INFO("mass " << k + 1);
             const Absolute expected = absolute_of(witness, static_cast<Eigen::Index>(k), b);
             const MassFromGround& seen = s.from_ground[k];
-            CHECK(std::abs(seen.amplitude.value - expected.amplitude) <= 1e-7 * (expected.amplitude + b) + seen.amplitude.error); // of the cubic
+            CHECK(std::abs(seen.amplitude.value - expected.amplitude) <=
+                  1e-7 * (expected.amplitude + b) + seen.amplitude.error); // of the cubic
             CHECK(seen.transmissibility.value == Approx(seen.amplitude.value / base).epsilon(1e-12));
             if (seen.phase && expected.amplitude > 1e-3 * b)
                 CHECK(std::abs(std::remainder(seen.phase->value - expected.phase, 2 * pi<double>())) < 1e-4 + seen.phase->error);
@@ -110,7 +112,8 @@ std::array<double, 2> integrated(const std::array<double, 2>& m, const std::arra
 
 } // namespace
 
-TEST_CASE("the closed form on moving bases and walls agrees with the second witness to 12 digits", "[eq:33][eq:38][base][witness]") {
+TEST_CASE("the closed form on moving bases and walls agrees with the second witness to 12 digits",
+          "[eq:33][eq:38][base][witness]") {
     check_by_witness<double>(random_base_scenes(seed_of_bases), 18, 12, 20);
 }
 
@@ -136,7 +139,8 @@ TEST_CASE("stick-slip on moving bases and walls is the paper's algorithm's", "[e
 TEST_CASE("a base, a wall and both that move are what an integration in absolute displacements gives", "[base]") {
     const std::array<double, 2> m{2, 3}, k{800, 500}, c{6, 9};
     constexpr double omega = 17, X = 0.01;
-    const std::string system = R"({"masses": [2, 3], "stiffnesses": [800, 500], "damping_matrix": [[15, -9], [-9, 9]], "contact": 2,
+    const std::string system =
+        R"({"masses": [2, 3], "stiffnesses": [800, 500], "damping_matrix": [[15, -9], [-9, 9]], "contact": 2,
         "frequency": 17, "base_displacement": 0.01, "base_motion": )";
     for (const auto& [name, base, wall] : {std::tuple{"with_wall", X, X}, {"alone", X, 0.0}, {"wall", 0.0, X}})
         for (const double friction : {0.4, 1.5}) {
@@ -158,7 +162,8 @@ TEST_CASE("absolute displacements in double lie within their bounds of those tha
         for (const char* beta : {"0.05", "0.5", "6"}) {
             INFO(base << " " << beta);
             const Scene<double> at = scene(
-                std::string(R"({"mass_ratios": [1, 2, 1.5], "stiffness_ratios": [1, 0.75, 1.25], "damping_ratios": [0.05, 0.04, 0.06],
+                std::string(
+                    R"({"mass_ratios": [1, 2, 1.5], "stiffness_ratios": [1, 0.75, 1.25], "damping_ratios": [0.05, 0.04, 0.06],
                     "contact": 2, "r": 0.75, "base_motion": ")") +
                 base + R"(", "beta": )" + beta + "}");
             const Solution fast = solve(at), proved = solve(at, {Asked::motion, 17});
@@ -181,14 +186,16 @@ TEST_CASE("a map over r has at each the load of the base there", "[base]") {
     for (const char* base : {"alone", "wall"}) {
         const Scene<double> at = scene(
             std::string(R"({"mass_ratios": [1, 2, 1.5], "stiffness_ratios": [1, 0.75, 1.25], "damping_ratios": [0.05, 0.04, 0.06],
-                "contact": 2, "r": 0.75, "beta": 0.1, "base_motion": ")") + base + "\"}");
+                "contact": 2, "r": 0.75, "beta": 0.1, "base_motion": ")") +
+            base + "\"}");
         INFO(base);
         CHECK(check_map_by_solve(at, {0.5, 0.75, 1.5}, {0.0625, 0.5, 4}) > 0);
     }
 }
 
 TEST_CASE("a map of absolute amplitudes has those of solve", "[base]") {
-    Scene<double> at = scene(R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 0.75], "damping_ratios": [0.05, 0.04], "contact": 2,
+    Scene<double> at =
+        scene(R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 0.75], "damping_ratios": [0.05, 0.04], "contact": 2,
         "r": 0.75, "beta": 0.1, "base_motion": "wall"})");
     MapRequest request;
     request.r = {0.5, 1.5};
@@ -208,13 +215,15 @@ TEST_CASE("a map of absolute amplitudes has those of solve", "[base]") {
                 CHECK(all.amplitudes[(m * 3 + n) * 2 + k] == s.from_ground[request.masses[k].index].amplitude.value);
         }
     at.system.base_motion = BaseMotion::none;
-    CHECK_THROWS_WITH(regime_map(at, request, stop), Catch::Matchers::Contains("base_motion must be given for absolute amplitudes"));
+    CHECK_THROWS_WITH(regime_map(at, request, stop),
+                      Catch::Matchers::Contains("base_motion must be given for absolute amplitudes"));
 }
 
 TEST_CASE("a wall that nothing rubs against, and one that loads nothing, are refused", "[base][bad-input]") {
-    CHECK_THROWS_WITH(scene(R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 1], "damping_ratios": 0, "contact": [1, 2], "r": 0.5,
+    CHECK_THROWS_WITH(
+        scene(R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 1], "damping_ratios": 0, "contact": [1, 2], "r": 0.5,
                                 "beta": 0.1, "base_motion": "wall"})"),
-                      Catch::Matchers::Contains("base_motion must be \"with_wall\" or \"alone\" where the contact is between two masses"));
+        Catch::Matchers::Contains("base_motion must be \"with_wall\" or \"alone\" where the contact is between two masses"));
     CHECK_THROWS_WITH(solve(scene(R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": 0, "contact": 1, "r": 1,
                                       "beta": 0.1, "base_motion": "wall"})")),
                       Catch::Matchers::Contains("loads no mass"));

@@ -89,7 +89,8 @@ void check_problem(const HalfPeriodProblem<T>& p, int steps) {
 
 /// Force that holds the contact at rest against everything but its own inertia, with the sign of a pull downwards.
 template <class T>
-T load_on_contact(const HalfPeriodProblem<T>& p, const Vector<T>& x, const Vector<T>& x_prime, const T& cos_phi, const T& sin_phi) {
+T load_on_contact(const HalfPeriodProblem<T>& p, const Vector<T>& x, const Vector<T>& x_prime, const T& cos_phi,
+                  const T& sin_phi) {
     const Vector<T> load = p.C * x_prime + p.K * x - cos_phi * load_vector(p) + sin_phi * leading_load(p), w = contact_vector(p);
     const Eigen::FullPivLU<Matrix<T>> M(p.M);
     const Vector<T> inverse_column = M.solve(w);

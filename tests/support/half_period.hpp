@@ -18,14 +18,14 @@ using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 /// @brief What the boundary-value problem is made of.
 template <class T>
 struct HalfPeriodProblem {
-    Matrix<T> M;   ///< non-dimensional mass matrix, Eq. (7), N x N, any topology
-    Matrix<T> C;   ///< non-dimensional damping matrix, Eq. (7), N x N, any damping
-    Matrix<T> K;   ///< non-dimensional stiffness matrix, Eq. (7), N x N
-    Mass contact;  ///< the mass in contact, j
-    Mass load;     ///< the loaded mass, l
-    T beta = T(0); ///< friction ratio, Eq. (11)
-    Vector<T> w{}; ///< displacement of the contact over the masses, in place of `contact`; N values or none
-    Vector<T> p{}; ///< force on each mass in units of P, in place of `load`; N values or none
+    Matrix<T> M;     ///< non-dimensional mass matrix, Eq. (7), N x N, any topology
+    Matrix<T> C;     ///< non-dimensional damping matrix, Eq. (7), N x N, any damping
+    Matrix<T> K;     ///< non-dimensional stiffness matrix, Eq. (7), N x N
+    Mass contact;    ///< the mass in contact, j
+    Mass load;       ///< the loaded mass, l
+    T beta = T(0);   ///< friction ratio, Eq. (11)
+    Vector<T> w{};   ///< displacement of the contact over the masses, in place of `contact`; N values or none
+    Vector<T> p{};   ///< force on each mass in units of P, in place of `load`; N values or none
     Vector<T> p_i{}; ///< what of it leads by a quarter of a period: the force is p cos - p_i sin; N values or none
 };
 

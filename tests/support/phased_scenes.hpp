@@ -6,8 +6,8 @@
 
 namespace denhartog {
 
-/// @brief Those of `random_vector_scenes`, each with a force on two masses or more, if it has as many, and a phase for each force:
-/// 534 in all. Phases are multiples of 1/8 from -4 to 4.
+/// @brief Those of `random_vector_scenes`, each with a force on two masses or more, if it has as many, and a phase for each
+/// force: 534 in all. Phases are multiples of 1/8 from -4 to 4.
 /// @param seed  any number; the same seed gives the same scenes
 /// @return      the scenes, by ascending N
 [[nodiscard]] std::vector<RandomScene<double>> random_phased_scenes(std::uint64_t seed);

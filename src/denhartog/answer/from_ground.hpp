@@ -13,8 +13,8 @@
 
 namespace denhartog {
 
-/// @brief b in units of P / k_1: \f$ 1/r^2 \f$ of base and wall with \f$ P = m_1\omega^2X \f$, 1 of one of them with \f$ P = k_1X \f$;
-/// none where neither moves.
+/// @brief b in units of P / k_1: \f$ 1/r^2 \f$ of base and wall with \f$ P = m_1\omega^2X \f$, 1 of one of them with
+/// \f$ P = k_1X \f$; none where neither moves.
 template <class T>
 [[nodiscard]] std::optional<T> amplitude_of_base(BaseMotion motion, const T& r) {
     if (motion == BaseMotion::none) return std::nullopt;
@@ -34,8 +34,8 @@ template <class T>
     return {absolute.amplitude, certified(X / base), absolute.phase};
 }
 
-/// @brief (33) of an absolute displacement: a harmonic motion of the frame adds to it. A wall that moves alone acts by friction alone:
-/// without friction no mass moves, and \f$ V_{dk} = -b \f$ in its frame.
+/// @brief (33) of an absolute displacement: a harmonic motion of the frame adds to it. A wall that moves alone acts by friction
+/// alone: without friction no mass moves, and \f$ V_{dk} = -b \f$ in its frame.
 template <class T>
 [[nodiscard]] Complex<T> response_from_ground(const Complex<T>& V_dk, BaseMotion motion, const T& b) {
     return motion == BaseMotion::wall ? Complex<T>{T(0), T(0)} : Complex<T>{V_dk.re + b, V_dk.im};
@@ -43,8 +43,8 @@ template <class T>
 
 /// @brief Sums whose displacements are absolute; friction knows the relative displacement of the contact alone, which is the row
 /// behind those of the masses.
-[[nodiscard]] inline ModeSums<Bounded<double>> sums_from_ground(const ModeSums<Bounded<double>>& s, std::size_t N, BaseMotion motion,
-                                                                const Bounded<double>& b) {
+[[nodiscard]] inline ModeSums<Bounded<double>> sums_from_ground(const ModeSums<Bounded<double>>& s, std::size_t N,
+                                                                BaseMotion motion, const Bounded<double>& b) {
     ModeSums<Bounded<double>> seen = s;
     const std::size_t j = s.contact.index;
     seen.V.assign(s.V.begin(), s.V.begin() + static_cast<std::ptrdiff_t>(N));

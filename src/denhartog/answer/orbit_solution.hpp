@@ -15,11 +15,11 @@ namespace denhartog {
 
 /// @brief A periodic orbit as an answer.
 struct OrbitSolution {
-    std::vector<SolvedMass> masses; ///< N, and that of a contact between two; zero where not asked about
+    std::vector<SolvedMass> masses;        ///< N, and that of a contact between two; zero where not asked about
     std::vector<SolvedMass> from_ground{}; ///< N in their absolute motion, where a frame that moves was asked about
-    std::vector<SolvedStop> stops;  ///< stops of the contact
-    double relative_amplitude = 0;  ///< largest error of an amplitude, relative
-    double phase_error = 0;         ///< largest error of a phase
+    std::vector<SolvedStop> stops;         ///< stops of the contact
+    double relative_amplitude = 0;         ///< largest error of an amplitude, relative
+    double phase_error = 0;                ///< largest error of a phase
 };
 
 /// @brief Amplitudes, phases and stops of an orbit with their errors.

@@ -195,10 +195,9 @@ OrbitInBalls orbit_in_balls(const SceneSource& source, const ReferenceQuestion& 
     std::vector<std::size_t> wanted;
     if (q.mass) wanted = {q.mass->index};
     const auto scene = [&] { return damped_scene_in_balls(source); };
-    return guesses.first_proved(
-        [&](const OrbitGuess& guess) {
-            return proved_orbit(scene, guess, bits, wanted, q.asked == Asked::motion, frame_of(source->in_double(), q, r));
-        });
+    return guesses.first_proved([&](const OrbitGuess& guess) {
+        return proved_orbit(scene, guess, bits, wanted, q.asked == Asked::motion, frame_of(source->in_double(), q, r));
+    });
 }
 
 // Whether the bits are enough for an answer, or to disprove the regime. It has the regime where nothing else can be proved.

@@ -24,7 +24,8 @@ namespace denhartog {
 }
 
 /// @brief Writes the amplitude of base or wall, and the masses as they are where their displacements are absolute.
-inline void write_base(const Scene<double>& scene, const ReferenceQuestion& q, const Ball& r, const WrittenNumbers& w, Solution& s) {
+inline void write_base(const Scene<double>& scene, const ReferenceQuestion& q, const Ball& r, const WrittenNumbers& w,
+                       Solution& s) {
     if (const std::optional<Ball> base = amplitude_of_base(scene.system.base_motion, r)) s.base_amplitude = w.shown(*base);
     if (scene.system.base_motion != BaseMotion::alone || q.asked != Asked::motion || q.mass) return;
     for (const SolvedMass& mass : s.masses) s.from_ground.push_back({mass.amplitude, mass.amplitude, mass.phase});

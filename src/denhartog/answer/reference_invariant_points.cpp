@@ -50,7 +50,8 @@ std::vector<InvariantPointsOfMass<Certified>> invariant_points(const SceneSource
                                                                std::optional<int> asked_for) {
     const System<double>& system = source->in_double().system;
     if (load_depends_on_frequency(system))
-        throw InputError("base_motion", "must have one load at all frequencies for invariant points: (87) is for such a load", "");
+        throw InputError("base_motion", "must have one load at all frequencies for invariant points: (87) is for such a load",
+                         "");
     if (!system.load_phases.empty())
         throw InputError("load_phases", "must not be given for invariant points: (87) is for forces in phase", "");
     const int digits = aim_of(asked_for).digits;

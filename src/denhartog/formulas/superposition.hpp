@@ -31,8 +31,8 @@ template <class T>
 /// @brief Complex response function of a mass to forces that are out of phase, \f$ V_{dk} =
 /// \sum_i \psi_{ki}(\mathbf{p}^T\boldsymbol\psi_i)R_i^2 v_{di} \f$ with \f$ \mathbf{p} = \mathbf{p}' + \mathrm{i}\mathbf{p}'' \f$.
 ///
-/// The force on the masses is \f$ \mathrm{Re}\{\mathbf{p}\,e^{\mathrm{i}\tau}\} = \mathbf{p}'\cos\tau - \mathbf{p}''\sin\tau \f$. It
-/// enters (12) by \f$ \mathbf{p}^T\boldsymbol\psi_i \f$ alone, and linearly, so that (33) holds of both parts.
+/// The force on the masses is \f$ \mathrm{Re}\{\mathbf{p}\,e^{\mathrm{i}\tau}\} = \mathbf{p}'\cos\tau - \mathbf{p}''\sin\tau \f$.
+/// It enters (12) by \f$ \mathbf{p}^T\boldsymbol\psi_i \f$ alone, and linearly, so that (33) holds of both parts.
 /// @eq{33}  @derivation{contact_and_load_directions}  @domain{the domain of (33)}
 /// @param of_cosine  (33) with \f$ \mathbf{p}' \f$
 /// @param of_sine    (33) with \f$ \mathbf{p}'' \f$

@@ -108,7 +108,8 @@ void check_size_of_map(std::size_t columns, std::size_t amplitudes) {
                          std::to_string(columns) + " times " + std::to_string(amplitudes));
 }
 
-RegimeMap map_by_columns(const MapRequest& request, const ColumnOfMap& column_at, const std::function<void(std::size_t done)>& done) {
+RegimeMap map_by_columns(const MapRequest& request, const ColumnOfMap& column_at,
+                         const std::function<void(std::size_t done)>& done) {
     const std::size_t columns = request.r.size(), rows = request.beta.size(), amplitudes = rows * request.masses.size();
     check_size_of_map(columns, amplitudes);
     RegimeMap all;

@@ -81,8 +81,8 @@ void check_size_of_map(std::size_t columns, std::size_t amplitudes);
 /// @param stop     the caller or a signal handler may set it, to stop the computation early
 /// @param done     called after each column with the number of columns done, by one thread at a time; may be empty
 /// @return         the map; a point without an answer has a status, not an exception
-/// @throws         InputError if the scene, the grid or a mass breaks a rule; or if absolute amplitudes are asked for, and neither base
-///                 nor wall moves, or not the motion from rest is meant
+/// @throws         InputError if the scene, the grid or a mass breaks a rule; or if absolute amplitudes are asked for, and neither
+///                 base nor wall moves, or not the motion from rest is meant
 [[nodiscard]] RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, const std::atomic<bool>& stop,
                                    const std::function<void(std::size_t done)>& done = {});
 

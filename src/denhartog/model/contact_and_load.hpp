@@ -1,6 +1,6 @@
 /// @file
-/// @brief Where contact and load act: the displacement of the contact is \f$ \mathbf{w}^T\mathbf{x} \f$, and the force on the masses
-/// \f$ \mathrm{Re}\{\mathbf{p}\,e^{\mathrm{i}\tau}\} \f$.
+/// @brief Where contact and load act: the displacement of the contact is \f$ \mathbf{w}^T\mathbf{x} \f$, and the force on the
+/// masses \f$ \mathrm{Re}\{\mathbf{p}\,e^{\mathrm{i}\tau}\} \f$.
 ///
 /// In the paper w and p are unit vectors. Between two masses the displacement of the contact is \f$ x_j - x_k \f$. All that the
 /// paper derives from (6) holds of them, with \f$ \mathbf{w}^T\boldsymbol\psi_i \f$ for \f$ \psi_{ji} \f$ and

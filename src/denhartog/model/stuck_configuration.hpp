@@ -17,26 +17,26 @@ namespace denhartog {
 ///
 /// Units: masses m_1, stiffnesses k_1, damping sqrt(k_1 m_1). The arrays over masses are in the order of `masses`.
 struct StuckConfiguration {
-    Contact contact;                  ///< the contact; j below is its mass a
-    std::vector<Mass> masses;         ///< all masses but a, ascending, N - 1
-    Matrix<double> M;                 ///< their block of the mass matrix, (N - 1) x (N - 1)
-    Matrix<double> C;                 ///< their block of the full damping matrix (19)
-    Matrix<double> K;                 ///< their block of the stiffness matrix
-    std::vector<double> m_j;          ///< row j of the mass matrix over these masses; zero where masses are lumped
-    std::vector<double> c_j;          ///< row j of the damping matrix over these masses
-    std::vector<double> k_j;          ///< row j of the stiffness matrix over these masses
-    double k_jj;                      ///< diagonal entry of the stiffness matrix at the contact
-    double k_contact;                 ///< static stiffness of the contact with the others free to follow: 1 / (K^-1)_jj
-    std::vector<double> r_n;          ///< natural frequency ratios of the stuck configuration, ascending, N - 1
-    Matrix<double> phi;               ///< mode shapes, mass by mode, phi^T M phi = 1
-    Matrix<double> shapes;            ///< the same of all N masses
-    Matrix<double> momentum;          ///< phi^T M: modal coordinates of the displacements of all N masses
-    std::vector<double> carried;      ///< how far each of the N masses goes with the contact while the modes are at rest
+    Contact contact;                   ///< the contact; j below is its mass a
+    std::vector<Mass> masses;          ///< all masses but a, ascending, N - 1
+    Matrix<double> M;                  ///< their block of the mass matrix, (N - 1) x (N - 1)
+    Matrix<double> C;                  ///< their block of the full damping matrix (19)
+    Matrix<double> K;                  ///< their block of the stiffness matrix
+    std::vector<double> m_j;           ///< row j of the mass matrix over these masses; zero where masses are lumped
+    std::vector<double> c_j;           ///< row j of the damping matrix over these masses
+    std::vector<double> k_j;           ///< row j of the stiffness matrix over these masses
+    double k_jj;                       ///< diagonal entry of the stiffness matrix at the contact
+    double k_contact;                  ///< static stiffness of the contact with the others free to follow: 1 / (K^-1)_jj
+    std::vector<double> r_n;           ///< natural frequency ratios of the stuck configuration, ascending, N - 1
+    Matrix<double> phi;                ///< mode shapes, mass by mode, phi^T M phi = 1
+    Matrix<double> shapes;             ///< the same of all N masses
+    Matrix<double> momentum;           ///< phi^T M: modal coordinates of the displacements of all N masses
+    std::vector<double> carried;       ///< how far each of the N masses goes with the contact while the modes are at rest
     std::vector<Complex<double>> load; ///< force on each mass where it acts on several, N values; else none
-    Matrix<double> damping;           ///< phi^T C phi; its diagonal is 2 zeta*_i r_n,i
-    double coupling;                  ///< largest off-diagonal |D_ik| / sqrt(D_ii D_kk) of `damping`; zero for fewer than two
-    bool modes_diagonalise_damping{}; ///< whether `coupling` is explained by rounding: zeta*_i then describe the motion
-    Matrix<double> left_out{};        ///< bounds of the entries of `damping` between modes where they do; else empty
+    Matrix<double> damping;            ///< phi^T C phi; its diagonal is 2 zeta*_i r_n,i
+    double coupling;                   ///< largest off-diagonal |D_ik| / sqrt(D_ii D_kk) of `damping`; zero for fewer than two
+    bool modes_diagonalise_damping{};  ///< whether `coupling` is explained by rounding: zeta*_i then describe the motion
+    Matrix<double> left_out{};         ///< bounds of the entries of `damping` between modes where they do; else empty
 };
 
 /// @brief What more digits have found of a system, rounded once, beside the modes while the contact slides.

@@ -34,8 +34,10 @@ void check(const ContactProblem& p) {
     };
     index("contact", p.contact);
     if (p.load_vector.empty()) index("load", p.load);
-    if (!p.load_phases.empty() && (p.load_phases.size() != static_cast<std::size_t>(N) || p.load_vector.size() != p.load_phases.size()))
-        throw InputError("load_phases", "must have one value for each mass, beside as many forces", std::to_string(p.load_phases.size()));
+    if (!p.load_phases.empty() &&
+        (p.load_phases.size() != static_cast<std::size_t>(N) || p.load_vector.size() != p.load_phases.size()))
+        throw InputError("load_phases", "must have one value for each mass, beside as many forces",
+                         std::to_string(p.load_phases.size()));
     if (p.contact_with) index("contact", *p.contact_with);
     if (!p.static_load.empty() && std::ssize(p.static_load) != N)
         throw InputError("static_load", "must have " + std::to_string(N) + " values", std::to_string(p.static_load.size()));

@@ -101,22 +101,22 @@ public:
         return sum;
     }
 
-    std::size_t N;          ///< number of masses
-    Contact contact;        ///< the contact
-    double beta;            ///< friction ratio
-    double mu;              ///< static over kinetic friction
+    std::size_t N;                 ///< number of masses
+    Contact contact;               ///< the contact
+    double beta;                   ///< friction ratio
+    double mu;                     ///< static over kinetic friction
     Complex<double> harmonic_load; ///< complex amplitude of the force's part of the load on the contact
-    double static_load = 0; ///< the constant forces' part of it
-    double compliance;      ///< acceleration of the contact that a unit force on it makes
-    long evaluations = 0;   ///< right-hand sides evaluated
+    double static_load = 0;        ///< the constant forces' part of it
+    double compliance;             ///< acceleration of the contact that a unit force on it makes
+    long evaluations = 0;          ///< right-hand sides evaluated
 
 private:
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> sliding_, sticking_; // N x 2N, per unit of y
     Eigen::VectorXd sliding_load_, sticking_load_, contact_column_; // accelerations per unit of force, and on the contact
     Eigen::VectorXd sliding_static_, sticking_static_;              // accelerations by constant forces, or none
-    Eigen::VectorXd sliding_ahead_, sticking_ahead_;                // those by the parts of the forces a quarter of a period ahead
-    Eigen::VectorXd friction_;                                      // acceleration by friction in this phase, and by these
-    Eigen::RowVectorXd contact_row_;                                // K and C of the contact's row, 2N
+    Eigen::VectorXd sliding_ahead_, sticking_ahead_; // those by the parts of the forces a quarter of a period ahead
+    Eigen::VectorXd friction_;                       // acceleration by friction in this phase, and by these
+    Eigen::RowVectorXd contact_row_;                 // K and C of the contact's row, 2N
     const double *rows_ = nullptr, *load_column_ = nullptr, *ahead_column_ = nullptr; // of this phase
     bool out_of_phase_ = false;
     Complex<double> direct_load_, inertial_load_; // of the force: what acts on the contact itself, and what the others pass on

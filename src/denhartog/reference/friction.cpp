@@ -233,8 +233,7 @@ ResponsesInBalls responses_of_modes(const SceneInBalls& s, ModesInBalls m) {
     ResponsesInBalls r;
     for (std::size_t row = 0; row <= static_cast<std::size_t>(m.N); ++row) {
         r.V.push_back(V(m.psi[row], m.at_load()));
-        if (m.at_load_i() != nullptr)
-            r.V.back() = paper::complex_response_to_phases(r.V.back(), V(m.psi[row], *m.at_load_i()));
+        if (m.at_load_i() != nullptr) r.V.back() = paper::complex_response_to_phases(r.V.back(), V(m.psi[row], *m.at_load_i()));
         r.U.push_back(U(m.psi[row], u));
         r.G.push_back(U(m.psi[row], g));
     }

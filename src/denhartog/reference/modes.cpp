@@ -201,8 +201,7 @@ std::shared_ptr<const NaturalModesInBalls> KeptModes::of(const SceneInBalls& s) 
         return x.rows() == y.rows() && arb_mat_equal(x.a, y.a) != 0;
     };
     for (const Kept& k : kept_)
-        if (k.bits == ball_bits && same(k.M, s.M) && same(k.K, s.K) && same(k.w, s.w) && same(k.p, s.p) &&
-            same(k.p_i, s.p_i)) {
+        if (k.bits == ball_bits && same(k.M, s.M) && same(k.K, s.K) && same(k.w, s.w) && same(k.p, s.p) && same(k.p_i, s.p_i)) {
             QuestionEffort::pay(k.modes->work);
             return k.modes;
         }

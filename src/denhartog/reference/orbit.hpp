@@ -29,7 +29,8 @@ struct OrbitInBalls {
     /// N + 1 values: lag behind the force in (-pi, pi], as in `MassMotion`; empty for a mass that no force reaches, and where it
     /// was not asked for
     std::vector<std::optional<Ball>> phase{};
-    std::vector<PeakInBalls> from_ground{}; ///< N values, of the masses as they are seen from the ground; empty where not asked for
+    std::vector<PeakInBalls>
+        from_ground{};                ///< N values, of the masses as they are seen from the ground; empty where not asked for
     std::vector<StopInBalls> stops{}; ///< within the period, starts ascending in [0, 2 pi periods)
     std::vector<Ball> x{};            ///< displacements of the masses at tau = 0, where the force is largest
     std::vector<Ball> x_prime{};      ///< their velocities there

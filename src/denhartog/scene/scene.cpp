@@ -174,8 +174,8 @@ void check_system(const System<T>& s, const SceneNames& names) {
     if (s.contact_with && *s.contact_with == s.contact)
         fail(names, "contact", "must be between two masses, not between one and itself", number(s.contact.index), at(1));
     if (s.base_motion == BaseMotion::wall && s.contact_with)
-        fail(names, "base_motion", "must be \"with_wall\" or \"alone\" where the contact is between two masses: nothing rubs against the wall",
-             "wall");
+        fail(names, "base_motion",
+             "must be \"with_wall\" or \"alone\" where the contact is between two masses: nothing rubs against the wall", "wall");
     if (s.load_vector.empty() && !s.load_phases.empty())
         fail(names, "load_phases", "must be given together with load as a force on each mass", "given with a load on one mass");
     if (!s.load_vector.empty()) check_load(s, names);

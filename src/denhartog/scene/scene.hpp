@@ -55,7 +55,7 @@ struct System {
     Mass load;                          ///< the loaded mass, l
     std::optional<Mass> contact_with{}; ///< the mass that the contact rubs against, instead of a wall: x_j - x_k slides
     std::vector<T> load_vector{};       ///< force on each mass in units of P, instead of `load`; N values or none
-    std::vector<T> load_phases{};       ///< by how much each of them leads cos(tau), radians; N values, or none if all are in phase
+    std::vector<T> load_phases{}; ///< by how much each of them leads cos(tau), radians; N values, or none if all are in phase
     BaseMotion base_motion = BaseMotion::none; ///< whose load `load_vector` is, if it is that of a moving base or wall
     std::vector<double> load_error{};          ///< bounds of errors of the force on each mass besides rounding; N values or none
 };
@@ -73,10 +73,10 @@ template <class T>
 
 /// @brief What a scene in physical units was divided by, in its own units.
 struct Units {
-    double mass = 1;             ///< m_1
-    double stiffness = 1;        ///< k_1
-    std::optional<double> force; ///< P, if it is known
-    std::optional<double> base;  ///< amplitude X of a base that moves with the wall; then P is m_1 omega^2 X
+    double mass = 1;                      ///< m_1
+    double stiffness = 1;                 ///< k_1
+    std::optional<double> force;          ///< P, if it is known
+    std::optional<double> base;           ///< amplitude X of a base that moves with the wall; then P is m_1 omega^2 X
     std::optional<double> acceleration{}; ///< amplitude A of the acceleration of a base or wall alone; then P is k_1 A / omega^2
 
     /// @brief P at a frequency. @param omega angular frequency @return P; empty if it is not known

@@ -44,8 +44,8 @@ T read_in_units_of_first(const SceneItem& x, std::vector<T>& ratios, Matrix<T>& 
     return list[0];
 }
 
-/// The force that ratios are in units of: P as it is given, or m_1 times the acceleration of a base that moves with the wall, or k_1
-/// times the displacement of a base or wall that moves alone. Where the frequency takes part in it, it is known with that.
+/// The force that ratios are in units of: P as it is given, or m_1 times the acceleration of a base that moves with the wall, or
+/// k_1 times the displacement of a base or wall that moves alone. Where the frequency takes part in it, it is known with that.
 template <class T>
 std::optional<T> read_force(const json& object, const T& m_1, const T& k_1, const std::optional<T>& omega, Units& units) {
     const bool accelerates = object.contains("base_acceleration");
@@ -170,8 +170,8 @@ BaseMotion read_base_motion(const SceneItem& base) {
               "wall moves and the base stays)");
 }
 
-/// Forces of inertia where base and wall move together. Of springs where one of them moves alone: dampers, and the inertia of masses
-/// in a moving wall's frame, load them besides at a frequency, which is not known here.
+/// Forces of inertia where base and wall move together. Of springs where one of them moves alone: dampers, and the inertia of
+/// masses in a moving wall's frame, load them besides at a frequency, which is not known here.
 template <class T>
 std::vector<T> load_of_base(const System<T>& s) {
     const bool inertia = s.base_motion == BaseMotion::with_wall;
@@ -205,8 +205,8 @@ void read_load(const json& object, System<T>& s) {
     const SceneItem phases = item(object, "load_phases");
     if (s.load_vector.empty()) phases.fail("must be given together with load as a list, the force on each mass");
     s.load_phases = read_list<T>(phases);
-    if (std::ranges::all_of(s.load_phases, [](const T& theta) { return theta == T(0); }) && s.load_phases.size() == s.load_vector.size())
-        s.load_phases.clear(); // all in phase
+    const bool in_phase = std::ranges::all_of(s.load_phases, [](const T& theta) { return theta == T(0); });
+    if (in_phase && s.load_phases.size() == s.load_vector.size()) s.load_phases.clear();
 }
 
 } // namespace

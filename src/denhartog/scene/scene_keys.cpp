@@ -45,9 +45,9 @@ constexpr auto keys = std::to_array<std::string_view>({"mass_ratios",
                                                        "base_acceleration",
                                                        "damping_tolerance",
                                                        "comment"});
-constexpr auto dimensional_keys =
-    std::to_array<const char*>({"masses", "stiffnesses", "force", "friction", "normal_force", "friction_coefficient",
-                                "static_friction_coefficient", "frequency", "frequency_hz", "base_displacement", "base_acceleration"});
+constexpr auto dimensional_keys = std::to_array<const char*>({"masses", "stiffnesses", "force", "friction", "normal_force",
+                                                              "friction_coefficient", "static_friction_coefficient", "frequency",
+                                                              "frequency_hz", "base_displacement", "base_acceleration"});
 // Words for what a scene has under other names, and these.
 constexpr auto other_words = std::to_array<std::pair<std::string_view, std::string_view>>(
     {{"mass", "masses, or mass_ratios"},

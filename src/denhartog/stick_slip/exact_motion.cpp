@@ -113,9 +113,9 @@ void ExactSolver::Work::run(double tau_0, double tau_1, bool with_jacobian) {
         motion.states.insert(motion.states.end(), v.begin(), v.end());
         const double length = tau_1 - tau;
         effort->spend(cost_of_phase);
-        const Event event = direction != 0 ? end_of_sliding(direction, length, order)
+        const Event event = direction != 0             ? end_of_sliding(direction, length, order)
                             : N == 1 && direct.im == 0 ? end_of_sticking_alone(tau, length)
-                                           : end_of_sticking(length);
+                                                       : end_of_sticking(length);
         if (event.open) {
             motion.status = MotionStatus::open;
             break;

@@ -42,19 +42,19 @@ struct ConstantLoad {
 
 /// @brief A system with all that does not depend on frequency or friction: prepared once for a whole map.
 struct ContactSystem {
-    Mass contact;                     ///< the row of the contact, see `contact_row`
-    Mass load;                        ///< the row of the load
-    ModalBasis<double> basis;         ///< modes while the contact slides
-    Matrix<double> momentum;          ///< phi^T M in units of m_1: modal coordinates of a state, mode by mass
-    StuckConfiguration stuck;         ///< modes while the contact sticks
+    Mass contact;                              ///< the row of the contact, see `contact_row`
+    Mass load;                                 ///< the row of the load
+    ModalBasis<double> basis;                  ///< modes while the contact slides
+    Matrix<double> momentum;                   ///< phi^T M in units of m_1: modal coordinates of a state, mode by mass
+    StuckConfiguration stuck;                  ///< modes while the contact sticks
     std::vector<Complex<double>> modal_load{}; ///< phi^T p, what the load brings to each mode
     std::vector<Complex<double>> stuck_load{}; ///< the same of the stuck modes
-    std::vector<double> detuned{};    ///< by what part of itself each natural frequency may be off
-    Matrix<double> damping_error{};   ///< bounds of what rounding makes of phi^T C phi and what is left out of it, N x N, or none
-    ConstantLoad constant{};          ///< the constant load, see `add_static_load`
-    Column contact_shape{};           ///< w^T phi: what each mode of sliding moves the contact by
-    bool damping_fixes_modes{};       ///< a damping matrix was given: modes of one frequency are those that it does not couple
-    Reasons rounded_because{};        ///< why double has no modes of its own, where these are those of the reference; else empty
+    std::vector<double> detuned{};             ///< by what part of itself each natural frequency may be off
+    Matrix<double> damping_error{}; ///< bounds of what rounding makes of phi^T C phi and what is left out of it, N x N, or none
+    ConstantLoad constant{};        ///< the constant load, see `add_static_load`
+    Column contact_shape{};         ///< w^T phi: what each mode of sliding moves the contact by
+    bool damping_fixes_modes{};     ///< a damping matrix was given: modes of one frequency are those that it does not couple
+    Reasons rounded_because{};      ///< why double has no modes of its own, where these are those of the reference; else empty
 };
 
 /// @brief Prepares a system for the exact solver, its modes sliding and stuck. InputError and PrecisionError as `modal_basis` and
@@ -129,8 +129,8 @@ public:
     /// @brief Frequency and friction as set last.
     [[nodiscard]] const Excitation& excitation() const;
 
-    /// @brief The motion from one instant to a later one; the forces are Re{p exp(i tau)}, and a contact at rest sticks where (74) lets it.
-    /// With the derivative of the end with respect to the start, if it is wanted. Valid until the next call.
+    /// @brief The motion from one instant to a later one; the forces are Re{p exp(i tau)}, and a contact at rest sticks where (74)
+    /// lets it. With the derivative of the end with respect to the start, if it is wanted. Valid until the next call.
     const ExactMotion& run(const State& start, double tau_0, double tau_1, bool with_jacobian = false);
 
     /// @brief The state at an instant within a phase of the last motion.

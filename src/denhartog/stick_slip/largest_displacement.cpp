@@ -109,7 +109,7 @@ std::vector<Extremum> ExactSolver::largest_displacements(double error, double fr
     const Contact& contact = system.stuck.contact;
     const bool moves = frame > 0;
     const std::size_t count = moves ? work.N : std::max(work.N, system.contact.index + 1),
-                      j = moves ? count : system.contact.index; // the one that is not sought for
+                      j = moves ? count : system.contact.index;                             // the one that is not sought for
     const double start = work.motion.phases.empty() ? 0 : work.motion.phases.front().start; // a mass at rest is there as ever
     std::vector<Extremum> largest(count, Extremum{0, start});
     std::vector<std::vector<Place>> places(count);

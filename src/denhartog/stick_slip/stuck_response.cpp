@@ -36,7 +36,8 @@ Complex<double> mode_amplitude(double p, double r_n, double D, double r, double 
 }
 
 /// Amplitudes of coupled modes: the complex system as a real one of twice the size, its rows and columns scaled.
-std::vector<Complex<double>> coupled_amplitudes(const StuckConfiguration& stuck, const std::vector<Complex<double>>& p, double r) {
+std::vector<Complex<double>> coupled_amplitudes(const StuckConfiguration& stuck, const std::vector<Complex<double>>& p,
+                                                double r) {
     const auto n = static_cast<Eigen::Index>(p.size());
     Matrix<double> A = Matrix<double>::Zero(2 * n, 2 * n);
     Eigen::Matrix<double, Eigen::Dynamic, 1> scale(2 * n), force = Eigen::Matrix<double, Eigen::Dynamic, 1>::Zero(2 * n);
@@ -63,7 +64,9 @@ std::vector<Complex<double>> mode_amplitudes(const StuckConfiguration& stuck, co
     std::vector<Complex<double>> q;
     for (std::size_t i = 0; i < p.size(); ++i) {
         const auto n = static_cast<Eigen::Index>(i);
-        const auto to = [&](double force) { return mode_amplitude(force, stuck.r_n[i], stuck.damping(n, n), r, rounding(p.size())); };
+        const auto to = [&](double force) {
+            return mode_amplitude(force, stuck.r_n[i], stuck.damping(n, n), r, rounding(p.size()));
+        };
         q.push_back(to(p[i].re));
         if (p[i].im != 0) q.back() = q.back() + times_i(to(p[i].im));
     }

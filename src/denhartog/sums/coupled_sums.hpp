@@ -32,9 +32,8 @@ private:
 
 /// @brief Complex responses of such a system to harmonic forces, which are off by no more than `errors` besides rounding; none
 /// where they are not.
-[[nodiscard]] std::vector<Complex<Bounded<double>>> harmonic_responses(const BoundedSystem& system,
-                                                                       const std::vector<Complex<double>>& forces,
-                                                                       const std::vector<double>& errors);
+[[nodiscard]] std::vector<Complex<Bounded<double>>>
+harmonic_responses(const BoundedSystem& system, const std::vector<Complex<double>>& forces, const std::vector<double>& errors);
 
 /// @brief V, U, G, Y_jj, H_j of a system whose damping couples the modes; it has no modes, and their lists are empty.
 /// @eq{33,34,35,64,65}

@@ -81,7 +81,8 @@ System<double> with_load_at(const System<double>& system, double r) {
     }
     if (!ahead) s.load_phases.clear();
     if (!loads)
-        throw DomainError("at r = " + number_to_text(r) + " the motion of the wall loads no mass in its frame: the response is "
+        throw DomainError("at r = " + number_to_text(r) +
+                          " the motion of the wall loads no mass in its frame: the response is "
                           "that of a resonance without a load");
     return s;
 }

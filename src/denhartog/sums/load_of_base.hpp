@@ -1,18 +1,19 @@
 /// @file
 /// @brief The load of a base or a wall that moves alone, at one frequency ratio.
 ///
-/// With the absolute displacements \f$ \mathbf x \f$ of the masses and a base that moves by \f$ X\cos\tau \f$ springs and dampers are
-/// strained by \f$ \mathbf x - \mathbf 1X\cos\tau \f$: the base loads the masses by \f$ (\mathbf K + \mathrm ir\mathbf C)\mathbf 1 \f$
-/// in units of \f$ P = k_1X \f$. In the frame of a wall that moves by \f$ X\cos\tau \f$ the contact rubs against a wall at rest, the base
-/// moves by \f$ -X\cos\tau \f$, and inertia adds \f$ r^2\mathbf M\mathbf 1 \f$.
+/// With the absolute displacements \f$ \mathbf x \f$ of the masses and a base that moves by \f$ X\cos\tau \f$ springs and dampers
+/// are strained by \f$ \mathbf x - \mathbf 1X\cos\tau \f$: the base loads the masses by
+/// \f$ (\mathbf K + \mathrm ir\mathbf C)\mathbf 1 \f$ in units of \f$ P = k_1X \f$. In the frame of a wall that moves by
+/// \f$ X\cos\tau \f$ the contact rubs against a wall at rest, the base moves by \f$ -X\cos\tau \f$, and inertia adds
+/// \f$ r^2\mathbf M\mathbf 1 \f$.
 #pragma once
 
 #include "denhartog/scene/scene.hpp"
 
 namespace denhartog {
 
-/// @brief The system with the load that its base or wall makes at a frequency ratio, with bounds of what rounding and the modes make
-/// of it; the same system where the load does not depend on the frequency.
+/// @brief The system with the load that its base or wall makes at a frequency ratio, with bounds of what rounding and the modes
+/// make of it; the same system where the load does not depend on the frequency.
 /// @eq{6,7,19}
 /// @param system  the system
 /// @param r       frequency ratio, Eq. (10)

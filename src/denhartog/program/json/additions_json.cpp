@@ -122,7 +122,9 @@ void add_dimensional(Json& answer, const SceneSource& source, const Solution& so
     if (!solution.from_ground.empty()) {
         Json& all = answer["from_ground"] = {{"base_amplitude", write(*solution.base_amplitude)}, {"masses", Json::array()}};
         for (const MassFromGround& m : solution.from_ground) {
-            Json mass{{"mass", all.at("masses").size() + 1}, {"amplitude", write(m.amplitude)}, {"transmissibility", write(m.transmissibility)}};
+            Json mass{{"mass", all.at("masses").size() + 1},
+                      {"amplitude", write(m.amplitude)},
+                      {"transmissibility", write(m.transmissibility)}};
             if (m.phase) mass["phase"] = write(*m.phase);
             mass["error_bound"] = write.bound(m.amplitude.error);
             mass["transmissibility_error_bound"] = write.bound(m.transmissibility.error);
