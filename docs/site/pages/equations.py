@@ -1,0 +1,246 @@
+"""The page of a numbered equation, and the page behind it with the library's other forms: what the templates show."""
+import re
+from types import SimpleNamespace
+
+from .records import record_of, symbols_in
+from .text import (EQUATIONS, Fault, claim_label, equation_label, escaped, fails, formula, prose, statement_that_holds, symbol,
+                   typeset, without_marks, witness_name)
+
+LONGEST_FORMULA = 1500  # longer ones are left to the record: nobody reads them, and they take seconds to typeset
+LONGEST_STATEMENT = 4000  # in the language of Coq
+ABBREVIATED, DIVISORS = "Abbreviations", "where no divisor is zero"  # steps of the record that are no steps of the argument
+ROLES = {"both": "on the formula as printed and as shipped", "printed": "on the formula as printed",
+         "shipped": "on the formula as shipped", "observation": "on what the text says about it"}
+KINDS = {"refinement": "a refinement of a shipped formula", "restated": "a definition restated",
+         "consequence": "a consequence of shipped formulas", "argument": "with an argument that a person gave",
+         "observation": "observed"}
+# Values to start from, inside the domain of every formula; those of the modes are lists.
+SAMPLES = {"R": "0.8", "zeta": "0.05", "tau": "1", "beta": "0.3", "mu": "1.5", "V_dk_re": "1.2", "V_dk_im": "-0.4",
+           "V_dj_re": "0.9", "V_dj_im": "-0.7", "U_dj": "0.25", "U_dk": "0.15", "U_j": "0.25", "U_k": "0.15", "G_j": "0.1",
+           "G_k": "0.12", "psi_ji": "0.6", "psi_li": "0.7", "psi_ki": "0.5", "eta_0": "0.8", "eta_prime_0": "-0.3",
+           "phi_j": "0.4", "sgn_x_dot": "1", "X_j": "1.1", "S_dj": "1.3", "H_j": "0.4", "gamma_j": "2", "r": "0.9", "k_1": "3",
+           "P": "2", "m_1": "2", "omega": "1.5", "A": "-1.7", "B": "0.4", "C": "0.9", "Q": "1.2", "V_k_abs": "6", "x_k0": "0.6",
+           "x_prime_k0": "-0.2"}
+SAMPLES_OF_MODES = {"R": "0.8, 0.3", "zeta": "0.05, 0.03", "psi_k": "0.6, 0.7", "psi_j": "0.6, -0.7", "psi_l": "0.5, 0.8"}
+
+
+# Claims
+
+
+def home_of(record):
+    """The equation on whose page a claim's steps stand: the one that its id begins with, else its first."""
+    first = record["claim"].partition("/")[0]
+    return first if first in record["equations"] else record["equations"][0]
+
+
+def kind_text(claim):
+    """How a claim bears on its equations, as the run found."""
+    kind, again = claim.get("kind", ""), claim.get("same_as", "")
+    says_again = f" (it says the same as {escaped(again)})" if again and kind != "argument" else ""
+    return KINDS.get(kind, "derived") + says_again
+
+
+def step_sentence(step, claim):
+    """The sentence of a step; the generators of the zero test, which follow "zero with", stay as the run wrote them."""
+    if "text_latex" in step:
+        return typeset(step["text_latex"], claim)
+    head, zero_with, generators = step["text"].partition("reduces to zero with ")
+    return prose(head + zero_with) + (f"<code>{escaped(generators)}</code>" if zero_with else "")
+
+
+def steps_of(record):
+    """The steps of a claim: a sentence and formulas each; what abbreviations stand for is looked up and comes last."""
+    steps, abbreviations = [], []
+    for step in record["steps"]:
+        text, latex = step["text"], step["latex"]
+        if text == ABBREVIATED:
+            abbreviations.append(SimpleNamespace(here=True, latex=latex, text="Here", left_out=0, condition=""))
+        elif text == DIVISORS and steps:
+            steps[-1].condition += f"{text}\n\n\\f[ {latex} \\f]\n"
+        else:
+            end = ":" if latex else "" if "zero with" in text else "."
+            long = len(latex) > LONGEST_FORMULA
+            steps.append(SimpleNamespace(here=False, text=step_sentence(step, record["claim"]) + end,
+                                         latex="" if long else latex, left_out=len(latex) if long else 0, condition=""))
+    return steps + abbreviations
+
+
+def claim_view(book, claim, equation):
+    record = record_of(book.run, claim["id"])
+    home, place = home_of(record), book.sources.claim(claim["id"])
+    if place is None:
+        raise Fault(f"claim {claim['id']} must be made in a source under derivation")
+    witness = claim.get("witness", {})
+    thresholds = claim.get("thresholds", [])
+    return dict(
+        claim, record=record, home=home, here=home == equation, place=place, label=claim_label(record),
+        bears=f"{kind_text(claim)}, {ROLES.get(claim['role'], 'a step of the argument')}",
+        witness=witness if witness != book.run.entries[equation]["witness"] else {},  # which stands at the head of the page
+        thresholds=[f"{t['what']}: {t['taken']:.3g} taken, turns at {t['turns']:.3g}" for t in thresholds],
+        whatever=claim["verdict"] == "refuted" and not any(t["decides"] for t in thresholds),
+        steps=steps_of(record), is_long=sum(len(step["latex"]) + 60 for step in record["steps"]) > 900,
+        count=sum(step["text"] not in (ABBREVIATED, DIVISORS) for step in record["steps"]))
+
+
+def sorted_claims(entry):
+    """The equation's own claims, about the paper's formula and not about a form of it; all others; observations."""
+    equation, own, decisive, others = entry["equation"], [], [], []
+    its = lambda claim: claim["id"].startswith(equation + "/")
+    for claim in entry["claims"]:
+        new = not claim.get("same_as")
+        decides = new and claim.get("kind", "derived") != "refinement"
+        if claim["role"] == "observation":
+            continue
+        elif decides and its(claim) and claim["role"] != "step":
+            own.append(claim)
+        else:
+            (decisive if decides and claim["role"] != "step" else others).append(claim)
+    if all(claim["role"] == "printed" for claim in own):  # (A.12) is decided by how a shipped formula follows from others
+        moved = [claim for claim in others if claim["role"] != "step" and not claim.get("same_as") and its(claim)]
+        own += moved
+        others = [claim for claim in others if claim not in moved]
+    if own:
+        others = decisive + others
+    else:
+        own = decisive or others[:1]  # (26) is decided by the claims on (A.13)
+        others = others if decisive else others[1:]
+    # What holds comes before what is refuted.
+    observations = [claim for claim in entry["claims"] if claim["role"] == "observation"]
+    return sorted(own, key=lambda claim: claim["role"] == "printed"), others, observations
+
+
+# Witnesses and statements
+
+
+def witness_names(run, witness):
+    """The values of a witness with their names typeset, as the derivation has them if it does."""
+    return [(formula(run.symbols[name]) if name in run.symbols else witness_name(name), value) for name, value in witness.items()]
+
+
+def is_of_formula(run, name, latex):
+    """Whether a name of a witness is one of the formula's; R_1 stands for R_i."""
+    shown = run.symbols.get(name) or ("" if name in run.symbols else symbol(name, True))
+    if not shown or shown in latex:
+        return True
+    for mass in "123":
+        before, found, after = shown.rpartition(mass)
+        shown = before + "i" + after if found else shown
+    return shown.replace("_{i}", "_i", 1) in latex
+
+
+def statement_of(run, entry):
+    """The printed formula and the one that holds, with the difference marked where a person has marked it."""
+    departure = run.departures.get(entry["equation"])
+    marked = departure is not None and departure.printed != ""
+    held = departure.holds if marked else entry["correction"]
+    read, two = entry["statement"], entry["correction"] != ""
+    latex = f"{read} {without_marks(held)}"
+    of_formula = {name: value for name, value in entry["witness"].items()
+                  if is_of_formula(run, name, f"{read} {entry['correction']}")}
+    return SimpleNamespace(departure=departure, marked=marked, printed=departure.printed if marked else read, held=held, two=two,
+                           short=two and len(read) < 110 and len(without_marks(held)) < 110,
+                           symbols=symbols_in(run.notation, latex), witness=of_formula or entry["witness"])
+
+
+# What a page offers
+
+
+def scene_words(question):
+    """A question of the conformance kit in symbols."""
+    scene = question["scene"]
+    listed = lambda values: ", ".join(f"{value:.10g}" for value in values)
+    text = (f"γ = {listed(scene['mass_ratios'])}; κ = {listed(scene['stiffness_ratios'])}; ζ = {listed(scene['damping_ratios'])}; "
+            f"j = {scene['contact']}, l = {scene['load']}; μ = {scene['mu']:.10g}; r = {scene['r']:.10g}; β = {scene['beta']:.10g}")
+    text += f"; k = {question['mass']}" if question.get("mass", 0) > 0 else ""
+    return text + (f"; τ = {question['tau']:.10g}" if question["quantity"] == "displacement" else "")
+
+
+def offer_of(run, equation):
+    """The formula as code, and certified questions for the reader's own number."""
+    formula_offered = run.formulas.get(equation)
+    scenes = [{"scene": scene_words(each["question"]), "quantity": each["question"]["quantity"], "right": each["right"],
+               "mistakes": each["mistakes"]} for each in run.questions.get(equation, [])]
+    return SimpleNamespace(formula=formula_offered, scenes=scenes, there=formula_offered is not None or scenes != [],
+                           id=equation_label(equation) + "_check_form")
+
+
+# The kernel of Coq
+
+
+def kernel_of(book, entry):
+    """What the kernel says of an equation: theorems with their statements, claims with the lemmas that were exported."""
+    kernel = entry.get("kernel", {"status": "not_run"})
+    theorems = [(title, theorem, theorem_statement(book.run.theorems, theorem["name"]))
+                for title, kind in (("Theorem", "theorems"), ("Negation", "negations")) for theorem in kernel.get(kind, [])]
+    claims = []
+    for claim in entry["claims"] if kernel["status"] != "not_run" else []:
+        told = claim.get("kernel", {"status": "not_run"})
+        found = book.run.certificates.get(claim["id"]) or book.run.certificates.get(claim["id"].rpartition("/")[0])
+        certificate = found if found and found["lemmas"] and told["status"] != "not_run" else None
+        claims.append(SimpleNamespace(id=claim["id"], kernel=told, certificate=certificate))
+    return dict(kernel, theorems=theorems, claims=claims)
+
+
+def theorem_statement(text, name):
+    """The statement of a theorem, from the file that has them all; empty where it is not there."""
+    found = re.search(rf"Definition {re.escape(name)} : Prop :=.*?\.(?=\n)", text, re.S)
+    return found[0] if found else ""
+
+
+# The page
+
+
+def tests_of(book, entry):
+    tests = []
+    for key, verdict in (("tests_failed", "failed"), ("tests", "passed")):
+        for name in entry[key]:
+            place = book.sources.test(name)
+            if place is None:
+                raise Fault(f"test '{name}' must stand in a source under tests")
+            tests.append((name, verdict, place))
+    return tests
+
+
+def figures_of(book, entry):
+    figures = {figure.name: figure for figure in book.run.figures}
+    for name in entry["figures"]:
+        if name not in figures:
+            raise Fault(f"figure {name} must be drawn; run ./verify figures")
+    return [figures[name] for name in entry["figures"]]
+
+
+def in_namespace(functions, name):
+    return [function for function in functions if f"::{name}::" in function["name"]]
+
+
+def accuracy_rows(run, equation=None):
+    """Rows of the records of accuracy, with the number type of each; of one equation, or all."""
+    return [(record["type"], row) for record in run.accuracy for row in record["functions"]
+            if equation is None or equation in row["equations"]]
+
+
+def equation_view(book, entry):
+    """All that the two pages of an equation show."""
+    equation, functions = entry["equation"], entry["functions"]
+    at = EQUATIONS.index(equation)
+    paper, forms = in_namespace(functions, "paper"), in_namespace(functions, "evaluation")
+    callers = [function for function in functions if function not in paper and function not in forms]
+    own, others, observations = ([claim_view(book, claim, equation) for claim in claims] for claims in sorted_claims(entry))
+    statement = statement_of(book.run, entry)
+    view = SimpleNamespace(
+        entry=entry, equation=equation, name=equation_label(equation), statement=statement,
+        previous=EQUATIONS[at - 1] if at else None, next=EQUATIONS[at + 1] if at + 1 < len(EQUATIONS) else None,
+        place=book.run.places.get(equation), remark=book.run.remarks.get(equation), fails=fails(entry["printed"]),
+        own=own, others=others, observations=observations, paper=paper, forms=forms, callers=callers,
+        offer=offer_of(book.run, equation), figures=figures_of(book, entry), tests=tests_of(book, entry),
+        kernel=kernel_of(book, entry), accuracy=accuracy_rows(book.run, equation),
+        copied=(without_marks(statement.departure.holds) if entry["correction"] and statement.departure and statement.departure.holds
+                else statement_that_holds(entry)))
+    view.more = [what for there, what in (
+        (forms, "the forms that keep their digits"), (others, f"{len(others)} further claim{'s' if len(others) != 1 else ''}"),
+        (view.accuracy, "the measured accuracy"), (callers, "the functions that use it")) if there]
+    view.contents = [(key, title) for key, title, there in (
+        ("proof", "proof", True), ("functions", "function", True), ("check", "check your number", view.offer.there),
+        ("figures", "figure", view.figures), ("tests", "tests", True), ("observations", "what the text says", observations),
+        ("kernel", "kernel", True), ("more_link", "more", view.more)) if there]
+    return view

@@ -1,0 +1,192 @@
+"""What a run wrote, as the pages take it: ledger, derivation, figures, measurements; and what people wrote beside it."""
+import csv
+import json
+import math
+import re
+import subprocess
+from types import SimpleNamespace
+
+from .text import EQUATIONS, Fault
+
+
+def read_run(verify, source):
+    """Everything that the pages are made of."""
+    run = SimpleNamespace()
+    paper = verify / "paper"
+    run.ledger = json.loads((paper / "ledger.json").read_text())
+    run.entries = {entry["equation"]: entry for entry in run.ledger}
+    run.claims = {claim["claim"]: claim for claim in json.loads((paper / "derivation.json").read_text())}
+    run.symbols = {value["name"]: value["name_latex"] for claim in run.claims.values()
+                   for value in claim.get("witness", []) if value.get("name_latex")}
+    run.run = json.loads((paper / "run.json").read_text())
+    run.audit = (paper / "audit.md").read_text()
+    exported = verify / "kernel/certificates.json"
+    certificates = json.loads(exported.read_text())["certificates"] if exported.exists() else []
+    run.certificates = {certificate["claim"]: certificate for certificate in certificates}
+    statements = source / "derivation/kernel/Statements.v"
+    run.theorems = statements.read_text() if statements.exists() else ""
+    run.figures = read_figures(verify / "figures", source)
+    ranks = {"d": 0, "l": 1}  # double before long double before 50 digits
+    run.accuracy = sorted((json.loads(file.read_text()) for file in sorted((verify / "test-results/accuracy").glob("*.json"))),
+                          key=lambda record: ranks.get(record["type"][0], 2))
+    run.chart, run.batch = (file.read_text() if file.exists() else ""
+                            for file in (verify / "chart/tables.md", verify / "chart/batch.md"))
+    run.conformance = {file.stem: file.read_text() for file in (verify / "conformance").glob("*.md")}
+    run.departures = {row["equation"]: SimpleNamespace(said=row["said"], printed=row.get("printed", ""), holds=row.get("holds", ""))
+                      for row in json.loads((source / "docs/ledger/departures.json").read_text())}
+    run.notation = read_symbols((source / "docs/notation.md").read_text())
+    places = source / "docs/explore/places.json"
+    run.places = json.loads(places.read_text()) if places.exists() else {}
+    program = verify / "bin/denhartog"
+    offers = json.loads(told([verify / "bin/offers", source / "tests/conformance/vectors"]))
+    run.formulas, run.questions = offers["formulas"], offers["questions"]
+    run.motion = motion_of_example(program, source / "docs/example.json")
+    run.remarks = computed_remarks(program)
+    return run
+
+
+def told(command, asked=""):
+    """What a program answers."""
+    return subprocess.run(list(map(str, command)), input=asked, check=True, capture_output=True, text=True).stdout
+
+
+def motion_of_example(program, scene, samples=36):
+    """Displacements of the masses of the program's example, a list an instant of the period."""
+    rows = csv.DictReader(told([program, "motion", scene, "--samples", samples]).splitlines())
+    return [[float(row[name]) for name in row if name.startswith("x_")] for row in rows]
+
+
+def computed_remarks(program):
+    """Remarks on equations that do not depart from the print, with numbers that the program computes."""
+    first, second = (math.sqrt(5) - 1) / 2, (math.sqrt(5) + 1) / 2  # the two masses of Fig. 10 with the least damping
+    scene = {"mass_ratios": [1, 1], "stiffness_ratios": [1, 1], "damping_ratios": [0.001 / first, 0.001 / second],
+             "contact": 2, "load": 1, "r": 0.55}
+    limit = json.loads(told([program, "boundary", "--json"], json.dumps(scene)))["beta_lim"]
+    excess = 100 * (limit["approximate"] / limit["exact"] - 1)
+    return {"67": "(67) requires only that the contact does not stick where its motion turns. It does not require that the contact "
+                  "slides in between. Where (67) and the boundary (69) differ, (67) errs on the unsafe side: "
+                  f"{excess:.0f} % above (69) at $r = 0.55$ for the two masses of Fig. 10 with $\\zeta_i = 0.001/r_{{n,i}}$."}
+
+
+def record_of(run, claim):
+    """The record of a claim, of which the ledger may have one for each of its equations, with the equation at its end."""
+    shorter, _, equation = claim.rpartition("/")
+    record = run.claims.get(claim) or (run.claims.get(shorter) if equation in EQUATIONS else None)
+    if record is None:
+        raise Fault(f"claim {claim} must have its steps in derivation.json; run ./verify paper again")
+    return record
+
+
+# Figures
+
+
+def title_of_script(lines):
+    """The first sentence of a plot script, where no program has recorded a title."""
+    title = ""
+    for line in lines:
+        if not line.startswith("# "):
+            break
+        title += (" " if title else "") + line[2:]
+        if (end := re.search("[.;]", title)) and not title.startswith("Fig. "):
+            return title[:end.start()]
+    if title.startswith("Fig. "):  # Fig. 1: the chain of N masses. ...
+        title = title.partition(": ")[2].partition(". ")[0].removesuffix(".")
+        title = title[0].upper() + title[1:]
+    return title
+
+
+def read_figures(folder, source):
+    """The figures of the run, those of the paper first."""
+    captions = json.loads((source / "docs/ledger/figures.json").read_text())
+    figures = []
+    for name in sorted(file.stem for file in folder.glob("*.svg")):
+        places = [place + name + ".gp" for place in ("paper-figures/", "paper-figures/beyond/", "paper-figures/beyond/chart/")]
+        script = next((place for place in places if (source / place).exists()), None)
+        if script is None:  # left by an earlier run
+            continue
+        if name not in captions:
+            raise Fault(f"figure {name} must have its caption in docs/ledger/figures.json")
+        record = json.loads((folder / f"{name}.json").read_text()) if (folder / f"{name}.json").exists() else None
+        title = record["title"] if record else title_of_script((source / script).read_text().splitlines())
+        number = f"Fig. {int(name[3:5])}" if name.startswith("fig") else ""
+        data = [file.name for ending in (".dat", ".csv") for file in sorted(folder.glob(f"{name}*{ending}"))]
+        figures.append(SimpleNamespace(name=name, number=number, title=title, record=record, script=script, data=data,
+                                       full_title=f"{number}: {title}" if number else title, caption=captions[name]))
+    return sorted(figures, key=lambda figure: not figure.number)
+
+
+# Symbols
+
+
+def of_other_masses(latex):
+    """The same symbol of another mass: psi_ki, psi_ji, psi_li; G_k, G_j."""
+    base, bar, below = latex.rpartition("_")
+    mass = next((mass for mass in "kj" if bar and mass in below), None)
+    if mass is None or "lim" in below:
+        return [latex]
+    at = latex.index(mass, len(base))
+    return [latex] + [latex[:at] + other + latex[at + 1:] for other in "kjl" if other != mass]
+
+
+def read_symbols(notation):
+    """The paper's symbols from the tables of the notation page."""
+    symbols = []
+    for line in notation.partition("\n## Symbols of ours\n")[0].splitlines():
+        if not line.startswith("| $"):
+            continue
+        cells = [cell.strip(" ") for cell in line[1:].removesuffix("|").split("|")]
+        if len(cells) < 4:
+            raise Fault(f"a symbol must have its meaning and its equation: {line}")
+        equations = [number for number in re.findall(r"\(([^)]*)\)", cells[3]) if number in EQUATIONS]
+        for latex in re.findall(r"\$([^$]*)\$", cells[0]):
+            latex = re.sub(r"(\\overline|\\mathbf|\\dot) (.)", r"\1{\2}", latex).replace(r"\boldsymbol\Psi", r"\boldsymbol{\Psi}")
+            latex = latex.replace("'", "")
+            if latex not in ("", "j", "l", "t"):
+                symbols.append(SimpleNamespace(latex=of_other_masses(latex), meaning=cells[2], equations=equations,
+                                               units=cells[4] if len(cells) > 4 else ""))
+    if not symbols:
+        raise Fault("the notation page must have tables of symbols")
+    return symbols
+
+
+def stands_in(latex, name):
+    """Whether a symbol stands in a formula, and not as a part of another one."""
+    before = (r"(?<![A-Za-z\\_{])" if len(name) < 3 else r"(?<![A-Za-z\\_])") if name[0].isalpha() else ""
+    return re.search(before + re.escape(name) + (r"(?![A-Za-z_])" if name[-1].isalpha() else ""), latex) is not None
+
+
+def symbols_in(symbols, latex):
+    """The symbols of a formula with their names in it, in the order of the notation page; of equal meanings the first."""
+    found = {}
+    for symbol in symbols:
+        if any(stands_in(latex, name) for name in symbol.latex):
+            found.setdefault(symbol.meaning, symbol)
+    return [(next((name for name in symbol.latex if name in latex), symbol.latex[0]), symbol) for symbol in found.values()]
+
+
+# Departures
+
+
+def faults_of_departures(departures, ledger):
+    """Why the departures do not fit the run: one without a sentence, a sentence too many, a formula that is not what is printed."""
+    def bare(latex):
+        for part in (r"\misprint", r"\mended", r"\begin{aligned}", r"\end{aligned}", r"\vphantom{\frac{V}{V}}",
+                     r"\vphantom{\sqrt{V_{dj}^2}}", r"\Bigl", r"\Bigr", r"\left.", r"\right.", r"\left", r"\right"):
+            latex = latex.replace(part, "")
+        return re.sub(r"[{}&\s\\]", "", latex)
+
+    faults = []
+    for entry in ledger:
+        place = f"docs/ledger/departures.json: ({entry['equation']})"
+        departure = departures.get(entry["equation"])
+        if (entry["departure"] != "none") != (departure is not None):
+            faults.append(f"{place} " + ("has a sentence and does not depart" if departure else
+                                         "departs from the print and has no sentence"))
+        if departure is None or not departure.printed:
+            continue
+        printed, statement = bare(departure.printed), bare(entry["statement"])
+        if printed != statement:
+            faults.append(f"{place} without its marks is not the printed formula: {printed} against {statement}")
+        if entry["equation"] != "68" and not (r"\misprint{" in departure.printed and r"\mended{" in departure.holds):
+            faults.append(f"{place} shows no difference")
+    return faults

@@ -1,0 +1,121 @@
+"""What the pages take from the sources: the lines of functions, and where claims and tests stand."""
+import re
+from collections import namedtuple
+from pathlib import Path
+
+from .text import Fault, html
+
+Place = namedtuple("Place", "file line")
+Snippet = namedtuple("Snippet", "file first lines signature")
+
+LITERAL = r'"(?:[^"\\]|\\.)*"'
+PIECES = re.compile(rf"//[^\n]*|/\*.*?\*/|R\"(?P<end>[^(]*)\((?P<raw>.*?)\)(?P=end)\"|{LITERAL}|(?<!\w)'(?:[^'\\]|\\.)*'",
+                    re.S | re.ASCII)
+TEST = re.compile(rf"(?:TEST_CASE|SCENARIO)\(\s*((?:{LITERAL}\s*)+),\s*((?:{LITERAL}\s*)+)")
+KEYWORDS = re.compile(r"\b(template|class|struct|return|const|typename|inline|requires)\b", re.ASCII)
+COQ_KEYWORDS = set("""Lemma Theorem Definition forall exists Proof Qed Section End Variables Hypothesis Fixpoint fun match with end if
+then else let in Require Import Open Scope""".split())
+
+
+def unescaped(literal):
+    return re.sub(r"\\(.)", lambda m: {"n": "\n", "t": "\t"}.get(m[1], m[1]), literal, flags=re.S)
+
+
+class Sources:
+    """The sources of the project."""
+
+    def __init__(self, root):
+        self.root = Path(root)
+        self.files = {}
+        self.makers, self.literals, self.lines_of, self.tests = {}, {}, {}, {}
+        for file in sorted((self.root / "derivation").rglob("*.cpp")):
+            self.read_claims(file.relative_to(self.root).as_posix(), file.read_text())
+        for file in sorted((self.root / "tests").rglob("*.cpp")):
+            self.read_tests(file.relative_to(self.root).as_posix(), file.read_text())
+
+    def read_claims(self, name, text):
+        """Keeps the literals of a source: those that a claim takes as its id, others with a slash, and those without."""
+        before, end = "", 0
+        for piece in PIECES.finditer(text):
+            before = text[end:piece.start()].strip(" \t") if piece.start() > end else before
+            end = piece.end()
+            if piece[0].startswith("/"):
+                before = ""
+                continue
+            literal = piece["raw"] if piece["raw"] is not None else unescaped(piece[0][1:-1])
+            place = Place(name, text.count("\n", 0, piece.start()) + 1)
+            if "/" in literal:
+                (self.makers if before.endswith(".id =") else self.literals).setdefault(literal, place)
+            else:
+                self.lines_of.setdefault((name, literal), place.line)
+            before = ""
+
+    def read_tests(self, name, text):
+        for test in TEST.finditer(text):
+            if "[eq:" in test[2]:
+                told = "".join(unescaped(part[1:-1]) for part in re.findall(LITERAL, test[1]))
+                self.tests.setdefault(told, Place(name, text.count("\n", 0, test.start(1)) + 1))
+
+    def claim(self, claim):
+        """Where a claim is made, of whose id a source may have the beginning alone; None where nowhere."""
+        for places in (self.makers, self.literals):
+            if claim in places:
+                return places[claim]
+            begins = [text for text in places
+                      if claim.startswith(text) and (text.endswith(("=", "/")) or claim[len(text)] == "/")]
+            if begins:
+                text = max(begins, key=len)
+                file, line = places[text]
+                return Place(file, self.lines_of.get((file, claim[len(text):]), line))
+        return None
+
+    def test(self, name):
+        """Where a test is declared, by its name as it ran: that of a test over types ends with the type."""
+        return self.tests.get(name) or self.tests.get(name.rpartition(" - ")[0])
+
+    def snippet(self, function):
+        """A function or a type of the ledger, from its template head to its closing brace."""
+        name, file, at = function["name"], function["file"], function["line"]
+        if file not in self.files:
+            self.files[file] = (self.root / file).read_text().split("\n")
+        lines = self.files[file]
+        word = name.rpartition("::")[2]
+        if not 1 <= at <= len(lines) or not re.search(rf"(?<!\w){re.escape(word)}(?!\w)", lines[at - 1], re.ASCII):
+            raise Fault(f"{name} must stand where the ledger has it, {file}:{at}; run ./verify paper again")
+        first = at - 1
+        while first > 0 and not re.match(r"\s*($|//|#)|.*[;{}]\s*$", lines[first - 1]):
+            first -= 1
+        taken, depth, signature = [], 0, 0
+        for line in lines[first:]:
+            taken.append(line)
+            closed = False
+            for c in line.partition("//")[0]:
+                if c == "{":
+                    signature = signature or len(taken)
+                    depth += 1
+                elif c == "}":
+                    depth -= 1
+                    closed = depth == 0
+                elif c == ";" and depth == 0:
+                    closed = True
+            if closed:
+                break
+        return Snippet(file, first + 1, taken, signature or len(taken))
+
+
+def code_line(line):
+    """A line of C++, comments and keywords marked as Doxygen marks them."""
+    code, slashes, comment = line.partition("//")
+    marked = KEYWORDS.sub(r'<span class="keyword">\1</span>', html(code))
+    return marked + (f'<span class="comment">{html(slashes + comment)}</span>' if slashes else "")
+
+
+def coq_lines(text):
+    """Lines in the language of Coq, keywords and comments marked."""
+    def marked(piece):
+        if piece[0].startswith("(*"):
+            return "\n".join(f'<span class="comment">{html(line)}</span>' if line else "" for line in piece[0].split("\n"))
+        return f'<span class="keyword">{piece[0]}</span>' if piece[0] in COQ_KEYWORDS else html(piece[0])
+
+    pieces = re.compile(r"\(\*.*?(?:\*\)|\Z)|[A-Za-z]\w*|.", re.S | re.ASCII)
+    return pieces.sub(marked, text.removesuffix("\n")).split("\n")
