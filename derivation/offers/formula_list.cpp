@@ -24,7 +24,7 @@ using Number = Written;
 using Complex = denhartog::Complex<Number>;
 using Names = std::vector<std::string>;
 
-Number s(const std::string& name) { return Number::symbol(name); }
+Number s(const std::string& name) { return Number::of(name); }
 Complex c(const std::string& name) { return {s(name + "_re"), s(name + "_im")}; }
 std::vector<Number> parts(const Complex& z) { return {z.re, z.im}; }
 
@@ -37,8 +37,6 @@ struct OneMode {
 
 std::span<const Number> all(const std::array<Number, 1>& values) { return values; }
 
-Number over_modes(const Number& term) { return Number::sum_over_modes(term); }
-
 const Number R = s("R"), zeta = s("zeta"), tau = s("tau"), beta = s("beta"), mu = s("mu"), phi_j = s("phi_j");
 const Names mode{"R", "zeta"}, mode_at{"tau", "R", "zeta"};
 
@@ -48,12 +46,9 @@ ModeInScene<Number> in_scene() { return {R, zeta, s("psi_ji"), s("psi_li")}; }
 InitialValues<Number> start() { return {s("eta_0"), s("eta_prime_0")}; }
 PhaseSystem<Number> phase_system() { return {s("A"), s("B"), s("C"), s("P"), s("Q"), s("R")}; }
 
-OfferedFormula one(const std::string& equation, const std::string& what, const std::string& name, Names arguments,
-                   std::vector<Number> results, std::vector<Number> printed = {}, Names of_modes = {}) {
-    return {equation,
-            what,
-            {name, arguments, of_modes, std::move(results)},
-            {name + "_as_printed", arguments, of_modes, std::move(printed)}};
+OfferedFormula one(const std::string& equation, const std::string& what, const std::string& name, const Names& arguments,
+                   std::vector<Number> results, std::vector<Number> printed = {}, const Names& of_modes = {}) {
+    return {equation, what, name, arguments, of_modes, std::move(results), std::move(printed)};
 }
 
 std::vector<OfferedFormula> of_section_2_1() {

@@ -1,4 +1,4 @@
-// The program that writes what the page of an equation offers: the formula as code in four languages, and certified questions
+// The program that writes what the page of an equation offers: the formula as the library computes it, and certified questions
 // with the answers of known mistakes to them, for a number that a reader pastes.
 #include <algorithm>
 #include <iostream>
@@ -18,17 +18,13 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t most_questions = 6, most_mistakes = 8;
 
 Json formula_json(const offers::OfferedFormula& formula) {
-    using offers::Language;
-    const auto in = [&formula](Language language) { return offers::code_of(formula.holds, language); };
-    return {{"what", formula.what},
-            {"arguments", formula.holds.arguments},
-            {"of_modes", formula.holds.of_modes},
-            {"results", formula.holds.results.size()},
-            {"cxx", in(Language::cxx)},
-            {"python", in(Language::python)},
-            {"matlab", in(Language::matlab)},
-            {"javascript", in(Language::javascript)},
-            {"printed", formula.printed.results.empty() ? "" : offers::code_of(formula.printed, Language::javascript)}};
+    const auto texts = [](const std::vector<offers::Written>& results) {
+        Json list = Json::array();
+        for (const offers::Written& result : results) list.push_back(result.text());
+        return list;
+    };
+    return {{"what", formula.what},         {"name", formula.name},           {"arguments", formula.arguments},
+            {"of_modes", formula.of_modes}, {"holds", texts(formula.results)}, {"printed", texts(formula.printed)}};
 }
 
 /// The answers of the mistakes that get a question wrong: those in its equation first.

@@ -1,26 +1,16 @@
 /// @file
-/// @brief A number type that writes down what is computed with it: the formulas of the library as code in other languages.
+/// @brief A number type that writes down what is computed with it.
 ///
-/// A formula template that is instantiated with `Written` gives the expression that the library computes, in the order in
-/// which the
-/// source has it. What a reader copies from a page is in this way the formula that runs.
+/// A formula template that is instantiated with `Written` gives the expression that the library computes, in the order in which
+/// the source has it. What a reader copies from a page is in this way the formula that runs.
 #pragma once
 
 #include <concepts>
-#include <memory>
 #include <string>
-#include <vector>
 
 #include "denhartog/number/number.hpp"
 
 namespace denhartog::offers {
-
-/// @brief An operation, or what it is applied to.
-struct Operation {
-    std::string name;                                      ///< `+`, `-`, `*`, `/`, `neg`, `sum`, a function; of a leaf its text
-    std::vector<std::shared_ptr<const Operation>> on = {}; ///< its operands; none of a leaf
-    std::string key = {};                                  ///< the whole expression: the same for the same computation
-};
 
 /// @brief A number that knows how it is computed. It cannot be compared.
 class Written {
@@ -28,72 +18,67 @@ public:
     /// @brief Zero.
     Written() : Written(0) {}
     /// @brief An integer. @param n the integer
-    Written(int n);
+    Written(int n) : text_(n < 0 ? "(-" + std::to_string(-n) + ")" : std::to_string(n)) {}
     /// @brief No floating-point number stands in a formula.
     template <std::floating_point F>
     Written(F) = delete;
     /// @brief No truth value is a number.
     Written(bool) = delete;
-    /// @brief A symbol. @param name its name in code @return the symbol
-    [[nodiscard]] static Written symbol(const std::string& name);
-    /// @brief The sum over the modes of an expression in symbols that have a value a mode. @param term one mode's @return the sum
-    [[nodiscard]] static Written sum_over_modes(const Written& term);
-    /// @brief What an operation makes. @param name its name @param on its operands @return the result
-    [[nodiscard]] static Written of(const std::string& name, const std::vector<Written>& on);
-    /// @return the operation
-    [[nodiscard]] const std::shared_ptr<const Operation>& operation() const { return operation_; }
+    /// @brief A symbol, or an expression. @param text its name, or what it is made of, in brackets @return the number
+    [[nodiscard]] static Written of(const std::string& text) {
+        Written made;
+        made.text_ = text;
+        return made;
+    }
+    /// @return the expression, with brackets around each operation
+    [[nodiscard]] const std::string& text() const { return text_; }
 
 private:
-    explicit Written(std::shared_ptr<const Operation> operation) : operation_(std::move(operation)) {}
-    std::shared_ptr<const Operation> operation_;
+    std::string text_;
 };
 
 /// @name Operations and functions, found by argument-dependent lookup
 /// @{
 
 /// @brief Sum. @param a a number @param b a number @return a + b
-[[nodiscard]] Written operator+(const Written& a, const Written& b);
+[[nodiscard]] inline Written operator+(const Written& a, const Written& b) {
+    if (a.text() == "0") return b;
+    return b.text() == "0" ? a : Written::of("(" + a.text() + "+" + b.text() + ")");
+}
 /// @brief Difference. @param a a number @param b a number @return a - b
-[[nodiscard]] Written operator-(const Written& a, const Written& b);
+[[nodiscard]] inline Written operator-(const Written& a, const Written& b) {
+    return Written::of("(" + a.text() + "-" + b.text() + ")");
+}
 /// @brief Product. @param a a number @param b a number @return a b
-[[nodiscard]] Written operator*(const Written& a, const Written& b);
+[[nodiscard]] inline Written operator*(const Written& a, const Written& b) {
+    return Written::of("(" + a.text() + "*" + b.text() + ")");
+}
 /// @brief Quotient. @param a a number @param b a number @return a / b
-[[nodiscard]] Written operator/(const Written& a, const Written& b);
+[[nodiscard]] inline Written operator/(const Written& a, const Written& b) {
+    return Written::of("(" + a.text() + "/" + b.text() + ")");
+}
 /// @brief Opposite. @param a a number @return -a
-[[nodiscard]] Written operator-(const Written& a);
+[[nodiscard]] inline Written operator-(const Written& a) { return Written::of("(-" + a.text() + ")"); }
 /// @brief Square root. @param x a number @return its root
-[[nodiscard]] Written sqrt(const Written& x);
+[[nodiscard]] inline Written sqrt(const Written& x) { return Written::of("sqrt(" + x.text() + ")"); }
 /// @brief Exponential. @param x a number @return its exponential
-[[nodiscard]] Written exp(const Written& x);
+[[nodiscard]] inline Written exp(const Written& x) { return Written::of("exp(" + x.text() + ")"); }
 /// @brief Sine. @param x a number @return its sine
-[[nodiscard]] Written sin(const Written& x);
+[[nodiscard]] inline Written sin(const Written& x) { return Written::of("sin(" + x.text() + ")"); }
 /// @brief Cosine. @param x a number @return its cosine
-[[nodiscard]] Written cos(const Written& x);
+[[nodiscard]] inline Written cos(const Written& x) { return Written::of("cos(" + x.text() + ")"); }
 /// @brief Hyperbolic sine. @param x a number @return its hyperbolic sine
-[[nodiscard]] Written sinh(const Written& x);
+[[nodiscard]] inline Written sinh(const Written& x) { return Written::of("sinh(" + x.text() + ")"); }
 /// @brief Hyperbolic cosine. @param x a number @return its hyperbolic cosine
-[[nodiscard]] Written cosh(const Written& x);
+[[nodiscard]] inline Written cosh(const Written& x) { return Written::of("cosh(" + x.text() + ")"); }
 /// @brief Angle of a point. @param y its second coordinate @param x its first one @return the angle
-[[nodiscard]] Written atan2(const Written& y, const Written& x);
+[[nodiscard]] inline Written atan2(const Written& y, const Written& x) {
+    return Written::of("atan2(" + y.text() + "," + x.text() + ")");
+}
+/// @brief The sum over the modes. @param term one mode's, in symbols that have a value a mode @return the sum
+[[nodiscard]] inline Written over_modes(const Written& term) { return Written::of("sum(" + term.text() + ")"); }
 
 /// @}
-
-/// @brief A language in which a formula is written.
-enum class Language { cxx, python, matlab, javascript };
-
-/// @brief A formula as a function of its arguments.
-struct WrittenFormula {
-    std::string name;                   ///< of the function
-    std::vector<std::string> arguments; ///< their names, in order
-    std::vector<std::string> of_modes;  ///< those of them that have a value a mode
-    std::vector<Written> results;       ///< one, or real and imaginary part
-};
-
-/// @brief A formula as code: a function with a name for each computation that is needed twice.
-/// @param formula   the formula
-/// @param language  the language
-/// @return          the lines of the function
-[[nodiscard]] std::string code_of(const WrittenFormula& formula, Language language);
 
 } // namespace denhartog::offers
 
@@ -103,7 +88,7 @@ namespace denhartog {
 template <>
 struct PiOf<offers::Written> {
     /// @return the symbol
-    static offers::Written value() { return offers::Written::of("pi", {}); }
+    static offers::Written value() { return offers::Written::of("pi"); }
 };
 
 } // namespace denhartog

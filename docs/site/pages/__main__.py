@@ -1,6 +1,7 @@
 """python3 -m pages write|link|finish: the generated pages of the site, from what a run left. Exit status: 0 done; 1 something is
 wrong, a sentence each on standard error; 2 usage."""
 import argparse
+import subprocess
 import sys
 from pathlib import Path
 
@@ -25,7 +26,7 @@ def main():
         else:
             from . import finish
             done, faults = getattr(finish, command)(**asked)
-    except Fault as fault:
+    except (Fault, OSError, subprocess.CalledProcessError) as fault:
         done, faults = "", [str(fault)]
     for fault in faults:
         print(f"pages: {fault}", file=sys.stderr)

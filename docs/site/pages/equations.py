@@ -3,8 +3,8 @@ import re
 from types import SimpleNamespace
 
 from .records import record_of, symbols_in
-from .text import (EQUATIONS, Fault, claim_label, equation_label, escaped, fails, formula, prose, statement_that_holds, symbol,
-                   typeset, without_marks, witness_name)
+from .text import (EQUATIONS, Fault, counted, displayed, equation_label, escaped, fails, formula, label, prose, statement_that_holds,
+                   symbol, typeset, without_marks)
 
 LONGEST_FORMULA = 1500  # longer ones are left to the record: nobody reads them, and they take seconds to typeset
 LONGEST_STATEMENT = 4000  # in the language of Coq
@@ -27,19 +27,6 @@ SAMPLES_OF_MODES = {"R": "0.8, 0.3", "zeta": "0.05, 0.03", "psi_k": "0.6, 0.7", 
 # Claims
 
 
-def home_of(record):
-    """The equation on whose page a claim's steps stand: the one that its id begins with, else its first."""
-    first = record["claim"].partition("/")[0]
-    return first if first in record["equations"] else record["equations"][0]
-
-
-def kind_text(claim):
-    """How a claim bears on its equations, as the run found."""
-    kind, again = claim.get("kind", ""), claim.get("same_as", "")
-    says_again = f" (it says the same as {escaped(again)})" if again and kind != "argument" else ""
-    return KINDS.get(kind, "derived") + says_again
-
-
 def step_sentence(step, claim):
     """The sentence of a step; the generators of the zero test, which follow "zero with", stay as the run wrote them."""
     if "text_latex" in step:
@@ -50,32 +37,31 @@ def step_sentence(step, claim):
 
 def steps_of(record):
     """The steps of a claim: a sentence and formulas each; what abbreviations stand for is looked up and comes last."""
-    steps, abbreviations = [], []
+    steps = []
     for step in record["steps"]:
-        text, latex = step["text"], step["latex"]
-        if text == ABBREVIATED:
-            abbreviations.append(SimpleNamespace(here=True, latex=latex, text="Here", left_out=0, condition=""))
-        elif text == DIVISORS and steps:
-            steps[-1].condition += f"{text}\n\n\\f[ {latex} \\f]\n"
-        else:
-            end = ":" if latex else "" if "zero with" in text else "."
-            long = len(latex) > LONGEST_FORMULA
-            steps.append(SimpleNamespace(here=False, text=step_sentence(step, record["claim"]) + end,
-                                         latex="" if long else latex, left_out=len(latex) if long else 0, condition=""))
-    return steps + abbreviations
+        text, latex, here = step["text"], step["latex"], step["text"] == ABBREVIATED
+        if text == DIVISORS and steps:
+            steps[-1]["condition"] += text + "\n" + displayed(latex)
+            continue
+        end = ":" if latex else "" if "zero with" in text else "."
+        long = len(latex) > LONGEST_FORMULA and not here
+        steps.append({"here": here, "text": "Here" if here else step_sentence(step, record["claim"]) + end, "condition": "",
+                      "latex": "" if long else latex, "left_out": len(latex) if long else 0})
+    return sorted(steps, key=lambda step: step["here"])
 
 
-def claim_view(book, claim, equation):
-    record = record_of(book.run, claim["id"])
-    home, place = home_of(record), book.sources.claim(claim["id"])
+def claim_view(run, sources, claim, equation):
+    """A claim in full; its steps stand on the page of the equation that its id begins with, else of its first one."""
+    record, place, again = record_of(run, claim["id"]), sources.claim(claim["id"]), claim.get("same_as", "")
     if place is None:
         raise Fault(f"claim {claim['id']} must be made in a source under derivation")
-    witness = claim.get("witness", {})
-    thresholds = claim.get("thresholds", [])
+    home = sorted(record["equations"], key=lambda number: number != record["claim"].partition("/")[0])[0]
+    witness, thresholds, kind = claim.get("witness", {}), claim.get("thresholds", []), claim.get("kind", "")
+    again = f" (it says the same as {escaped(again)})" if again and kind != "argument" else ""
     return dict(
-        claim, record=record, home=home, here=home == equation, place=place, label=claim_label(record),
-        bears=f"{kind_text(claim)}, {ROLES.get(claim['role'], 'a step of the argument')}",
-        witness=witness if witness != book.run.entries[equation]["witness"] else {},  # which stands at the head of the page
+        claim, record=record, home=home, here=home == equation, place=place, label=label("claim", record["claim"]),
+        bears=f"{KINDS.get(kind, 'derived')}{again}, {ROLES.get(claim['role'], 'a step of the argument')}",
+        witness=witness if witness != run.entries[equation]["witness"] else {},  # which stands at the head of the page
         thresholds=[f"{t['what']}: {t['taken']:.3g} taken, turns at {t['turns']:.3g}" for t in thresholds],
         whatever=claim["verdict"] == "refuted" and not any(t["decides"] for t in thresholds),
         steps=steps_of(record), is_long=sum(len(step["latex"]) + 60 for step in record["steps"]) > 900,
@@ -84,29 +70,20 @@ def claim_view(book, claim, equation):
 
 def sorted_claims(entry):
     """The equation's own claims, about the paper's formula and not about a form of it; all others; observations."""
-    equation, own, decisive, others = entry["equation"], [], [], []
-    its = lambda claim: claim["id"].startswith(equation + "/")
+    decides = lambda claim: claim["role"] != "step" and not claim.get("same_as")
+    is_form = lambda claim: claim.get("kind") == "refinement"
+    claims, observations = [], []
     for claim in entry["claims"]:
-        new = not claim.get("same_as")
-        decides = new and claim.get("kind", "derived") != "refinement"
-        if claim["role"] == "observation":
-            continue
-        elif decides and its(claim) and claim["role"] != "step":
-            own.append(claim)
-        else:
-            (decisive if decides and claim["role"] != "step" else others).append(claim)
+        (observations if claim["role"] == "observation" else claims).append(claim)
+    its = [claim for claim in claims if decides(claim) and claim["id"].startswith(entry["equation"] + "/")]
+    own = [claim for claim in its if not is_form(claim)]
     if all(claim["role"] == "printed" for claim in own):  # (A.12) is decided by how a shipped formula follows from others
-        moved = [claim for claim in others if claim["role"] != "step" and not claim.get("same_as") and its(claim)]
-        own += moved
-        others = [claim for claim in others if claim not in moved]
-    if own:
-        others = decisive + others
-    else:
-        own = decisive or others[:1]  # (26) is decided by the claims on (A.13)
-        others = others if decisive else others[1:]
-    # What holds comes before what is refuted.
-    observations = [claim for claim in entry["claims"] if claim["role"] == "observation"]
-    return sorted(own, key=lambda claim: claim["role"] == "printed"), others, observations
+        own += [claim for claim in its if is_form(claim)]
+    others = sorted((claim for claim in claims if claim not in own), key=lambda claim: not decides(claim) or is_form(claim))
+    if not own:  # (26) is decided by the claims on (A.13)
+        own = [claim for claim in others if decides(claim) and not is_form(claim)] or others[:1]
+        others = [claim for claim in others if claim not in own]
+    return sorted(own, key=lambda claim: claim["role"] == "printed"), others, observations  # first what holds
 
 
 # Witnesses and statements
@@ -114,12 +91,13 @@ def sorted_claims(entry):
 
 def witness_names(run, witness):
     """The values of a witness with their names typeset, as the derivation has them if it does."""
-    return [(formula(run.symbols[name]) if name in run.symbols else witness_name(name), value) for name, value in witness.items()]
+    latex = {name: run.symbols.get(name) or symbol(name, True) for name in witness}
+    return [(formula(latex[name]) if latex[name] else prose(name), value) for name, value in witness.items()]
 
 
 def is_of_formula(run, name, latex):
     """Whether a name of a witness is one of the formula's; R_1 stands for R_i."""
-    shown = run.symbols.get(name) or ("" if name in run.symbols else symbol(name, True))
+    shown = run.symbols.get(name) or symbol(name, True)
     if not shown or shown in latex:
         return True
     for mass in "123":
@@ -160,22 +138,21 @@ def offer_of(run, equation):
     formula_offered = run.formulas.get(equation)
     scenes = [{"scene": scene_words(each["question"]), "quantity": each["question"]["quantity"], "right": each["right"],
                "mistakes": each["mistakes"]} for each in run.questions.get(equation, [])]
-    return SimpleNamespace(formula=formula_offered, scenes=scenes, there=formula_offered is not None or scenes != [],
-                           id=equation_label(equation) + "_check_form")
+    return SimpleNamespace(formula=formula_offered, scenes=scenes, there=formula_offered is not None or scenes != [])
 
 
 # The kernel of Coq
 
 
-def kernel_of(book, entry):
+def kernel_of(run, entry):
     """What the kernel says of an equation: theorems with their statements, claims with the lemmas that were exported."""
     kernel = entry.get("kernel", {"status": "not_run"})
-    theorems = [(title, theorem, theorem_statement(book.run.theorems, theorem["name"]))
+    theorems = [(title, theorem, theorem_statement(run.theorems, theorem["name"]))
                 for title, kind in (("Theorem", "theorems"), ("Negation", "negations")) for theorem in kernel.get(kind, [])]
     claims = []
     for claim in entry["claims"] if kernel["status"] != "not_run" else []:
         told = claim.get("kernel", {"status": "not_run"})
-        found = book.run.certificates.get(claim["id"]) or book.run.certificates.get(claim["id"].rpartition("/")[0])
+        found = run.certificates.get(claim["id"]) or run.certificates.get(claim["id"].rpartition("/")[0])
         certificate = found if found and found["lemmas"] and told["status"] != "not_run" else None
         claims.append(SimpleNamespace(id=claim["id"], kernel=told, certificate=certificate))
     return dict(kernel, theorems=theorems, claims=claims)
@@ -190,19 +167,19 @@ def theorem_statement(text, name):
 # The page
 
 
-def tests_of(book, entry):
+def tests_of(sources, entry):
     tests = []
     for key, verdict in (("tests_failed", "failed"), ("tests", "passed")):
         for name in entry[key]:
-            place = book.sources.test(name)
+            place = sources.test(name)
             if place is None:
                 raise Fault(f"test '{name}' must stand in a source under tests")
             tests.append((name, verdict, place))
     return tests
 
 
-def figures_of(book, entry):
-    figures = {figure.name: figure for figure in book.run.figures}
+def figures_of(run, entry):
+    figures = {figure.name: figure for figure in run.figures}
     for name in entry["figures"]:
         if name not in figures:
             raise Fault(f"figure {name} must be drawn; run ./verify figures")
@@ -219,28 +196,27 @@ def accuracy_rows(run, equation=None):
             if equation is None or equation in row["equations"]]
 
 
-def equation_view(book, entry):
+def equation_view(run, sources, entry):
     """All that the two pages of an equation show."""
     equation, functions = entry["equation"], entry["functions"]
     at = EQUATIONS.index(equation)
     paper, forms = in_namespace(functions, "paper"), in_namespace(functions, "evaluation")
     callers = [function for function in functions if function not in paper and function not in forms]
-    own, others, observations = ([claim_view(book, claim, equation) for claim in claims] for claims in sorted_claims(entry))
-    statement = statement_of(book.run, entry)
-    view = SimpleNamespace(
-        entry=entry, equation=equation, name=equation_label(equation), statement=statement,
+    own, others, observations = ([claim_view(run, sources, claim, equation) for claim in claims] for claims in sorted_claims(entry))
+    statement, offer, figures, accuracy = statement_of(run, entry), offer_of(run, equation), figures_of(run, entry), accuracy_rows(run, equation)
+    departure, correction = statement.departure, entry["correction"]
+    said = ((departure and departure.said, "docs/ledger/departures.json"), (run.remarks.get(equation), f"a remark on ({equation})"))
+    more = [what for there, what in (
+        (forms, "the forms that keep their digits"), (others, counted(len(others), "further claim", "further claims")),
+        (accuracy, "the measured accuracy"), (callers, "the functions that use it")) if there]
+    contents = [(key, title) for key, title, there in (
+        ("proof", "proof", True), ("functions", "function", True), ("check", "check your number", offer.there),
+        ("figures", "figure", figures), ("tests", "tests", True), ("observations", "what the text says", observations),
+        ("kernel", "kernel", True), ("more_link", "more", more)) if there]
+    return dict(
+        entry=entry, equation=equation, name=equation_label(equation), statement=statement, fails=fails(entry["printed"]),
         previous=EQUATIONS[at - 1] if at else None, next=EQUATIONS[at + 1] if at + 1 < len(EQUATIONS) else None,
-        place=book.run.places.get(equation), remark=book.run.remarks.get(equation), fails=fails(entry["printed"]),
-        own=own, others=others, observations=observations, paper=paper, forms=forms, callers=callers,
-        offer=offer_of(book.run, equation), figures=figures_of(book, entry), tests=tests_of(book, entry),
-        kernel=kernel_of(book, entry), accuracy=accuracy_rows(book.run, equation),
-        copied=(without_marks(statement.departure.holds) if entry["correction"] and statement.departure and statement.departure.holds
-                else statement_that_holds(entry)))
-    view.more = [what for there, what in (
-        (forms, "the forms that keep their digits"), (others, f"{len(others)} further claim{'s' if len(others) != 1 else ''}"),
-        (view.accuracy, "the measured accuracy"), (callers, "the functions that use it")) if there]
-    view.contents = [(key, title) for key, title, there in (
-        ("proof", "proof", True), ("functions", "function", True), ("check", "check your number", view.offer.there),
-        ("figures", "figure", view.figures), ("tests", "tests", True), ("observations", "what the text says", observations),
-        ("kernel", "kernel", True), ("more_link", "more", view.more)) if there]
-    return view
+        place=run.places.get(equation), said=[typeset(words, place) for words, place in said if words], contents=contents, more=more,
+        own=own, others=others, observations=observations, paper=paper, forms=forms, callers=callers, offer=offer, figures=figures,
+        tests=tests_of(sources, entry), kernel=kernel_of(run, entry), accuracy=accuracy,
+        copied=without_marks(departure.holds) if correction and departure and departure.holds else statement_that_holds(entry))

@@ -1,5 +1,6 @@
 """The graph of what rests on what: where each equation stands, and the lines between them."""
 from collections import defaultdict
+from graphlib import CycleError, TopologicalSorter
 from types import SimpleNamespace
 
 from .text import Fault
@@ -9,20 +10,14 @@ WIDTH, HEIGHT, COLUMN, ROW, MARGIN, TOP = 46, 24, 56, 46, 16, 34  # of a box, fr
 
 def depths(ledger):
     """How far each equation stands below the first: below all that it rests on."""
-    grounds = {entry["equation"]: entry["rests_on"] for entry in ledger}
-    depth = {}
-
-    def depth_of(equation, above):
-        if equation in above:
-            raise Fault(f"equation ({equation}) must not rest on itself by any way round")
-        if equation not in grounds:
-            raise Fault(f"equation ({equation}) is rested on and must have an entry")
-        if equation not in depth:
-            depth[equation] = 1 + max((depth_of(ground, above | {equation}) for ground in grounds[equation]), default=-1)
-        return depth[equation]
-
-    for equation in grounds:
-        depth_of(equation, frozenset())
+    grounds, depth = {entry["equation"]: entry["rests_on"] for entry in ledger}, {}
+    try:
+        for equation in TopologicalSorter(grounds).static_order():
+            if equation not in grounds:
+                raise Fault(f"equation ({equation}) is rested on and must have an entry")
+            depth[equation] = 1 + max((depth[ground] for ground in grounds[equation]), default=-1)
+    except CycleError as error:
+        raise Fault(f"equation ({error.args[1][0]}) must not rest on itself by any way round") from error
     return depth
 
 

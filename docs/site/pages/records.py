@@ -4,50 +4,51 @@ import json
 import math
 import re
 import subprocess
+from itertools import takewhile
 from types import SimpleNamespace
 
-from .text import EQUATIONS, Fault
+from .text import EQUATIONS, Fault, label
 
 
-def read_run(verify, source):
-    """Everything that the pages are made of."""
-    run = SimpleNamespace()
-    paper = verify / "paper"
-    run.ledger = json.loads((paper / "ledger.json").read_text())
-    run.entries = {entry["equation"]: entry for entry in run.ledger}
-    run.claims = {claim["claim"]: claim for claim in json.loads((paper / "derivation.json").read_text())}
-    run.symbols = {value["name"]: value["name_latex"] for claim in run.claims.values()
-                   for value in claim.get("witness", []) if value.get("name_latex")}
-    run.run = json.loads((paper / "run.json").read_text())
-    run.audit = (paper / "audit.md").read_text()
-    exported = verify / "kernel/certificates.json"
-    certificates = json.loads(exported.read_text())["certificates"] if exported.exists() else []
-    run.certificates = {certificate["claim"]: certificate for certificate in certificates}
-    statements = source / "derivation/kernel/Statements.v"
-    run.theorems = statements.read_text() if statements.exists() else ""
-    run.figures = read_figures(verify / "figures", source)
-    ranks = {"d": 0, "l": 1}  # double before long double before 50 digits
-    run.accuracy = sorted((json.loads(file.read_text()) for file in sorted((verify / "test-results/accuracy").glob("*.json"))),
-                          key=lambda record: ranks.get(record["type"][0], 2))
-    run.chart, run.batch = (file.read_text() if file.exists() else ""
-                            for file in (verify / "chart/tables.md", verify / "chart/batch.md"))
-    run.conformance = {file.stem: file.read_text() for file in (verify / "conformance").glob("*.md")}
-    run.departures = {row["equation"]: SimpleNamespace(said=row["said"], printed=row.get("printed", ""), holds=row.get("holds", ""))
-                      for row in json.loads((source / "docs/ledger/departures.json").read_text())}
-    run.notation = read_symbols((source / "docs/notation.md").read_text())
-    places = source / "docs/explore/places.json"
-    run.places = json.loads(places.read_text()) if places.exists() else {}
-    program = verify / "bin/denhartog"
-    offers = json.loads(told([verify / "bin/offers", source / "tests/conformance/vectors"]))
-    run.formulas, run.questions = offers["formulas"], offers["questions"]
-    run.motion = motion_of_example(program, source / "docs/example.json")
-    run.remarks = computed_remarks(program)
-    return run
+def read_json(file):
+    try:
+        return json.loads(file.read_text())
+    except json.JSONDecodeError as error:
+        raise Fault(f"{file} must be JSON: {error}") from error
+
+
+def read_if_there(file):
+    return file.read_text() if file.exists() else ""
 
 
 def told(command, asked=""):
     """What a program answers."""
-    return subprocess.run(list(map(str, command)), input=asked, check=True, capture_output=True, text=True).stdout
+    return subprocess.run(list(map(str, command)), input=asked, check=True, stdout=subprocess.PIPE, text=True).stdout
+
+
+def read_run(verify, source):
+    """Everything that the pages are made of."""
+    ledger = read_json(verify / "paper/ledger.json")
+    claims = {claim["claim"]: claim for claim in read_json(verify / "paper/derivation.json")}
+    exported = verify / "kernel/certificates.json"
+    certificates = read_json(exported)["certificates"] if exported.exists() else []
+    accuracy = [read_json(file) for file in sorted((verify / "test-results/accuracy").glob("*.json"))]
+    program, offers = verify / "bin/denhartog", json.loads(told([verify / "bin/offers", source / "tests/conformance/vectors"]))
+    return SimpleNamespace(
+        ledger=ledger, entries={entry["equation"]: entry for entry in ledger}, claims=claims,
+        symbols={value["name"]: value["name_latex"] for claim in claims.values() for value in claim.get("witness", [])
+                 if value.get("name_latex")},
+        run=read_json(verify / "paper/run.json"), audit=(verify / "paper/audit.md").read_text(),
+        certificates={certificate["claim"]: certificate for certificate in certificates},
+        theorems=read_if_there(source / "derivation/kernel/Statements.v"), figures=read_figures(verify / "figures", source),
+        accuracy=sorted(accuracy, key=lambda record: {"d": 0, "l": 1}.get(record["type"][0], 2)),  # double before long double before 50 digits
+        chart=read_if_there(verify / "chart/tables.md"), batch=read_if_there(verify / "chart/batch.md"),
+        conformance={file.stem: file.read_text() for file in (verify / "conformance").glob("*.md")},
+        departures={row["equation"]: SimpleNamespace(**({"printed": "", "holds": ""} | row))
+                    for row in read_json(source / "docs/ledger/departures.json")},
+        notation=read_symbols((source / "docs/notation.md").read_text()), places=read_json(source / "docs/explore/places.json"),
+        formulas=offers["formulas"], questions=offers["questions"], motion=motion_of_example(program, source / "docs/example.json"),
+        remarks=computed_remarks(program))
 
 
 def motion_of_example(program, scene, samples=36):
@@ -82,36 +83,27 @@ def record_of(run, claim):
 
 def title_of_script(lines):
     """The first sentence of a plot script, where no program has recorded a title."""
-    title = ""
-    for line in lines:
-        if not line.startswith("# "):
-            break
-        title += (" " if title else "") + line[2:]
-        if (end := re.search("[.;]", title)) and not title.startswith("Fig. "):
-            return title[:end.start()]
-    if title.startswith("Fig. "):  # Fig. 1: the chain of N masses. ...
-        title = title.partition(": ")[2].partition(". ")[0].removesuffix(".")
-        title = title[0].upper() + title[1:]
-    return title
+    comment = " ".join(line[2:] for line in takewhile(lambda line: line.startswith("# "), lines))
+    if not comment.startswith("Fig. "):
+        return re.split("[.;]", comment)[0]
+    title = comment.partition(": ")[2].partition(". ")[0].removesuffix(".")  # Fig. 1: the chain of N masses. ...
+    return title[0].upper() + title[1:]
 
 
 def read_figures(folder, source):
     """The figures of the run, those of the paper first."""
-    captions = json.loads((source / "docs/ledger/figures.json").read_text())
-    figures = []
-    for name in sorted(file.stem for file in folder.glob("*.svg")):
-        places = [place + name + ".gp" for place in ("paper-figures/", "paper-figures/beyond/", "paper-figures/beyond/chart/")]
-        script = next((place for place in places if (source / place).exists()), None)
-        if script is None:  # left by an earlier run
-            continue
+    captions, figures = read_json(source / "docs/ledger/figures.json"), []
+    scripts = {file.stem: file for file in (source / "paper-figures").rglob("*.gp")}
+    for name in sorted(file.stem for file in folder.glob("*.svg") if file.stem in scripts):  # others an earlier run left
         if name not in captions:
             raise Fault(f"figure {name} must have its caption in docs/ledger/figures.json")
-        record = json.loads((folder / f"{name}.json").read_text()) if (folder / f"{name}.json").exists() else None
-        title = record["title"] if record else title_of_script((source / script).read_text().splitlines())
+        record = read_json(folder / f"{name}.json") if (folder / f"{name}.json").exists() else None
+        title = record["title"] if record else title_of_script(scripts[name].read_text().splitlines())
         number = f"Fig. {int(name[3:5])}" if name.startswith("fig") else ""
         data = [file.name for ending in (".dat", ".csv") for file in sorted(folder.glob(f"{name}*{ending}"))]
-        figures.append(SimpleNamespace(name=name, number=number, title=title, record=record, script=script, data=data,
-                                       full_title=f"{number}: {title}" if number else title, caption=captions[name]))
+        figures.append(SimpleNamespace(
+            name=name, label=label("figure", name), number=number, title=title, full_title=f"{number}: {title}" if number else title,
+            record=record, script=scripts[name].relative_to(source).as_posix(), data=data, caption=captions[name]))
     return sorted(figures, key=lambda figure: not figure.number)
 
 

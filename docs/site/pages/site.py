@@ -1,6 +1,7 @@
 """All generated pages: each kind has a template; the pages are Doxygen's, which resolves links to what is in the sources."""
 import json
 import re
+import shutil
 from collections import Counter
 from itertools import groupby
 from pathlib import Path
@@ -9,13 +10,14 @@ from types import SimpleNamespace
 import jinja2
 
 from . import text
-from .chapter import Chapter, read_chapter
+from .chapter import chapter_views, read_chapter
 from .check import faults_of_pages
+from .code import code_of
 from .equations import LONGEST_STATEMENT, SAMPLES, SAMPLES_OF_MODES, accuracy_rows, equation_view, in_namespace, witness_names
 from .graph import graph_of
 from .records import faults_of_departures, read_run, record_of
-from .sources import Place, Sources, code_line, coq_lines
-from .text import EQUATIONS, Fault, closed_marks, html, statement_that_holds, typeset, verdict_text, without_marks
+from .sources import Sources, code_lines, coq_lines
+from .text import EQUATIONS, Fault, closed_marks, html, statement_that_holds, told_in, verdict_text, without_marks
 
 SECTIONS = {"2.1": "Formulation", "2.2": "Modal superposition", "2.3": "The mass in contact", "2.4": "Time response",
             "2.5": "The other masses", "2.6": "Domain of validity", "3.1": "Numerical approach", "4.1": "Resonances",
@@ -29,12 +31,6 @@ def scene_sentence(scene):
     """What a scene shows of a printed equation, in a sentence without a full stop."""
     return (f"{scene['where']} ({scene['regime'].replace('_', ' ')} motion): {scene['quantity']}, {scene['printed']:.4g} as printed, "
             f"{scene['holds']:.4g} as it is, a loss of {scene['loss']:.4g}")
-
-
-def kind_text(kind):
-    if kind == "quoted":
-        return "quoted from another work"
-    return ("an " if kind in ("assumption", "approximation") else "a ") + kind
 
 
 def tables(markdown, prefix):
@@ -70,15 +66,6 @@ def worst_of_functions(run):
     return worst
 
 
-def statements_of(figures):
-    """How the statements about figures came out."""
-    said = [statement for figure in figures if figure.record for statement in figure.record["statements"]]
-    borne_out = sum(statement["borne_out"] for statement in said)
-    not_to_measure = sum(not statement["borne_out"] and bool(statement.get("measure")) for statement in said)
-    return SimpleNamespace(said=len(said), borne_out=borne_out, not_to_measure=not_to_measure,
-                           refuted=len(said) - borne_out - not_to_measure)
-
-
 def moving_masses(motion, pixels=17, length=90):
     """How the masses of the picture move, and how the springs before them stretch, at each instant of a period."""
     masses = []
@@ -91,33 +78,25 @@ def moving_masses(motion, pixels=17, length=90):
     return masses
 
 
-def loss_of(entry):
-    """What coding an equation as printed costs on the scene of its refutation; None where there is no such scene."""
-    return entry.get("scene", {}).get("loss") if entry["printed"] == "refuted" else None
-
-
 def environment(run, sources):
     """Jinja with the words of the pages as filters."""
     templates = Path(__file__).parent.parent / "templates"
     jinja = jinja2.Environment(loader=jinja2.FileSystemLoader(templates), undefined=jinja2.StrictUndefined, trim_blocks=True,
                                lstrip_blocks=True, keep_trailing_newline=True, comment_start_string="<!--#", comment_end_string="#-->")
-    for name in """html escaped formula displayed equation_label equation_link equation_links prose typeset sentence witness_value
-                   counted verdict_text verdict_mark fails statement_that_holds function_link claim_link""".split():
-        jinja.filters[name] = getattr(text, name)
-    jinja.filters |= dict(
-        code_line=code_line, coq_lines=coq_lines, scene_sentence=scene_sentence, kind=kind_text, in_namespace=in_namespace,
-        departure_text=DEPARTURES.__getitem__, error=lambda worst: "not finite" if worst is None else f"{worst:.3g}",
+    jinja.filters |= {name: word for name, word in vars(text).items() if callable(word)} | dict(
+        code_of=code_of, coq_lines=coq_lines, scene_sentence=scene_sentence, in_namespace=in_namespace,
+        departure_text=DEPARTURES.get, error=lambda worst: "not finite" if worst is None else f"{worst:.3g}",
+        snippet_lines=lambda function, signature=False: code_lines(sources.snippet(function), signature),
         json=lambda value: json.dumps(value, ensure_ascii=False, separators=(",", ":")),
         sample=lambda name, of_modes: SAMPLES_OF_MODES[name] if of_modes else SAMPLES.get(name, "1"),
-        source_link=lambda place, shown: text.source_link(place if isinstance(place, Place) else Place(place["file"], place["line"]), shown),
         names=lambda witness: witness_names(run, witness), record=lambda claim: record_of(run, claim),
-        section_label=lambda section: text.label("equations", section),
+        in_order=lambda entries, key: [(name, list(group)) for name, group in groupby(entries, lambda entry: entry[key])],
         section_title=lambda section: f"{section} {SECTIONS[section]}" if section in SECTIONS else section,
-        counts=lambda ledger, key: ", ".join(f"{n} {verdict_text(word)}"
+        counts=lambda ledger, key: ", ".join(f"{n} {text.verdict_text(word)}"
                                              for word, n in sorted(Counter(entry[key] for entry in ledger).items())),
-        tables=lambda markdown, prefix: jinja.get_template("tables.html").render(parts=tables(markdown, prefix)))
-    said_of = lambda equation: typeset(run.departures[equation].said, "departures.json") if equation in run.departures else ""
-    jinja.globals |= dict(sources=sources, run=run, ledger=run.ledger, figures=run.figures, departures=run.departures,
+        tables=lambda markdown, prefix: jinja.get_template("tables.html").render(pieces=tables(markdown, prefix)))
+    said_of = lambda equation: text.typeset(run.departures[equation].said, "departures.json") if equation in run.departures else ""
+    jinja.globals |= dict(run=run, ledger=run.ledger, figures=run.figures, departures=run.departures,
                           said_of=said_of, longest_statement=LONGEST_STATEMENT)
     return jinja
 
@@ -128,50 +107,32 @@ def make_pages(run, sources, chapter):
     faults += faults_of_departures(run.departures, run.ledger)
     if faults:
         return {}, faults
-    jinja = environment(run, sources)
-    book = SimpleNamespace(run=run, sources=sources)
-    pages = {}
+    jinja, pages = environment(run, sources), {}
 
-    def add(template, name, view):
-        try:
-            pages[name] = jinja.get_template(template + ".html").render(view() if callable(view) else view)
-        except Fault as fault:
-            faults.append(str(fault))
+    def add(name, template, view):
+        page = jinja.get_template(f"{template}.html").render(view)
+        pages[name] = re.sub(r"\n*(\n\\(?:sub)?section .*\n)\n*", r"\n\1\n", page)  # a heading stands apart
 
-    ledger = run.ledger
     for figure in run.figures:
-        figure.label = text.label("figure", figure.name)
-        add("figure", figure.label, {"figure": figure, "program": Place(figure.script.removesuffix("gp") + "cpp", 1)})
+        with told_in(faults):
+            add(figure.label, "figure", dict(figure=figure, program=figure.script.removesuffix("gp") + "cpp"))
     for equation in EQUATIONS:
-        try:
-            view = equation_view(book, run.entries[equation])
-        except Fault as fault:
-            faults.append(str(fault))
-            continue
-        add("equation", view.name, vars(view))
-        if view.more:
-            add("equation_more", view.name + "_more", vars(view))
-    count = lambda key, word: sum(entry[key] == word for entry in ledger)
-    departing = len(ledger) - count("departure", "none")
-    costliest = sorted((entry for entry in ledger if loss_of(entry) is not None), key=loss_of, reverse=True)[:5]
-    add("home", "home", dict(masses=moving_masses(run.motion), costliest=costliest, departing=departing,
-                             refuted=count("printed", "refuted"), illegible=count("printed", "illegible"),
-                             proved=count("shipped", "proved"), approximations=count("shipped", "approximation")))
-    add("equations", "equations", dict(sections=[(name, list(entries)) for name, entries in groupby(ledger, lambda e: e["section"])]))
-    add("errata", "errata", dict(departing=departing))
-    summary, audit = tables(run.audit, "audit")
-    add("audit", "audit", dict(summary=summary["text"], rows=audit["rows"][1:]))
-    for name in ("errata_sheet", "stand_ins", "speed_page", "conformance_page"):
-        add(name, name, {})
-    add("equation_graph", "equation_graph", lambda: dict(graph=graph_of(ledger)))
-    add("figures_page", "figures_page", dict(of_the_text=statements_of(figure for figure in run.figures if figure.number),
-                                             of_ours=statements_of(figure for figure in run.figures if not figure.number)))
-    add("accuracy_page", "accuracy_page", dict(agreement=run.run["agreement"], functions=worst_of_functions(run)))
-    chapter = Chapter(run, read_chapter(chapter))
-    for view in chapter.pages():
-        add("chapter", view["name"], view)
-    faults = faults + chapter.faults or faults_of_pages(pages)  # a page that could not be made is missed by all that link to it
-    return pages, sorted(set(faults))
+        with told_in(faults):
+            view = equation_view(run, sources, run.entries[equation])
+            add(view["name"], "equation", view)
+            if view["more"]:
+                add(view["name"] + "_more", "equation_more", view)
+    of_pages = {"home": dict(masses=moving_masses(run.motion)), "audit": dict(zip(("summary", "audit"), tables(run.audit, "audit"))),
+                "accuracy_page": dict(agreement=run.run["agreement"], functions=worst_of_functions(run)),
+                "equation_graph": dict(graph=graph_of(run.ledger))}
+    for name in ("equations", "errata", "errata_sheet", "stand_ins", "figures_page", "speed_page", "conformance_page", *of_pages):
+        with told_in(faults):
+            add(name, name, of_pages.get(name, {}))
+    views, faults_of_chapter = chapter_views(run, read_chapter(chapter))
+    for view in views:
+        add(view["name"], "chapter", view)
+    faults += faults_of_chapter
+    return pages, sorted(set(faults or faults_of_pages(pages)))  # a page that could not be made is missed by all that link to it
 
 
 def script_files(run):
@@ -189,35 +150,21 @@ def script_files(run):
         places.setdefault(f"section {entry['section']}", f"equations.html#{text.label('equations', entry['section'])}")
     for figure in run.figures:
         if figure.number:
-            places[f"figure {figure.number[5:]}"] = f"{text.label('figure', figure.name)}.html"
+            places[f"figure {figure.number[5:]}"] = f"{figure.label}.html"
     columns = ("function", "type", "zone", "points", "printed", "shipped", "shipped_at")
     rows = [",".join(json.dumps(dict(row, type=type)[column]) for column in columns) for type, row in accuracy_rows(run)]
     return {"accuracy.csv": "\n".join([",".join(columns)] + rows) + "\n", "symbols.json": as_json(symbols) + "\n",
             "statements.json": as_json(statements) + "\n", "sections.js": f"window.siteSections = {as_json(places)};\n"}
 
 
-def write_pages(pages, folder):
-    """Writes the pages, a file each; what is unchanged is left alone, and what is no page any more is removed. How many are new."""
-    folder.mkdir(parents=True, exist_ok=True)
-    written = 0
-    for name, page in pages.items():
-        file = folder / f"{name}.md"
-        if not file.exists() or file.read_text() != page:
-            file.write_text(page)
-            written += 1
-    for file in folder.glob("*.md"):
-        if file.stem not in pages:
-            file.unlink()
-    return written
-
-
-def write(verify, source, output):
+def write(run, source, output):
     """Makes and writes the pages of a run. Returns what was done and the faults; with faults nothing is written."""
-    run = read_run(verify, source)
-    pages, faults = make_pages(run, Sources(source), source / "docs/chapter")
+    record = read_run(run, source)
+    pages, faults = make_pages(record, Sources(source), source / "docs/chapter")
     if faults:
         return "", faults
-    written = write_pages(pages, output)
-    for name, content in script_files(run).items():
+    shutil.rmtree(output, ignore_errors=True)
+    output.mkdir(parents=True)
+    for name, content in ({f"{name}.md": page for name, page in pages.items()} | script_files(record)).items():
         (output / name).write_text(content)
-    return f"{len(pages)} pages, {written} of them new or changed", []
+    return f"{len(pages)} pages", []

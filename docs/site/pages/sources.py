@@ -85,29 +85,24 @@ class Sources:
         first = at - 1
         while first > 0 and not re.match(r"\s*($|//|#)|.*[;{}]\s*$", lines[first - 1]):
             first -= 1
-        taken, depth, signature = [], 0, 0
-        for line in lines[first:]:
-            taken.append(line)
-            closed = False
-            for c in line.partition("//")[0]:
-                if c == "{":
-                    signature = signature or len(taken)
-                    depth += 1
-                elif c == "}":
-                    depth -= 1
-                    closed = depth == 0
-                elif c == ";" and depth == 0:
-                    closed = True
-            if closed:
-                break
-        return Snippet(file, first + 1, taken, signature or len(taken))
+        end, depth, signature = first, 0, 0
+        while end == first or depth > 0 or not re.search(r"[;}]\s*$", code):
+            code = lines[end].partition("//")[0]
+            end += 1
+            signature = signature or (end - first if "{" in code else 0)
+            depth += code.count("{") - code.count("}")
+        return Snippet(file, first + 1, lines[first:end], signature or end - first)
 
 
-def code_line(line):
-    """A line of C++, comments and keywords marked as Doxygen marks them."""
-    code, slashes, comment = line.partition("//")
-    marked = KEYWORDS.sub(r'<span class="keyword">\1</span>', html(code))
-    return marked + (f'<span class="comment">{html(slashes + comment)}</span>' if slashes else "")
+def code_lines(snippet, signature=False):
+    """Lines of C++ with their numbers, comments and keywords marked as Doxygen marks them; or those before the body alone."""
+    lines = []
+    for number, line in enumerate(snippet.lines[:snippet.signature if signature else None], snippet.first):
+        code, slashes, comment = line.partition("//")
+        marked = KEYWORDS.sub(r'<span class="keyword">\1</span>', html(code)) + (
+            f'<span class="comment">{html(slashes + comment)}</span>' if slashes else "")
+        lines.append(f'<span class="lineno"><a href="source:{snippet.file}:{number}">{number:5}</a></span>&#160;{marked}')
+    return lines
 
 
 def coq_lines(text):

@@ -1,5 +1,6 @@
 """Text for Doxygen: what is special to it is escaped; formulas, symbols and the numbers of equations become what they are."""
 import re
+from contextlib import contextmanager
 
 EQUATIONS = [str(n) for n in range(1, 89)] + [f"A.{n}" for n in range(1, 16)]
 GREEK = set("alpha beta gamma delta zeta eta theta kappa mu pi phi psi tau omega Omega Sigma Psi".split())
@@ -12,6 +13,15 @@ class Fault(Exception):
     """Why a page cannot be made, in a sentence."""
 
 
+@contextmanager
+def told_in(faults):
+    """What is made within may have a fault, which is added to a list."""
+    try:
+        yield
+    except Fault as fault:
+        faults.append(str(fault))
+
+
 def html(text):
     """Text for an attribute or a raw block of HTML."""
     return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace('"', "&quot;")
@@ -22,12 +32,8 @@ def escaped(text):
     return re.sub(r"[\\@$#%*_`\[\]]", r"\\\g<0>", html(text))
 
 
-def formula(latex):
-    return rf"\f${latex}\f$"
-
-
-def displayed(latex):
-    return f"\n\\f[ {latex} \\f]\n"
+formula = r"\f${}\f$".format  # in a line
+displayed = "\n\\f[ {} \\f]\n".format  # on a line of its own
 
 
 def label(kind, name):
@@ -47,11 +53,9 @@ def equation_links(equations):
 
 
 def source_link(place, shown):
-    return f'<a href="source:{place.file}:{place.line}">{escaped(shown)}</a>'
-
-
-def known_base(base):
-    return base in GREEK or len(base) == 1
+    """A link to a line of a source, resolved when the site is there; the place is that of a claim or a function."""
+    file, line = (place["file"], place["line"]) if isinstance(place, dict) else place
+    return f'<a href="source:{file}:{line}">{escaped(shown)}</a>'
 
 
 def subscripted(base, below):
@@ -64,7 +68,7 @@ def subscripted(base, below):
     if base in tuple("VUSvus") and not below.startswith("d"):
         below = "d" + below
     letter = BARRED.get(base, "\\" + base if base in GREEK else base)
-    return f"{part}{letter}_{{{'' if below != 'lim' else chr(92)}{below}}}"
+    return part + letter + "_{" + below.replace("lim", r"\lim") + "}"
 
 
 def symbol(name, alone):
@@ -78,9 +82,9 @@ def symbol(name, alone):
     base, bar, below = name.partition("_")
     if not bar:  # R1, zeta1
         found = re.fullmatch(r"(.*[^0-9])([0-9]+)", name)
-        known = found and (alone or found[1] in GREEK) and known_base(found[1])
+        known = found and (found[1] in GREEK or alone and len(found[1]) == 1)
         return subscripted(found[1], found[2]) if known else ""
-    if not base or not below or not known_base(base):
+    if not below or base not in GREEK and len(base) != 1:
         return ""
     if below.startswith("prime_"):
         return subscripted(base, below[6:]) + "'"
@@ -147,10 +151,6 @@ def sentence(note):
     return prose(note) + ("" if note.endswith(".") else ".")
 
 
-def witness_name(name):
-    return formula(symbol(name, True)) if symbol(name, True) else prose(name)
-
-
 def witness_value(value):
     """A fraction typeset, a long decimal cut to 20 digits."""
     if fraction := re.fullmatch("(-?)([0-9]+)/([0-9]+)", value):
@@ -197,9 +197,5 @@ def function_link(function):
     return rf'\ref {name} "{shown}"'
 
 
-def claim_label(record):
-    return label("claim", record["claim"])
-
-
 def claim_link(record):
-    return rf'\ref {claim_label(record)} "{record["claim"]}"'
+    return rf'\ref {label("claim", record["claim"])} "{record["claim"]}"'
