@@ -12,7 +12,7 @@ def main():
     parser = argparse.ArgumentParser(prog="pages", description="The generated pages of the annotated reference")
     commands = parser.add_subparsers(dest="command", required=True)
     for name, told, options in (("write", "write the pages from what a run wrote", ("run", "source", "output")),
-                                ("link", "resolve links to sources and pages in the finished site", ("site", "tagfile", "source")),
+                                ("link", "resolve links to sources and pages", ("site", "tagfile", "source")),
                                 ("finish", "finish the linked site, and follow every link", ("site",))):
         command = commands.add_parser(name, help=told)
         for option in options:

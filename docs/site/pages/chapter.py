@@ -1,7 +1,7 @@
 """The derivation as a chapter: prose by hand, every formula from the run.
 
-A file is a page, whose parts are apart by empty lines: `# Title` first; `## Title` begins a section; paragraphs, in which `$...$` is a formula,
-`` `...` `` is code, and the number of an equation in brackets becomes a link. Place-holders stand on lines of their own:
+A file is a page, whose parts are apart by empty lines: `# Title` first; `## Title` begins a section; in a paragraph `$...$` is a
+formula, `` `...` `` is code, and the number of an equation in brackets becomes a link. Place-holders stand by themselves:
 `{{equation 26}}` is the form that holds, `{{printed 26}}` the printed one, `{{steps A.5/constants}}` the steps of a claim as the
 run recorded them, `{{claims 26}}` a list of the claims on an equation whose steps the chapter does not show.
 """
@@ -16,7 +16,8 @@ CHAPTER = set(EQUATIONS[3:72] + EQUATIONS[88:])  # (4)-(72) and the appendix
 
 def read_chapter(folder):
     """The files by the name of their page, the first one of the chapter first."""
-    files = {f"derivation_{file.stem}": file.read_text() for file in sorted(folder.glob("*.md"), key=lambda f: (f.stem != "chapter", f))}
+    in_order = sorted(folder.glob("*.md"), key=lambda file: (file.stem != "chapter", file))
+    files = {f"derivation_{file.stem}": file.read_text() for file in in_order}
     if "derivation_chapter" not in files:
         raise Fault(f"the chapter must have a file chapter.md in {folder}")
     return files

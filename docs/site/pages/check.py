@@ -12,7 +12,7 @@ def faults_of_formula(latex):
     braces = re.sub(r"[^{}]|\\.", "", latex, flags=re.S)
     while "{}" in braces:
         braces = braces.replace("{}", "")
-    return (["has a formula whose braces do not match"] if braces else []) + (["has a formula within a formula"] if r"\f[" in latex else [])
+    return ["has a formula whose braces do not match"] * (braces != "") + ["has a formula within a formula"] * (r"\f[" in latex)
 
 
 def faults_of_pages(pages):
@@ -32,7 +32,7 @@ def faults_of_pages(pages):
             labels.add(label)
     for name, text in texts.items():
         for what, mark in (("LaTeX", LATEX), ("a dollar", re.compile(r"(?<![\\f])\$"))):
-            faults += [f"page {name} has {what} outside of a formula: {text[found.start():][:40]}" for found in mark.finditer(text)]
+            faults += [f"page {name} has {what} outside of a formula: {text[at.start():][:40]}" for at in mark.finditer(text)]
         if "{{" in text:
             faults.append(f"page {name} has a place-holder that nothing replaced")
         for label in re.findall(r"\\(?:ref|subpage) ([^\s}]*)", text):

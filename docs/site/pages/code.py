@@ -8,11 +8,13 @@ from collections import Counter, namedtuple
 
 Language = namedtuple("Language", "head assignment result pair end pi prefix loop")
 LANGUAGES = {
-    "cxx": Language("{type} {name}({typed}) {{", "const double {} = {};", "return {};", "return {{{}, {}}};", "}\n", "std::numbers::pi", "std::",
+    "cxx": Language("{type} {name}({typed}) {{", "const double {} = {};", "return {};", "return {{{}, {}}};", "}\n",
+                    "std::numbers::pi", "std::",
                     "double {0} = 0;\n    for (std::size_t i = 0; i < {1}.size(); ++i) {{\n{2}        {0} += {3};\n    }}\n"),
     "python": Language("def {name}({plain}):", "{} = {}", "return {}", "return {} + 1j * ({})", "", "np.pi", "np.", ""),
     "matlab": Language("function y = {name}({plain})", "{} = {};", "y = {};", "y = complex({}, {});", "end\n", "pi", "", ""),
-    "javascript": Language("function {name}({plain}) {{", "const {} = {};", "return {};", "return [{}, {}];", "}\n", "Math.PI", "Math.",
+    "javascript": Language("function {name}({plain}) {{", "const {} = {};", "return {};", "return [{}, {}];", "}\n",
+                           "Math.PI", "Math.",
                            "let {0} = 0;\n    for (let i = 0; i < {1}.length; ++i) {{\n{2}        {0} += {3};\n    }}\n")}
 NAMES = {"sqrt(1 - zeta * zeta)": "w", "pi * sqrt(1 - zeta * zeta) / R": "theta", "pi * zeta / R": "delta", "pi * zeta": "delta",
          "1 / R": "Omega"}  # what the paper, or the notation page, calls a computation
@@ -32,8 +34,8 @@ class Writer:
         for result in results:
             self.count(result, "")
         written = [self.text(self.named(result)) for result in results]
-        pair, arguments = len(results) > 1, self.formula["arguments"]
-        typed = [("const std::vector<double>& " if argument in self.formula["of_modes"] else "double ") + argument for argument in arguments]
+        pair, arguments, of_modes = len(results) > 1, self.formula["arguments"], self.formula["of_modes"]
+        typed = [("const std::vector<double>& " if each in of_modes else "double ") + each for each in arguments]
         head = self.language.head.format(name=name, type="std::complex<double>" if pair else "double", plain=", ".join(arguments),
                                          typed=", ".join(typed))
         return f"{head}\n{self.body}    {self.language[3 if pair else 2].format(*written)}\n{self.language.end}"
@@ -81,8 +83,9 @@ class Writer:
             return ast.UnaryOp(node.op, self.named(node.operand))
         if isinstance(node, ast.BinOp):
             left, right = self.named(node.left), self.named(node.right)
-            integers = isinstance(left, ast.Constant) and isinstance(right, ast.Constant)
-            return ast.BinOp(ast.Constant(float(left.value)) if integers and self.language.prefix == "std::" else left, node.op, right)
+            if self.language.prefix == "std::" and isinstance(left, ast.Constant) and isinstance(right, ast.Constant):
+                left = ast.Constant(float(left.value))  # which C++ would divide as integers
+            return ast.BinOp(left, node.op, right)
         name = node.func.id
         if name == "sum" and self.language.loop:
             return self.loop(node)
@@ -101,7 +104,9 @@ class Writer:
 
 
 def operands(node):
-    return node.args if isinstance(node, ast.Call) else [node.operand] if isinstance(node, ast.UnaryOp) else [node.left, node.right]
+    if isinstance(node, ast.Call):
+        return node.args
+    return [node.operand] if isinstance(node, ast.UnaryOp) else [node.left, node.right]
 
 
 def code_of(formula, language, form="holds"):

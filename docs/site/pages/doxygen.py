@@ -1,5 +1,5 @@
-"""What of Doxygen's pages nobody reads is left out, the long pages of namespaces are parted by header, and the page of a type does
-not say twice what it says."""
+"""What of Doxygen's pages nobody reads is left out, the long pages of namespaces are parted by header, and the page of a type
+does not say twice what it says."""
 import re
 from collections import defaultdict
 
@@ -25,7 +25,8 @@ def cut(text, opening, closing):
 
 def text_of_html(html):
     """The text of a piece of HTML: no tags, no scripts, single blanks."""
-    text = re.sub("[ \n\t]+", " ", re.sub("<[^>]*>?", " ", cut(cut(html, "<script", "</script>"), "<style", "</style>"))).lstrip(" ")
+    text = re.sub("<[^>]*>?", " ", cut(cut(html, "<script", "</script>"), "<style", "</style>"))
+    text = re.sub("[ \n\t]+", " ", text).lstrip(" ")
     for entity, meant in ENTITIES.items():
         text = text.replace(entity, meant)
     return text.removesuffix(" ")
@@ -108,11 +109,11 @@ def part(name, texts):
             moved |= {f"{name}#{anchor}": f"{page}#{anchor}" for anchor in re.findall(' id="([^"]*)"', text)}
         named = re.sub('(?<=<h1 class="title">).*?(?=</h1>)', f"{title} in {header}", head, count=1, flags=re.S)
         named = re.sub("(?<=<title>).*?(?=</title>)", f"{title} in {header} - denhartog", named, count=1, flags=re.S)
-        texts[page] = (f'{named}{CONTENTS}\n<p>The source: <a class="el" href="{file}_source.html">{header}</a>. All of the namespace: '
-                       f'<a class="el" href="{name}">{title}</a>.</p>\n{"".join(text for _, _, text in of_file)}{foot}')
+        texts[page] = (f'{named}{CONTENTS}\n<p>The source: <a class="el" href="{file}_source.html">{header}</a>. All of the '
+                       f'namespace: <a class="el" href="{name}">{title}</a>.</p>\n{"".join(item[2] for item in of_file)}{foot}')
     for kind in ("func", "enum", "var", "typedef"):  # the tables of declarations
-        body = re.sub(rf'<table class="memberdecls">(?:(?!<table class="memberdecls">).)*?<a id="{kind}-members".*?</table>', "", body,
-                      count=1, flags=re.S)
+        table = '<table class="memberdecls">'
+        body = re.sub(rf'{table}(?:(?!{table}).)*?<a id="{kind}-members".*?</table>', "", body, count=1, flags=re.S)
     before = body.partition(" Documentation</h2>")[0].rpartition(GROUP)[0]
     texts[name] = f'{head}{before}{GROUP}By header</h2>\n<dl class="by-header">\n{listed}</dl>\n{foot}'
     return moved
@@ -130,8 +131,8 @@ def line_of_source(box):
 
 
 def class_page(page, name):
-    """The page of a type as a reader wants it: the description comes first. A member whose documentation is the sentence beside its
-    declaration has no box of its own; its name leads to the line of the source. Every place that a page may link to stays."""
+    """The page of a type as a reader wants it: the description comes first. A member whose documentation is the sentence beside
+    its declaration has no box of its own; its name leads to the line of the source. Every place that a page may link to stays."""
     start = re.search(rf'<a id="[^"]*" name="[^"]*"></a>\s*{TITLE}', page)
     if start:
         declared, boxes = page[:start.start()], page[start.start():]
@@ -159,7 +160,7 @@ def class_page(page, name):
         page = brief.rpartition("<p>")[0] + DETAILS + described[1] + after
     for doxygens, ours in WORDS.items():
         page = page.replace(doxygens, ours, 1)
-    page = re.sub(r"(<h1(?:(?!</h1>).)*) (?:Struct|Class|Union)(?:(?!</h1>).)* Reference</h1>", r"\1</h1>", page, count=1, flags=re.S)
+    page = re.sub(r"(<h1(?:(?!</h1>).)*) (?:Struct|Class|Union)(?:(?!</h1>).)* Reference</h1>", r"\1</h1>", page, 1, re.S)
     return re.sub(rf"{ORIGIN}[^:]*:", "<hr/>Declared in:", page, count=1)
 
 
@@ -176,5 +177,5 @@ def trim(texts):
             texts[name] = class_page(texts[name], name)
         elif name.startswith("namespacedenhartog"):
             moved |= part(name, texts)
-    follow = lambda link: f'href="{moved.get(link[1], link[1])}"'
-    return {name: re.sub('href="(namespace[^"]*)"', follow, relinked(text, name, texts, out_of_site)) for name, text in texts.items()}
+    follow = lambda page: re.sub('href="(namespace[^"]*)"', lambda link: f'href="{moved.get(link[1], link[1])}"', page)
+    return {name: follow(relinked(text, name, texts, out_of_site)) for name, text in texts.items()}

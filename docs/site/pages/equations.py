@@ -3,8 +3,8 @@ import re
 from types import SimpleNamespace
 
 from .records import record_of, symbols_in
-from .text import (EQUATIONS, Fault, counted, displayed, equation_label, escaped, fails, formula, label, prose, statement_that_holds,
-                   symbol, typeset, without_marks)
+from .text import (EQUATIONS, Fault, counted, displayed, equation_label, escaped, fails, formula, label, prose,
+                   statement_that_holds, symbol, typeset, without_marks)
 
 LONGEST_FORMULA = 1500  # longer ones are left to the record: nobody reads them, and they take seconds to typeset
 LONGEST_STATEMENT = 4000  # in the language of Coq
@@ -127,8 +127,10 @@ def scene_words(question):
     """A question of the conformance kit in symbols."""
     scene = question["scene"]
     listed = lambda values: ", ".join(f"{value:.10g}" for value in values)
-    text = (f"γ = {listed(scene['mass_ratios'])}; κ = {listed(scene['stiffness_ratios'])}; ζ = {listed(scene['damping_ratios'])}; "
-            f"j = {scene['contact']}, l = {scene['load']}; μ = {scene['mu']:.10g}; r = {scene['r']:.10g}; β = {scene['beta']:.10g}")
+    lists = "; ".join(f"{name} = {listed(scene[key])}" for name, key in
+                      (("γ", "mass_ratios"), ("κ", "stiffness_ratios"), ("ζ", "damping_ratios")))
+    text = f"{lists}; j = {scene['contact']}, l = {scene['load']}"
+    text += "".join(f"; {name} = {scene[key]:.10g}" for name, key in (("μ", "mu"), ("r", "r"), ("β", "beta")))
     text += f"; k = {question['mass']}" if question.get("mass", 0) > 0 else ""
     return text + (f"; τ = {question['tau']:.10g}" if question["quantity"] == "displacement" else "")
 
@@ -202,10 +204,11 @@ def equation_view(run, sources, entry):
     at = EQUATIONS.index(equation)
     paper, forms = in_namespace(functions, "paper"), in_namespace(functions, "evaluation")
     callers = [function for function in functions if function not in paper and function not in forms]
-    own, others, observations = ([claim_view(run, sources, claim, equation) for claim in claims] for claims in sorted_claims(entry))
-    statement, offer, figures, accuracy = statement_of(run, entry), offer_of(run, equation), figures_of(run, entry), accuracy_rows(run, equation)
-    departure, correction = statement.departure, entry["correction"]
-    said = ((departure and departure.said, "docs/ledger/departures.json"), (run.remarks.get(equation), f"a remark on ({equation})"))
+    own, others, observations = ([claim_view(run, sources, claim, equation) for claim in claims]
+                                 for claims in sorted_claims(entry))
+    statement, offer, figures = statement_of(run, entry), offer_of(run, equation), figures_of(run, entry)
+    departure, correction, accuracy = statement.departure, entry["correction"], accuracy_rows(run, equation)
+    said = (departure and departure.said, "docs/ledger/departures.json"), (run.remarks.get(equation), f"a remark on ({equation})")
     more = [what for there, what in (
         (forms, "the forms that keep their digits"), (others, counted(len(others), "further claim", "further claims")),
         (accuracy, "the measured accuracy"), (callers, "the functions that use it")) if there]
@@ -216,7 +219,7 @@ def equation_view(run, sources, entry):
     return dict(
         entry=entry, equation=equation, name=equation_label(equation), statement=statement, fails=fails(entry["printed"]),
         previous=EQUATIONS[at - 1] if at else None, next=EQUATIONS[at + 1] if at + 1 < len(EQUATIONS) else None,
-        place=run.places.get(equation), said=[typeset(words, place) for words, place in said if words], contents=contents, more=more,
-        own=own, others=others, observations=observations, paper=paper, forms=forms, callers=callers, offer=offer, figures=figures,
-        tests=tests_of(sources, entry), kernel=kernel_of(run, entry), accuracy=accuracy,
+        place=run.places.get(equation), said=[typeset(words, place) for words, place in said if words], contents=contents,
+        more=more, own=own, others=others, observations=observations, paper=paper, forms=forms, callers=callers, offer=offer,
+        figures=figures, tests=tests_of(sources, entry), kernel=kernel_of(run, entry), accuracy=accuracy,
         copied=without_marks(departure.holds) if correction and departure and departure.holds else statement_that_holds(entry))

@@ -1,7 +1,9 @@
-"""Passes over the HTML that Doxygen wrote: links to sources and pages; headings, what of Doxygen's pages nobody reads, the list for
-the search; and the links of the whole site are followed."""
+"""Passes over the HTML that Doxygen wrote: links to sources and pages; headings, what of Doxygen's pages nobody reads, the list
+for the search; and the links of the whole site are followed."""
 import json
+import os
 import re
+from xml.etree import ElementTree
 
 from .doxygen import cut, text_of_html, trim
 
@@ -12,17 +14,15 @@ LONGEST_TEXT = 1200  # bytes that the search keeps of a page
 # Links to sources and pages
 
 
-def read_tags(xml, root):
+def read_tags(tagfile, root):
     """The addresses of pages by their labels, and of sources by their paths from the root."""
     addresses = {}
-    for kind, compound in re.findall(r'<compound kind="(page|file)"(.*?)</compound>', xml, re.S):
-        element = lambda name: (re.search(f"<{name}>(.*?)</{name}>", compound.partition("<member ")[0], re.S) or ["", ""])[1]
-        file = element("filename").removesuffix(".html")
-        if kind == "page":
-            addresses["page:" + element("name")] = file + ".html"
-        else:
-            path = (element("path") + "/" + element("name")).replace("//", "/")
-            addresses["source:" + path.removeprefix(f"{root.resolve()}/")] = file + "_source.html"
+    for compound in ElementTree.parse(tagfile).iterfind("compound"):
+        path, name, file = map(compound.findtext, ("path", "name", "filename"))
+        if compound.get("kind") == "page":
+            addresses[f"page:{name}"] = file.removesuffix(".html") + ".html"
+        elif compound.get("kind") == "file":
+            addresses[f"source:{os.path.relpath(root / path / name, root)}"] = file.removesuffix(".html") + "_source.html"
     return addresses
 
 
@@ -33,7 +33,7 @@ def with_links(page, addresses, missing, targets):
         if target not in addresses:
             target, _, line = target.rpartition(":")
         if target not in addresses or (line and not re.fullmatch("[0-9]{1,6}", line)):
-            missing.append(link[1])
+            missing.add(link[1])
             return link[0]
         address = addresses[target] + (f"#l{int(line):05d}" if line else "")
         targets.add(address)
@@ -44,11 +44,10 @@ def with_links(page, addresses, missing, targets):
 
 def link(site, tagfile, source):
     """Resolves the links of all pages; with faults nothing is written."""
-    addresses = read_tags(tagfile.read_text(), source)
-    changed, faults, targets = {}, set(), set()
+    addresses, changed, faults, targets = read_tags(tagfile, source.resolve()), {}, set(), set()
     for file in sorted(site.rglob("*.html")):
-        before, missing = file.read_text(), []
-        changed[file] = with_links(before, addresses, missing, targets)
+        missing = set()
+        changed[file] = with_links(file.read_text(), addresses, missing, targets)
         faults |= {f"{file.name} links to {target}, which the site does not have" for target in missing}
     for file, text in {} if faults else changed.items():
         file.write_text(text)
@@ -68,7 +67,8 @@ def finished_page(page):
     joined = 1 if '</div><div class="' in page else 0
     while joined:
         page, joined = pieces.subn(r"\1", page)
-    page = re.sub(r'<table class="markdownTable">.*?</table>', r'<div class="table-box" tabindex="0">\g<0></div>', page, flags=re.S)
+    boxed = r'<div class="table-box" tabindex="0">\g<0></div>'
+    page = re.sub('<table class="markdownTable">.*?</table>', boxed, page, flags=re.S)
     page = cut(page, '<div class="summary">', "</div>")  # its links lead to headings that are left out where all is private
     return re.sub('<div class="(fragment|memproto)">', r'<div class="\1" tabindex="0">', page)
 
@@ -101,8 +101,8 @@ def search_documents(page, name):
     if not title:
         return []
     body = between(page, '<div class="contents">', "<footer")
-    for opening, closing in (('<div class="eq-nav">', "</div>"), ('<p class="eq-contents">', "</p>"), ('<div class="copies">', "</div>"),
-                             ("<form", "</form>"), (r"\[", r"\]")):
+    for opening, closing in (('<div class="eq-nav">', "</div>"), ('<p class="eq-contents">', "</p>"),
+                             ('<div class="copies">', "</div>"), ("<form", "</form>"), (r"\[", r"\]")):
         body = cut(body, opening, closing)
     first, *items = body.split('<h2 class="memtitle">')
     found = [(title, name, first)]
@@ -137,7 +137,7 @@ def finish(site):
     for name, text in texts.items():
         if text != before.get(name):
             (site / name).write_text(text)
-    documents = [each for name, text in texts.items() if not name.endswith("_source.html") for each in search_documents(text, name)]
+    documents = sum((search_documents(text, name) for name, text in texts.items() if not name.endswith("_source.html")), [])
     (site / "sitemap.txt").write_text("".join(f"{name}\n" for name in texts if kind_of_page(name) < 4))
     listed = json.dumps(documents, indent=0, ensure_ascii=False)
     (site / "search-documents.js").write_text(f"window.searchDocuments = {listed};\n")

@@ -41,14 +41,14 @@ def read_run(verify, source):
         run=read_json(verify / "paper/run.json"), audit=(verify / "paper/audit.md").read_text(),
         certificates={certificate["claim"]: certificate for certificate in certificates},
         theorems=read_if_there(source / "derivation/kernel/Statements.v"), figures=read_figures(verify / "figures", source),
-        accuracy=sorted(accuracy, key=lambda record: {"d": 0, "l": 1}.get(record["type"][0], 2)),  # double before long double before 50 digits
+        accuracy=sorted(accuracy, key=lambda record: {"d": 0, "l": 1}.get(record["type"][0], 2)),  # double, long double, others
         chart=read_if_there(verify / "chart/tables.md"), batch=read_if_there(verify / "chart/batch.md"),
         conformance={file.stem: file.read_text() for file in (verify / "conformance").glob("*.md")},
         departures={row["equation"]: SimpleNamespace(**({"printed": "", "holds": ""} | row))
                     for row in read_json(source / "docs/ledger/departures.json")},
         notation=read_symbols((source / "docs/notation.md").read_text()), places=read_json(source / "docs/explore/places.json"),
-        formulas=offers["formulas"], questions=offers["questions"], motion=motion_of_example(program, source / "docs/example.json"),
-        remarks=computed_remarks(program))
+        formulas=offers["formulas"], questions=offers["questions"], remarks=computed_remarks(program),
+        motion=motion_of_example(program, source / "docs/example.json"))
 
 
 def motion_of_example(program, scene, samples=36):
@@ -64,8 +64,8 @@ def computed_remarks(program):
              "contact": 2, "load": 1, "r": 0.55}
     limit = json.loads(told([program, "boundary", "--json"], json.dumps(scene)))["beta_lim"]
     excess = 100 * (limit["approximate"] / limit["exact"] - 1)
-    return {"67": "(67) requires only that the contact does not stick where its motion turns. It does not require that the contact "
-                  "slides in between. Where (67) and the boundary (69) differ, (67) errs on the unsafe side: "
+    return {"67": "(67) requires only that the contact does not stick where its motion turns. It does not require that the "
+                  "contact slides in between. Where (67) and the boundary (69) differ, (67) errs on the unsafe side: "
                   f"{excess:.0f} % above (69) at $r = 0.55$ for the two masses of Fig. 10 with $\\zeta_i = 0.001/r_{{n,i}}$."}
 
 
@@ -102,8 +102,9 @@ def read_figures(folder, source):
         number = f"Fig. {int(name[3:5])}" if name.startswith("fig") else ""
         data = [file.name for ending in (".dat", ".csv") for file in sorted(folder.glob(f"{name}*{ending}"))]
         figures.append(SimpleNamespace(
-            name=name, label=label("figure", name), number=number, title=title, full_title=f"{number}: {title}" if number else title,
-            record=record, script=scripts[name].relative_to(source).as_posix(), data=data, caption=captions[name]))
+            name=name, label=label("figure", name), number=number, title=title, record=record,
+            full_title=f"{number}: {title}" if number else title, data=data, caption=captions[name],
+            script=scripts[name].relative_to(source).as_posix()))
     return sorted(figures, key=lambda figure: not figure.number)
 
 
@@ -160,7 +161,7 @@ def symbols_in(symbols, latex):
 
 
 def faults_of_departures(departures, ledger):
-    """Why the departures do not fit the run: one without a sentence, a sentence too many, a formula that is not what is printed."""
+    """Why the departures do not fit the run: one without a sentence, a sentence too many, another formula than the printed one."""
     def bare(latex):
         for part in (r"\misprint", r"\mended", r"\begin{aligned}", r"\end{aligned}", r"\vphantom{\frac{V}{V}}",
                      r"\vphantom{\sqrt{V_{dj}^2}}", r"\Bigl", r"\Bigr", r"\left.", r"\right.", r"\left", r"\right"):

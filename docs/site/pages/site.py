@@ -29,8 +29,8 @@ DEPARTURES = {"scan": "a slip of the scan", "misprint": "a misprint: the paper's
 
 def scene_sentence(scene):
     """What a scene shows of a printed equation, in a sentence without a full stop."""
-    return (f"{scene['where']} ({scene['regime'].replace('_', ' ')} motion): {scene['quantity']}, {scene['printed']:.4g} as printed, "
-            f"{scene['holds']:.4g} as it is, a loss of {scene['loss']:.4g}")
+    return (f"{scene['where']} ({scene['regime'].replace('_', ' ')} motion): {scene['quantity']}, {scene['printed']:.4g} as "
+            f"printed, {scene['holds']:.4g} as it is, a loss of {scene['loss']:.4g}")
 
 
 def tables(markdown, prefix):
@@ -38,7 +38,8 @@ def tables(markdown, prefix):
     parts, sections = [], 0
     for is_table, lines in groupby(markdown.splitlines(), lambda line: line.startswith("|")):
         if is_table:
-            rows = [[cell.strip(" ").replace("\\|", "|") for cell in re.findall(r"((?:\\\||[^|])*)\|", line[1:])] for line in lines]
+            rows = [[cell.strip(" ").replace("\\|", "|") for cell in re.findall(r"((?:\\\||[^|])*)\|", line[1:])]
+                    for line in lines]
             for row in rows:
                 if len(row) != len(rows[0]):
                     raise Fault(f"a row of a table must have as many cells as its head: {row}")
@@ -82,7 +83,7 @@ def environment(run, sources):
     """Jinja with the words of the pages as filters."""
     templates = Path(__file__).parent.parent / "templates"
     jinja = jinja2.Environment(loader=jinja2.FileSystemLoader(templates), undefined=jinja2.StrictUndefined, trim_blocks=True,
-                               lstrip_blocks=True, keep_trailing_newline=True, comment_start_string="<!--#", comment_end_string="#-->")
+                               keep_trailing_newline=True, comment_start_string="<!--#", comment_end_string="#-->")
     jinja.filters |= {name: word for name, word in vars(text).items() if callable(word)} | dict(
         code_of=code_of, coq_lines=coq_lines, scene_sentence=scene_sentence, in_namespace=in_namespace,
         departure_text=DEPARTURES.get, error=lambda worst: "not finite" if worst is None else f"{worst:.3g}",
@@ -95,9 +96,9 @@ def environment(run, sources):
         counts=lambda ledger, key: ", ".join(f"{n} {text.verdict_text(word)}"
                                              for word, n in sorted(Counter(entry[key] for entry in ledger).items())),
         tables=lambda markdown, prefix: jinja.get_template("tables.html").render(pieces=tables(markdown, prefix)))
-    said_of = lambda equation: text.typeset(run.departures[equation].said, "departures.json") if equation in run.departures else ""
+    said = {equation: text.typeset(departure.said, "departures.json") for equation, departure in run.departures.items()}
     jinja.globals |= dict(run=run, ledger=run.ledger, figures=run.figures, departures=run.departures,
-                          said_of=said_of, longest_statement=LONGEST_STATEMENT)
+                          said_of=lambda equation: said.get(equation, ""), longest_statement=LONGEST_STATEMENT)
     return jinja
 
 
@@ -122,7 +123,8 @@ def make_pages(run, sources, chapter):
             add(view["name"], "equation", view)
             if view["more"]:
                 add(view["name"] + "_more", "equation_more", view)
-    of_pages = {"home": dict(masses=moving_masses(run.motion)), "audit": dict(zip(("summary", "audit"), tables(run.audit, "audit"))),
+    summary, audit = tables(run.audit, "audit")
+    of_pages = {"home": dict(masses=moving_masses(run.motion)), "audit": dict(summary=summary, audit=audit),
                 "accuracy_page": dict(agreement=run.run["agreement"], functions=worst_of_functions(run)),
                 "equation_graph": dict(graph=graph_of(run.ledger))}
     for name in ("equations", "errata", "errata_sheet", "stand_ins", "figures_page", "speed_page", "conformance_page", *of_pages):

@@ -68,11 +68,11 @@ def subscripted(base, below):
     if base in tuple("VUSvus") and not below.startswith("d"):
         below = "d" + below
     letter = BARRED.get(base, "\\" + base if base in GREEK else base)
-    return part + letter + "_{" + below.replace("lim", r"\lim") + "}"
+    return part + letter + "_{" + {"lim": r"\lim"}.get(below, below) + "}"
 
 
 def symbol(name, alone):
-    """LaTeX of a symbol that the run names in plain text, e.g. `eta_prime_0`; empty where it is none. Alone, one letter is one."""
+    """LaTeX of a symbol that the run names in plain text, e.g. `eta_prime_0`; empty where it is none. Alone, a letter is one."""
     if name in GREEK:
         return "\\" + name
     if alone and len(name) == 1:
