@@ -5,6 +5,7 @@ does, so that Python's own printer leaves out the brackets that say nothing, and
 """
 import ast
 from collections import Counter, namedtuple
+from functools import cache
 
 Language = namedtuple("Language", "head assignment result pair end pi prefix loop")
 LANGUAGES = {
@@ -18,6 +19,9 @@ LANGUAGES = {
                            "let {0} = 0;\n    for (let i = 0; i < {1}.length; ++i) {{\n{2}        {0} += {3};\n    }}\n")}
 NAMES = {"sqrt(1 - zeta * zeta)": "w", "pi * sqrt(1 - zeta * zeta) / R": "theta", "pi * zeta / R": "delta", "pi * zeta": "delta",
          "1 / R": "Omega"}  # what the paper, or the notation page, calls a computation
+
+
+key_of = cache(ast.unparse)  # the same for the same computation
 
 
 class Writer:
@@ -50,7 +54,7 @@ class Writer:
         """How often a computation is needed; what stands within a loop over the modes stays there."""
         if isinstance(node, (ast.Name, ast.Constant)):
             return
-        key = ast.unparse(node)
+        key = key_of(node)
         self.uses[scope, key] += 1
         if self.uses[scope, key] == 1:
             for child in operands(node):
@@ -63,7 +67,7 @@ class Writer:
         if isinstance(node, ast.Name):
             indexed = self.scope and node.id in self.formula["of_modes"]
             return ast.Name(self.language.pi if node.id == "pi" else f"{node.id}[i]" if indexed else node.id)
-        key = self.scope, ast.unparse(node)
+        key = self.scope, key_of(node)
         if key not in self.names:
             made = self.computed(node)
             if self.uses[key] < 2 or isinstance(node, ast.UnaryOp) and isinstance(node.operand, (ast.Name, ast.Constant)):
@@ -95,7 +99,7 @@ class Writer:
     def loop(self, node):
         """A sum over the modes in a loop with names of its own."""
         name, before, outside = self.free(["sum"] + [f"sum_{n}" for n in range(2, 100)]), self.body, self.scope
-        text, self.body, self.scope = ast.unparse(node), "", ast.unparse(node)
+        text, self.body, self.scope = key_of(node), "", key_of(node)
         term = self.text(self.named(node.args[0]))
         lines = "".join(f"    {line}\n" for line in self.body.splitlines())
         first = next(each for each in self.formula["of_modes"] if each in text)

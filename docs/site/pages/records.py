@@ -161,7 +161,7 @@ def symbols_in(symbols, latex):
 
 
 def faults_of_departures(departures, ledger):
-    """Why the departures do not fit the run: one without a sentence, a sentence too many, another formula than the printed one."""
+    """Why the departures do not fit the run: one without a sentence, a sentence too many, or another formula than printed."""
     def bare(latex):
         for part in (r"\misprint", r"\mended", r"\begin{aligned}", r"\end{aligned}", r"\vphantom{\frac{V}{V}}",
                      r"\vphantom{\sqrt{V_{dj}^2}}", r"\Bigl", r"\Bigr", r"\left.", r"\right.", r"\left", r"\right"):

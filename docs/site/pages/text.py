@@ -1,6 +1,7 @@
 """Text for Doxygen: what is special to it is escaped; formulas, symbols and the numbers of equations become what they are."""
 import re
 from contextlib import contextmanager
+from functools import cache
 
 EQUATIONS = [str(n) for n in range(1, 89)] + [f"A.{n}" for n in range(1, 16)]
 GREEK = set("alpha beta gamma delta zeta eta theta kappa mu pi phi psi tau omega Omega Sigma Psi".split())
@@ -71,6 +72,7 @@ def subscripted(base, below):
     return part + letter + "_{" + {"lim": r"\lim"}.get(below, below) + "}"
 
 
+@cache
 def symbol(name, alone):
     """LaTeX of a symbol that the run names in plain text, e.g. `eta_prime_0`; empty where it is none. Alone, a letter is one."""
     if name in GREEK:
@@ -114,6 +116,7 @@ def formula_at(text, at):
     return (latex or word) + (more[0] if more else ""), more.end() if more else end
 
 
+@cache
 def prose(text):
     """A sentence of the run: escaped, its symbols typeset, the numbers of equations linked."""
     out, at = [], 0
