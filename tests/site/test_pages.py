@@ -332,6 +332,9 @@ class Pages(Case):
         self.small.run.departures["38"].said = "x"
         pages, faults = make()
         self.assertEqual((faults, len(pages)), ([], 103 + 12))
+        files = site.script_files(self.small.run)
+        self.assertEqual(json.loads(files["statements.json"])["38"], {"said": "as printed: refuted. x", "latex": "a=c"})
+        self.assertEqual(files["sections.js"], 'window.siteSections = {\n"section 2.3": "equations.html#equations_2_3"\n};\n')
 
     def test_graph(self):
         """In the graph every equation stands below what it rests on, and no two in one place; a way round or a hole is refused."""

@@ -1,7 +1,6 @@
 """All generated pages: each kind has a template; the pages are Doxygen's, which resolves links to what is in the sources."""
 import json
 import re
-import shutil
 from collections import Counter
 from itertools import groupby
 from pathlib import Path
@@ -154,7 +153,8 @@ def script_files(run):
         if figure.number:
             places[f"figure {figure.number[5:]}"] = f"{figure.label}.html"
     columns = ("function", "type", "zone", "points", "printed", "shipped", "shipped_at")
-    rows = [",".join(json.dumps(dict(row, type=type)[column]) for column in columns) for type, row in accuracy_rows(run)]
+    rows = [",".join(json.dumps((row | {"type": type})[column], ensure_ascii=False) for column in columns)
+            for type, row in accuracy_rows(run)]
     return {"accuracy.csv": "\n".join([",".join(columns)] + rows) + "\n", "symbols.json": as_json(symbols) + "\n",
             "statements.json": as_json(statements) + "\n", "sections.js": f"window.siteSections = {as_json(places)};\n"}
 
@@ -165,8 +165,9 @@ def write(run, source, output):
     pages, faults = make_pages(record, Sources(source), source / "docs/chapter")
     if faults:
         return "", faults
-    shutil.rmtree(output, ignore_errors=True)
-    output.mkdir(parents=True)
+    output.mkdir(parents=True, exist_ok=True)
+    for file in output.glob("*.md"):  # pages of an earlier run
+        file.unlink()
     for name, content in ({f"{name}.md": page for name, page in pages.items()} | script_files(record)).items():
         (output / name).write_text(content)
     return f"{len(pages)} pages", []
