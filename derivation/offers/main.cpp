@@ -23,8 +23,12 @@ Json formula_json(const offers::OfferedFormula& formula) {
         for (const offers::Written& result : results) list.push_back(result.text());
         return list;
     };
-    return {{"what", formula.what},         {"name", formula.name},           {"arguments", formula.arguments},
-            {"of_modes", formula.of_modes}, {"holds", texts(formula.results)}, {"printed", texts(formula.printed)}};
+    return {{"what", formula.what},
+            {"name", formula.name},
+            {"arguments", formula.arguments},
+            {"of_modes", formula.of_modes},
+            {"holds", texts(formula.results)},
+            {"printed", texts(formula.printed)}};
 }
 
 /// The answers of the mistakes that get a question wrong: those in its equation first.

@@ -56,13 +56,11 @@ def is_left_out(name, text):
 
 def relinked(page, own, kept, out_of_site):
     """A page without its links to what is left out: to a file's page they lead to its source, elsewhere their text stays."""
-    own_source = lambda file: file.removesuffix(".html") + "_source.html"
-
     def mended(link):
         file = link["target"].partition("#")[0]
         if file not in out_of_site:
             return link[0]
-        source = own_source(file)
+        source = file.removesuffix(".html") + "_source.html"
         if source == own:
             return ""  # to itself: "Go to the documentation of this file."
         return f'{link["before"]}{source}{link["after"]}{link["shown"]}</a>' if source in kept else link["shown"]
