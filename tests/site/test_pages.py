@@ -57,7 +57,7 @@ class SmallRun:
         ledger = [entry("37", used_by=["38"]), refuted]
         self.run = SimpleNamespace(ledger=ledger, entries={each["equation"]: each for each in ledger}, claims={}, symbols={},
                                    certificates={}, theorems="", figures=[], accuracy=[], chart="", batch="", conformance={},
-                                   departures={}, notation=[], places={}, formulas={}, questions={}, remarks={},
+                                   departures={}, notation=[], places={}, formulas={}, questions={}, excess_of_67=36.4,
                                    motion=[[0.0] * 3] * 4, audit="All.\n\n| equation |\n|---|\n",
                                    run={"agreement": [{"group": "a", "scenes": 1} | dict.fromkeys(
                                        ("double", "50 digits"), {"worst": 1e-15, "scene": "b"})], "stand_ins": [{"name": "sinc", "header": "evaluation/special.hpp",
@@ -332,6 +332,7 @@ class Pages(Case):
         self.small.run.departures["38"].said = "x"
         pages, faults = make()
         self.assertEqual((faults, len(pages)), ([], 103 + 12))
+        self.assertHas(pages["eq_67"], r'unsafe side: 36 \% above \ref eq_69 "(69)" at \f$r = 0.55\f$')
         files = site.script_files(self.small.run)
         self.assertEqual(json.loads(files["statements.json"])["38"], {"said": "as printed: refuted. x", "latex": "a=c"})
         self.assertEqual(files["sections.js"], 'window.siteSections = {\n"section 2.3": "equations.html#equations_2_3"\n};\n')

@@ -52,14 +52,13 @@ def steps_of(record):
 
 def claim_view(run, sources, claim, equation):
     """A claim in full; its steps stand on the page of the equation that its id begins with, else of its first one."""
-    record, place, again = record_of(run, claim["id"]), sources.claim(claim["id"]), claim.get("same_as", "")
-    if place is None:
-        raise Fault(f"claim {claim['id']} must be made in a source under derivation")
+    record, again = record_of(run, claim["id"]), claim.get("same_as", "")
     home = sorted(record["equations"], key=lambda number: number != record["claim"].partition("/")[0])[0]
     witness, thresholds, kind = claim.get("witness", {}), claim.get("thresholds", []), claim.get("kind", "")
     again = f" (it says the same as {escaped(again)})" if again and kind != "argument" else ""
     return dict(
-        claim, record=record, home=home, here=home == equation, place=place, label=label("claim", record["claim"]),
+        claim, record=record, home=home, here=home == equation, place=sources.claim(claim["id"]),
+        label=label("claim", record["claim"]),
         bears=f"{KINDS.get(kind, 'derived')}{again}, {ROLES.get(claim['role'], 'a step of the argument')}",
         witness=witness if witness != run.entries[equation]["witness"] else {},  # which stands at the head of the page
         thresholds=[f"{t['what']}: {t['taken']:.3g} taken, turns at {t['turns']:.3g}" for t in thresholds],
@@ -120,38 +119,15 @@ def statement_of(run, entry):
                            symbols=symbols_in(run.notation, latex), witness=of_formula or entry["witness"])
 
 
-# What a page offers
-
-
-def scene_words(question):
-    """A question of the conformance kit in symbols."""
-    scene = question["scene"]
-    listed = lambda values: ", ".join(f"{value:.10g}" for value in values)
-    lists = "; ".join(f"{name} = {listed(scene[key])}" for name, key in
-                      (("γ", "mass_ratios"), ("κ", "stiffness_ratios"), ("ζ", "damping_ratios")))
-    text = f"{lists}; j = {scene['contact']}, l = {scene['load']}"
-    text += "".join(f"; {name} = {scene[key]:.10g}" for name, key in (("μ", "mu"), ("r", "r"), ("β", "beta")))
-    text += f"; k = {question['mass']}" if question.get("mass", 0) > 0 else ""
-    return text + (f"; τ = {question['tau']:.10g}" if question["quantity"] == "displacement" else "")
-
-
-def offer_of(run, equation):
-    """The formula as code, and certified questions for the reader's own number."""
-    formula_offered = run.formulas.get(equation)
-    scenes = [{"scene": scene_words(each["question"]), "quantity": each["question"]["quantity"], "right": each["right"],
-               "mistakes": each["mistakes"]} for each in run.questions.get(equation, [])]
-    return SimpleNamespace(formula=formula_offered, scenes=scenes, there=formula_offered is not None or scenes != [])
-
-
 # The kernel of Coq
 
 
 def kernel_of(run, entry):
     """What the kernel says of an equation: theorems with their statements, claims with the lemmas that were exported."""
-    kernel = entry.get("kernel", {"status": "not_run"})
-    theorems = [(title, theorem, theorem_statement(run.theorems, theorem["name"]))
+    kernel, claims = entry.get("kernel", {"status": "not_run"}), []
+    statement_of_theorem = lambda name: re.search(rf"Definition {re.escape(name)} : Prop :=.*?\.(?=\n)|\Z", run.theorems, re.S)[0]
+    theorems = [(title, theorem, statement_of_theorem(theorem["name"]))
                 for title, kind in (("Theorem", "theorems"), ("Negation", "negations")) for theorem in kernel.get(kind, [])]
-    claims = []
     for claim in entry["claims"] if kernel["status"] != "not_run" else []:
         told = claim.get("kernel", {"status": "not_run"})
         found = run.certificates.get(claim["id"]) or run.certificates.get(claim["id"].rpartition("/")[0])
@@ -160,32 +136,14 @@ def kernel_of(run, entry):
     return dict(kernel, theorems=theorems, claims=claims)
 
 
-def theorem_statement(text, name):
-    """The statement of a theorem, from the file that has them all; empty where it is not there."""
-    found = re.search(rf"Definition {re.escape(name)} : Prop :=.*?\.(?=\n)", text, re.S)
-    return found[0] if found else ""
-
-
 # The page
 
 
-def tests_of(sources, entry):
-    tests = []
-    for key, verdict in (("tests_failed", "failed"), ("tests", "passed")):
-        for name in entry[key]:
-            place = sources.test(name)
-            if place is None:
-                raise Fault(f"test '{name}' must stand in a source under tests")
-            tests.append((name, verdict, place))
-    return tests
-
-
-def figures_of(run, entry):
-    figures = {figure.name: figure for figure in run.figures}
-    for name in entry["figures"]:
-        if name not in figures:
-            raise Fault(f"figure {name} must be drawn; run ./verify figures")
-    return [figures[name] for name in entry["figures"]]
+def figure_named(run, name):
+    for figure in run.figures:
+        if figure.name == name:
+            return figure
+    raise Fault(f"figure {name} must be drawn; run ./verify figures")
 
 
 def in_namespace(functions, name):
@@ -206,20 +164,21 @@ def equation_view(run, sources, entry):
     callers = [function for function in functions if function not in paper and function not in forms]
     own, others, observations = ([claim_view(run, sources, claim, equation) for claim in claims]
                                  for claims in sorted_claims(entry))
-    statement, offer, figures = statement_of(run, entry), offer_of(run, equation), figures_of(run, entry)
-    departure, correction, accuracy = statement.departure, entry["correction"], accuracy_rows(run, equation)
-    said = (departure and departure.said, "docs/ledger/departures.json"), (run.remarks.get(equation), f"a remark on ({equation})")
+    statement, accuracy, correction = statement_of(run, entry), accuracy_rows(run, equation), entry["correction"]
+    departure, code, questions = statement.departure, run.formulas.get(equation), run.questions.get(equation, [])
     more = [what for there, what in (
         (forms, "the forms that keep their digits"), (others, counted(len(others), "further claim", "further claims")),
         (accuracy, "the measured accuracy"), (callers, "the functions that use it")) if there]
     contents = [(key, title) for key, title, there in (
-        ("proof", "proof", True), ("functions", "function", True), ("check", "check your number", offer.there),
-        ("figures", "figure", figures), ("tests", "tests", True), ("observations", "what the text says", observations),
+        ("proof", "proof", True), ("functions", "function", True), ("check", "check your number", code or questions),
+        ("figures", "figure", entry["figures"]), ("tests", "tests", True), ("observations", "what the text says", observations),
         ("kernel", "kernel", True), ("more_link", "more", more)) if there]
     return dict(
         entry=entry, equation=equation, name=equation_label(equation), statement=statement, fails=fails(entry["printed"]),
         previous=EQUATIONS[at - 1] if at else None, next=EQUATIONS[at + 1] if at + 1 < len(EQUATIONS) else None,
-        place=run.places.get(equation), said=[typeset(words, place) for words, place in said if words], contents=contents,
-        more=more, own=own, others=others, observations=observations, paper=paper, forms=forms, callers=callers, offer=offer,
-        figures=figures, tests=tests_of(sources, entry), kernel=kernel_of(run, entry), accuracy=accuracy,
+        place=run.places.get(equation), contents=contents, more=more,
+        own=own, others=others, observations=observations, paper=paper, forms=forms, callers=callers, code=code,
+        questions=questions, figures=[figure_named(run, name) for name in entry["figures"]], kernel=kernel_of(run, entry),
+        tests=[(name, verdict, sources.test(name)) for key, verdict in (("tests_failed", "failed"), ("tests", "passed"))
+               for name in entry[key]], accuracy=accuracy,
         copied=without_marks(departure.holds) if correction and departure and departure.holds else statement_that_holds(entry))

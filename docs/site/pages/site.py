@@ -4,7 +4,6 @@ import re
 from collections import Counter
 from itertools import groupby
 from pathlib import Path
-from types import SimpleNamespace
 
 import jinja2
 
@@ -24,12 +23,6 @@ SECTIONS = {"2.1": "Formulation", "2.2": "Modal superposition", "2.3": "The mass
 DEPARTURES = {"scan": "a slip of the scan", "misprint": "a misprint: the paper's own other equations contradict it",
               "substance": "an error of substance: it does not hold as it is meant",
               "convention": "a convention that the paper does not state"}
-
-
-def scene_sentence(scene):
-    """What a scene shows of a printed equation, in a sentence without a full stop."""
-    return (f"{scene['where']} ({scene['regime'].replace('_', ' ')} motion): {scene['quantity']}, {scene['printed']:.4g} as "
-            f"printed, {scene['holds']:.4g} as it is, a loss of {scene['loss']:.4g}")
 
 
 def tables(markdown, prefix):
@@ -66,28 +59,16 @@ def worst_of_functions(run):
     return worst
 
 
-def moving_masses(motion, pixels=17, length=90):
-    """How the masses of the picture move, and how the springs before them stretch, at each instant of a period."""
-    masses = []
-    for n in range(len(motion[0])):
-        here = [pixels * x[n] for x in motion]
-        before = [pixels * x[n - 1] if n else 0.0 for x in motion]
-        masses.append(SimpleNamespace(
-            left=40 + 190 * n, moves=[f"translateX({x:.2f}px)" for x in here],
-            stretches=[f"translateX({y:.2f}px) scaleX({(length + x - y) / length:.4f})" for x, y in zip(here, before)]))
-    return masses
-
-
 def environment(run, sources):
     """Jinja with the words of the pages as filters."""
     templates = Path(__file__).parent.parent / "templates"
     jinja = jinja2.Environment(loader=jinja2.FileSystemLoader(templates), undefined=jinja2.StrictUndefined, trim_blocks=True,
                                keep_trailing_newline=True, comment_start_string="<!--#", comment_end_string="#-->")
     jinja.filters |= {name: word for name, word in vars(text).items() if callable(word)} | dict(
-        code_of=code_of, coq_lines=coq_lines, scene_sentence=scene_sentence, in_namespace=in_namespace,
+        code_of=code_of, coq_lines=coq_lines, in_namespace=in_namespace,
         departure_text=DEPARTURES.get, error=lambda worst: "not finite" if worst is None else f"{worst:.3g}",
         snippet_lines=lambda function, signature=False: code_lines(sources.snippet(function), signature),
-        json=lambda value: json.dumps(value, ensure_ascii=False, separators=(",", ":")),
+        number="{:.10g}".format, json=lambda value: json.dumps(value, ensure_ascii=False, separators=(",", ":")),
         sample=lambda name, of_modes: SAMPLES_OF_MODES[name] if of_modes else SAMPLES.get(name, "1"),
         names=lambda witness: witness_names(run, witness), record=lambda claim: record_of(run, claim),
         in_order=lambda entries, key: [(name, list(group)) for name, group in groupby(entries, lambda entry: entry[key])],
@@ -123,10 +104,10 @@ def make_pages(run, sources, chapter):
             if view["more"]:
                 add(view["name"] + "_more", "equation_more", view)
     summary, audit = tables(run.audit, "audit")
-    of_pages = {"home": dict(masses=moving_masses(run.motion)), "audit": dict(summary=summary, audit=audit),
-                "accuracy_page": dict(agreement=run.run["agreement"], functions=worst_of_functions(run)),
+    of_pages = {"audit": dict(summary=summary, audit=audit), "accuracy_page": dict(functions=worst_of_functions(run)),
                 "equation_graph": dict(graph=graph_of(run.ledger))}
-    for name in ("equations", "errata", "errata_sheet", "stand_ins", "figures_page", "speed_page", "conformance_page", *of_pages):
+    for name in ("home", "equations", "errata", "errata_sheet", "stand_ins", "figures_page", "speed_page", "conformance_page",
+                 *of_pages):
         with told_in(faults):
             add(name, name, of_pages.get(name, {}))
     views, faults_of_chapter = chapter_views(run, read_chapter(chapter))

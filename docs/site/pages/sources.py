@@ -57,7 +57,7 @@ class Sources:
                 self.tests.setdefault(told, Place(name, text.count("\n", 0, test.start(1)) + 1))
 
     def claim(self, claim):
-        """Where a claim is made, of whose id a source may have the beginning alone; None where nowhere."""
+        """Where a claim is made, of whose id a source may have the beginning alone."""
         for places in (self.makers, self.literals):
             if claim in places:
                 return places[claim]
@@ -67,11 +67,14 @@ class Sources:
                 text = max(begins, key=len)
                 file, line = places[text]
                 return Place(file, self.lines_of.get((file, claim[len(text):]), line))
-        return None
+        raise Fault(f"claim {claim} must be made in a source under derivation")
 
     def test(self, name):
         """Where a test is declared, by its name as it ran: that of a test over types ends with the type."""
-        return self.tests.get(name) or self.tests.get(name.rpartition(" - ")[0])
+        place = self.tests.get(name) or self.tests.get(name.rpartition(" - ")[0])
+        if place is None:
+            raise Fault(f"test '{name}' must stand in a source under tests")
+        return place
 
     def snippet(self, function):
         """A function or a type of the ledger, from its template head to its closing brace."""
