@@ -66,7 +66,8 @@ def environment(run, sources):
                                keep_trailing_newline=True, comment_start_string="<!--#", comment_end_string="#-->")
     jinja.filters |= {name: word for name, word in vars(text).items() if callable(word)} | dict(
         code_of=code_of, coq_lines=coq_lines, in_namespace=in_namespace,
-        departure_text=DEPARTURES.get, error=lambda worst: "not finite" if worst is None else f"{worst:.3g}",
+        departure_text=lambda kind: DEPARTURES.get(kind, "none"),
+        error=lambda worst: "not finite" if worst is None else f"{worst:.3g}",
         snippet_lines=lambda function, signature=False: code_lines(sources.snippet(function), signature),
         number="{:.10g}".format, json=lambda value: json.dumps(value, ensure_ascii=False, separators=(",", ":")),
         sample=lambda name, of_modes: SAMPLES_OF_MODES[name] if of_modes else SAMPLES.get(name, "1"),
