@@ -106,7 +106,7 @@ function page_label(file, parts, n, name) {
 FNR == 1 {
     file = index(FILENAME, ENVIRON["PWD"] "/") == 1 ? substr(FILENAME, length(ENVIRON["PWD"]) + 2) : FILENAME
     markdown = file ~ /^docs\/.*\.md$/
-    shown_only = file ~ /\.cpp$/ || file ~ /^(docs|tests|paper-figures)\/.*\.hpp$/ || (file ~ /^src\// && /^\/\/ /)
+    shown_only = file ~ /\.cpp$/ || file ~ /^(docs|tests|paper-figures|derivation\/offers)\/.*\.hpp$/ || (file ~ /^src\// && /^\/\/ /)
 }
 shown_only {
     brief = FNR == 1 && /^\/\/ / ? substr($0, 4) : ""

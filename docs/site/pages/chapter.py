@@ -1,0 +1,70 @@
+"""The derivation as a chapter: prose by hand, every formula from the run.
+
+A file is a page, whose parts are apart by empty lines: `# Title` first; `## Title` begins a section; in a paragraph `$...$` is a
+formula, `` `...` `` is code, and the number of an equation in brackets becomes a link. Place-holders stand by themselves:
+`{{equation 26}}` is the form that holds, `{{printed 26}}` the printed one, `{{steps A.5/constants}}` the steps of a claim as the
+run recorded them, `{{claims 26}}` a list of the claims on an equation whose steps the chapter does not show.
+"""
+import re
+
+from .equations import steps_of
+from .records import record_of
+from .text import EQUATIONS, Fault, told_in, typeset
+
+CHAPTER = set(EQUATIONS[3:72] + EQUATIONS[88:])  # (4)-(72) and the appendix
+
+
+def read_chapter(folder):
+    """The files by the name of their page, the first one of the chapter first."""
+    in_order = sorted(folder.glob("*.md"), key=lambda file: (file.stem != "chapter", file))
+    files = {f"derivation_{file.stem}": file.read_text() for file in in_order}
+    if "derivation_chapter" not in files:
+        raise Fault(f"the chapter must have a file chapter.md in {folder}")
+    return files
+
+
+def chapter_views(run, files):
+    """What the template shows of each page, and the faults: a claim on a result that the chapter leaves out is one."""
+    shown = {claim for content in files.values() for claim in re.findall(r"\{\{steps (.*?)\}\}", content)}
+    faults, mentioned, names = [], set(shown), list(files)
+
+    def piece(block, place):
+        """A section, a paragraph or a place-holder."""
+        if block.startswith("## "):
+            return {"kind": "section", "text": block[3:]}
+        if not block.startswith("{{"):
+            return {"kind": "text", "text": typeset(block.replace("\n", " "), place)}
+        found = re.fullmatch(r"\{\{(equation|printed|steps|claims) (.*?)\}\}", block)
+        if not found:
+            raise Fault(f"a place-holder must be {{{{equation|printed|steps|claims name}}}} by itself, not {block}, in {place}")
+        kind, name = found.groups()
+        known = run.claims if kind == "steps" else run.entries
+        if name not in known:
+            raise Fault(f"a place-holder must name a claim or an equation of the run, not ({name}), in {place}")
+        if kind == "steps":
+            return {"kind": kind, "record": known[name], "steps": steps_of(known[name])}
+        claims = []
+        for claim in known[name]["claims"] if kind == "claims" else []:
+            record = record_of(run, claim["id"])
+            if claim["role"] != "observation" and record["claim"] not in mentioned:
+                mentioned.add(record["claim"])
+                claims.append((claim, record))
+        return {"kind": kind, "entry": known[name], "claims": claims}
+
+    views = []
+    for at, name in enumerate(names):
+        head, *blocks = re.split(r"\n\n+", files[name].strip())
+        if not head.startswith("# "):
+            faults.append(f"the file of {name} must begin with # and a title")
+        pieces = []
+        for block in blocks:
+            with told_in(faults):
+                pieces.append(piece(block, f"docs/chapter, page {name}"))
+        views.append(dict(name=name, title=head[2:], pieces=pieces, first=at == 0, subpages=[] if at else names[1:],
+                          previous=names[at - 1] if at > 1 else None, next=names[at + 1] if at + 1 < len(names) else None))
+    for entry in run.ledger:
+        for claim in entry["claims"] if entry["kind"] == "result" and entry["equation"] in CHAPTER else []:
+            claimed = record_of(run, claim["id"])["claim"]
+            if claim["role"] != "observation" and claimed not in mentioned:
+                faults.append(f"claim {claimed} is on a result of the chapter, which does not mention it")
+    return views, faults

@@ -1,0 +1,184 @@
+"""The page of a numbered equation, and the page behind it with the library's other forms: what the templates show."""
+import re
+from types import SimpleNamespace
+
+from .records import record_of, symbols_in
+from .text import (EQUATIONS, Fault, counted, displayed, equation_label, escaped, fails, formula, label, prose,
+                   statement_that_holds, symbol, typeset, without_marks)
+
+LONGEST_FORMULA = 1500  # longer ones are left to the record: nobody reads them, and they take seconds to typeset
+LONGEST_STATEMENT = 4000  # in the language of Coq
+ABBREVIATED, DIVISORS = "Abbreviations", "where no divisor is zero"  # steps of the record that are no steps of the argument
+ROLES = {"both": "on the formula as printed and as shipped", "printed": "on the formula as printed",
+         "shipped": "on the formula as shipped", "observation": "on what the text says about it"}
+KINDS = {"refinement": "a refinement of a shipped formula", "restated": "a definition restated",
+         "consequence": "a consequence of shipped formulas", "argument": "with an argument that a person gave",
+         "observation": "observed"}
+# Values to start from, inside the domain of every formula; those of the modes are lists.
+SAMPLES = {"R": "0.8", "zeta": "0.05", "tau": "1", "beta": "0.3", "mu": "1.5", "V_dk_re": "1.2", "V_dk_im": "-0.4",
+           "V_dj_re": "0.9", "V_dj_im": "-0.7", "U_dj": "0.25", "U_dk": "0.15", "U_j": "0.25", "U_k": "0.15", "G_j": "0.1",
+           "G_k": "0.12", "psi_ji": "0.6", "psi_li": "0.7", "psi_ki": "0.5", "eta_0": "0.8", "eta_prime_0": "-0.3",
+           "phi_j": "0.4", "sgn_x_dot": "1", "X_j": "1.1", "S_dj": "1.3", "H_j": "0.4", "gamma_j": "2", "r": "0.9", "k_1": "3",
+           "P": "2", "m_1": "2", "omega": "1.5", "A": "-1.7", "B": "0.4", "C": "0.9", "Q": "1.2", "V_k_abs": "6", "x_k0": "0.6",
+           "x_prime_k0": "-0.2"}
+SAMPLES_OF_MODES = {"R": "0.8, 0.3", "zeta": "0.05, 0.03", "psi_k": "0.6, 0.7", "psi_j": "0.6, -0.7", "psi_l": "0.5, 0.8"}
+
+
+# Claims
+
+
+def step_sentence(step, claim):
+    """The sentence of a step; the generators of the zero test, which follow "zero with", stay as the run wrote them."""
+    if "text_latex" in step:
+        return typeset(step["text_latex"], claim)
+    head, zero_with, generators = step["text"].partition("reduces to zero with ")
+    return prose(head + zero_with) + (f"<code>{escaped(generators)}</code>" if zero_with else "")
+
+
+def steps_of(record):
+    """The steps of a claim: a sentence and formulas each; what abbreviations stand for is looked up and comes last."""
+    steps = []
+    for step in record["steps"]:
+        text, latex, here = step["text"], step["latex"], step["text"] == ABBREVIATED
+        if text == DIVISORS and steps:
+            steps[-1]["condition"] += text + "\n" + displayed(latex)
+            continue
+        end = ":" if latex else "" if "zero with" in text else "."
+        long = len(latex) > LONGEST_FORMULA and not here
+        steps.append({"here": here, "text": "Here" if here else step_sentence(step, record["claim"]) + end, "condition": "",
+                      "latex": "" if long else latex, "left_out": len(latex) if long else 0})
+    return sorted(steps, key=lambda step: step["here"])
+
+
+def claim_view(run, sources, claim, equation):
+    """A claim in full; its steps stand on the page of the equation that its id begins with, else of its first one."""
+    record, again = record_of(run, claim["id"]), claim.get("same_as", "")
+    home = sorted(record["equations"], key=lambda number: number != record["claim"].partition("/")[0])[0]
+    witness, thresholds, kind = claim.get("witness", {}), claim.get("thresholds", []), claim.get("kind", "")
+    again = f" (it says the same as {escaped(again)})" if again and kind != "argument" else ""
+    return dict(
+        claim, record=record, home=home, here=home == equation, place=sources.claim(claim["id"]),
+        label=label("claim", record["claim"]),
+        bears=f"{KINDS.get(kind, 'derived')}{again}, {ROLES.get(claim['role'], 'a step of the argument')}",
+        witness=witness if witness != run.entries[equation]["witness"] else {},  # which stands at the head of the page
+        thresholds=[f"{t['what']}: {t['taken']:.3g} taken, turns at {t['turns']:.3g}" for t in thresholds],
+        whatever=claim["verdict"] == "refuted" and not any(t["decides"] for t in thresholds),
+        steps=steps_of(record), is_long=sum(len(step["latex"]) + 60 for step in record["steps"]) > 900,
+        count=sum(step["text"] not in (ABBREVIATED, DIVISORS) for step in record["steps"]))
+
+
+def sorted_claims(entry):
+    """The equation's own claims, about the paper's formula and not about a form of it; all others; observations."""
+    decides = lambda claim: claim["role"] != "step" and not claim.get("same_as")
+    is_form = lambda claim: claim.get("kind") == "refinement"
+    claims, observations = [], []
+    for claim in entry["claims"]:
+        (observations if claim["role"] == "observation" else claims).append(claim)
+    its = [claim for claim in claims if decides(claim) and claim["id"].startswith(entry["equation"] + "/")]
+    own = [claim for claim in its if not is_form(claim)]
+    if all(claim["role"] == "printed" for claim in own):  # (A.12) is decided by how a shipped formula follows from others
+        own += [claim for claim in its if is_form(claim)]
+    others = sorted((claim for claim in claims if claim not in own), key=lambda claim: not decides(claim) or is_form(claim))
+    if not own:  # (26) is decided by the claims on (A.13)
+        own = [claim for claim in others if decides(claim) and not is_form(claim)] or others[:1]
+        others = [claim for claim in others if claim not in own]
+    return sorted(own, key=lambda claim: claim["role"] == "printed"), others, observations  # first what holds
+
+
+# Witnesses and statements
+
+
+def witness_names(run, witness):
+    """The values of a witness with their names typeset, as the derivation has them if it does."""
+    latex = {name: run.symbols.get(name) or symbol(name, True) for name in witness}
+    return [(formula(latex[name]) if latex[name] else prose(name), value) for name, value in witness.items()]
+
+
+def is_of_formula(run, name, latex):
+    """Whether a name of a witness is one of the formula's; R_1 stands for R_i."""
+    shown = run.symbols.get(name) or symbol(name, True)
+    if not shown or shown in latex:
+        return True
+    for mass in "123":
+        before, found, after = shown.rpartition(mass)
+        shown = before + "i" + after if found else shown
+    return shown.replace("_{i}", "_i", 1) in latex
+
+
+def statement_of(run, entry):
+    """The printed formula and the one that holds, with the difference marked where a person has marked it."""
+    departure = run.departures.get(entry["equation"])
+    marked = departure is not None and departure.printed != ""
+    held = departure.holds if marked else entry["correction"]
+    read, two = entry["statement"], entry["correction"] != ""
+    latex = f"{read} {without_marks(held)}"
+    of_formula = {name: value for name, value in entry["witness"].items()
+                  if is_of_formula(run, name, f"{read} {entry['correction']}")}
+    return SimpleNamespace(departure=departure, marked=marked, printed=departure.printed if marked else read, held=held, two=two,
+                           short=two and len(read) < 110 and len(without_marks(held)) < 110,
+                           symbols=symbols_in(run.notation, latex), witness=of_formula or entry["witness"])
+
+
+# The kernel of Coq
+
+
+def kernel_of(run, entry):
+    """What the kernel says of an equation: theorems with their statements, claims with the lemmas that were exported."""
+    kernel, claims = entry.get("kernel", {"status": "not_run"}), []
+    statement_of_theorem = lambda name: re.search(rf"Definition {re.escape(name)} : Prop :=.*?\.(?=\n)|\Z", run.theorems, re.S)[0]
+    theorems = [(title, theorem, statement_of_theorem(theorem["name"]))
+                for title, kind in (("Theorem", "theorems"), ("Negation", "negations")) for theorem in kernel.get(kind, [])]
+    for claim in entry["claims"] if kernel["status"] != "not_run" else []:
+        told = claim.get("kernel", {"status": "not_run"})
+        found = run.certificates.get(claim["id"]) or run.certificates.get(claim["id"].rpartition("/")[0])
+        certificate = found if found and found["lemmas"] and told["status"] != "not_run" else None
+        claims.append(SimpleNamespace(id=claim["id"], kernel=told, certificate=certificate))
+    return dict(kernel, theorems=theorems, claims=claims)
+
+
+# The page
+
+
+def figure_named(run, name):
+    for figure in run.figures:
+        if figure.name == name:
+            return figure
+    raise Fault(f"figure {name} must be drawn; run ./verify figures")
+
+
+def in_namespace(functions, name):
+    return [function for function in functions if f"::{name}::" in function["name"]]
+
+
+def accuracy_rows(run, equation=None):
+    """Rows of the records of accuracy, with the number type of each; of one equation, or all."""
+    return [(record["type"], row) for record in run.accuracy for row in record["functions"]
+            if equation is None or equation in row["equations"]]
+
+
+def equation_view(run, sources, entry):
+    """All that the two pages of an equation show."""
+    equation, functions = entry["equation"], entry["functions"]
+    at = EQUATIONS.index(equation)
+    paper, forms = in_namespace(functions, "paper"), in_namespace(functions, "evaluation")
+    callers = [function for function in functions if function not in paper and function not in forms]
+    own, others, observations = ([claim_view(run, sources, claim, equation) for claim in claims]
+                                 for claims in sorted_claims(entry))
+    statement, accuracy, correction = statement_of(run, entry), accuracy_rows(run, equation), entry["correction"]
+    departure, code, questions = statement.departure, run.formulas.get(equation), run.questions.get(equation, [])
+    more = [what for there, what in (
+        (forms, "the forms that keep their digits"), (others, counted(len(others), "further claim", "further claims")),
+        (accuracy, "the measured accuracy"), (callers, "the functions that use it")) if there]
+    contents = [(key, title) for key, title, there in (
+        ("proof", "proof", True), ("functions", "function", True), ("check", "check your number", code or questions),
+        ("figures", "figure", entry["figures"]), ("tests", "tests", True), ("observations", "what the text says", observations),
+        ("kernel", "kernel", True), ("more_link", "more", more)) if there]
+    return dict(
+        entry=entry, equation=equation, name=equation_label(equation), statement=statement, fails=fails(entry["printed"]),
+        previous=EQUATIONS[at - 1] if at else None, next=EQUATIONS[at + 1] if at + 1 < len(EQUATIONS) else None,
+        place=run.places.get(equation), contents=contents, more=more,
+        own=own, others=others, observations=observations, paper=paper, forms=forms, callers=callers, code=code,
+        questions=questions, figures=[figure_named(run, name) for name in entry["figures"]], kernel=kernel_of(run, entry),
+        tests=[(name, verdict, sources.test(name)) for key, verdict in (("tests_failed", "failed"), ("tests", "passed"))
+               for name in entry[key]], accuracy=accuracy,
+        copied=without_marks(departure.holds) if correction and departure and departure.holds else statement_that_holds(entry))

@@ -1,0 +1,70 @@
+"""The graph of what rests on what: where each equation stands, and the lines between them."""
+from collections import defaultdict
+from graphlib import CycleError, TopologicalSorter
+from types import SimpleNamespace
+
+from .text import Fault
+
+WIDTH, HEIGHT, COLUMN, ROW, MARGIN, TOP = 46, 24, 56, 46, 16, 34  # of a box, from box to box, at the edges
+
+
+def depths(ledger):
+    """How far each equation stands below the first: below all that it rests on."""
+    grounds, depth = {entry["equation"]: entry["rests_on"] for entry in ledger}, {}
+    try:
+        for equation in TopologicalSorter(grounds).static_order():
+            if equation not in grounds:
+                raise Fault(f"equation ({equation}) is rested on and must have an entry")
+            depth[equation] = 1 + max((depth[ground] for ground in grounds[equation]), default=-1)
+    except CycleError as error:
+        raise Fault(f"equation ({error.args[1][0]}) must not rest on itself by any way round") from error
+    return depth
+
+
+def layout(ledger, columns):
+    """Row and column of each equation, in the band of its section; a section with crowded rows gets more of the columns, and what
+    does not fit goes on in the row below."""
+    depth = depths(ledger)
+    cells = defaultdict(list)
+    for entry in ledger:
+        cells[depth[entry["equation"]], entry.get("section", "")].append(entry["equation"])
+    width = dict.fromkeys((entry.get("section", "") for entry in ledger), 1)
+    crowded = {name: max(len(cell) for (_, section), cell in cells.items() if section == name) for name in width}
+    for _ in range(columns - len(width)):
+        fullest = max(width, key=lambda name: crowded[name] / width[name])
+        if crowded[fullest] <= width[fullest]:
+            break
+        width[fullest] += 1
+    first, places, line = {}, {}, 0
+    for name in width:
+        first[name] = sum(width[before] for before in first)
+    for level in range(max(depth.values()) + 1):
+        row = {section: cell for (deep, section), cell in cells.items() if deep == level}
+        for section, cell in row.items():
+            for i, equation in enumerate(cell):
+                places[equation] = (line + i // width[section], first[section] + i % width[section])
+        line += max(-(-len(cell) // width[section]) for section, cell in row.items())
+    return places
+
+
+def graph_of(ledger, columns=20):
+    """The picture: bands, lines and the middle of each box, in pixels."""
+    places = layout(ledger, columns)
+    sections = defaultdict(list)
+    for entry in ledger:
+        sections[entry["section"]].append(places[entry["equation"]][1])
+    bands = [SimpleNamespace(section=section, left=MARGIN + min(at) * COLUMN - (COLUMN - WIDTH) // 2,
+                             wide=(max(at) - min(at) + 1) * COLUMN) for section, at in sections.items()]
+    middle = {equation: (MARGIN + column * COLUMN + WIDTH / 2, TOP + row * ROW + HEIGHT / 2)
+              for equation, (row, column) in places.items()}
+    edges = []
+    for entry in ledger:
+        for ground in entry["rests_on"]:
+            (x, y), (to_x, to_y) = middle[ground], middle[entry["equation"]]
+            y, to_y = y + HEIGHT / 2, to_y - HEIGHT / 2
+            bend = (to_y - y) / 2
+            edges.append((ground, entry["equation"], f"M {x:.1f} {y:.1f} C {x:.1f} {y + bend:.1f} {to_x:.1f} {to_y - bend:.1f} "
+                                                     f"{to_x:.1f} {to_y:.1f}"))
+    rows, across = (max(place[n] for place in places.values()) for n in (0, 1))
+    return SimpleNamespace(bands=sorted(bands, key=lambda band: band.left), edges=edges, places=middle,
+                           width=2 * MARGIN + across * COLUMN + WIDTH, height=TOP + MARGIN + rows * ROW + HEIGHT)

@@ -1,0 +1,182 @@
+"""What a run wrote, as the pages take it: ledger, derivation, figures, measurements; and what people wrote beside it."""
+import csv
+import json
+import math
+import re
+import subprocess
+from itertools import takewhile
+from types import SimpleNamespace
+
+from .text import EQUATIONS, Fault, label
+
+
+def read_json(file):
+    try:
+        return json.loads(file.read_text())
+    except json.JSONDecodeError as error:
+        raise Fault(f"{file} must be JSON: {error}") from error
+
+
+def read_if_there(file):
+    return file.read_text() if file.exists() else ""
+
+
+def told(command, asked=""):
+    """What a program answers."""
+    return subprocess.run(list(map(str, command)), input=asked, check=True, stdout=subprocess.PIPE, text=True).stdout
+
+
+def read_run(verify, source):
+    """Everything that the pages are made of."""
+    ledger = read_json(verify / "paper/ledger.json")
+    claims = {claim["claim"]: claim for claim in read_json(verify / "paper/derivation.json")}
+    exported = verify / "kernel/certificates.json"
+    certificates = read_json(exported)["certificates"] if exported.exists() else []
+    accuracy = [read_json(file) for file in sorted((verify / "test-results/accuracy").glob("*.json"))]
+    program, offers = verify / "bin/denhartog", json.loads(told([verify / "bin/offers", source / "tests/conformance/vectors"]))
+    return SimpleNamespace(
+        ledger=ledger, entries={entry["equation"]: entry for entry in ledger}, claims=claims,
+        symbols={value["name"]: value["name_latex"] for claim in claims.values() for value in claim.get("witness", [])
+                 if value.get("name_latex")},
+        run=read_json(verify / "paper/run.json"), audit=(verify / "paper/audit.md").read_text(),
+        certificates={certificate["claim"]: certificate for certificate in certificates},
+        theorems=read_if_there(source / "derivation/kernel/Statements.v"), figures=read_figures(verify / "figures", source),
+        accuracy=sorted(accuracy, key=lambda record: {"d": 0, "l": 1}.get(record["type"][0], 2)),  # double, long double, others
+        chart=read_if_there(verify / "chart/tables.md"), batch=read_if_there(verify / "chart/batch.md"),
+        conformance={file.stem: file.read_text() for file in (verify / "conformance").glob("*.md")},
+        departures={row["equation"]: SimpleNamespace(**({"printed": "", "holds": ""} | row))
+                    for row in read_json(source / "docs/ledger/departures.json")},
+        notation=read_symbols((source / "docs/notation.md").read_text()), places=read_json(source / "docs/explore/places.json"),
+        formulas=offers["formulas"], questions=offers["questions"], excess_of_67=excess_of_67(program),
+        motion=motion_of_example(program, source / "docs/example.json"))
+
+
+def motion_of_example(program, scene, samples=36):
+    """Displacements of the masses of the program's example, a list an instant of the period."""
+    rows = csv.DictReader(told([program, "motion", scene, "--samples", samples]).splitlines())
+    return [[float(row[name]) for name in row if name.startswith("x_")] for row in rows]
+
+
+def excess_of_67(program):
+    """How far (67) is above the boundary (69), in percent, for the two masses of Fig. 10 with the least damping."""
+    first, second = (math.sqrt(5) - 1) / 2, (math.sqrt(5) + 1) / 2
+    scene = {"mass_ratios": [1, 1], "stiffness_ratios": [1, 1], "damping_ratios": [0.001 / first, 0.001 / second],
+             "contact": 2, "load": 1, "r": 0.55}
+    limit = json.loads(told([program, "boundary", "--json"], json.dumps(scene)))["beta_lim"]
+    return 100 * (limit["approximate"] / limit["exact"] - 1)
+
+
+def record_of(run, claim):
+    """The record of a claim, of which the ledger may have one for each of its equations, with the equation at its end."""
+    shorter, _, equation = claim.rpartition("/")
+    record = run.claims.get(claim) or (run.claims.get(shorter) if equation in EQUATIONS else None)
+    if record is None:
+        raise Fault(f"claim {claim} must have its steps in derivation.json; run ./verify paper again")
+    return record
+
+
+# Figures
+
+
+def title_of_script(lines):
+    """The first sentence of a plot script, where no program has recorded a title."""
+    comment = " ".join(line[2:] for line in takewhile(lambda line: line.startswith("# "), lines))
+    if not comment.startswith("Fig. "):
+        return re.split("[.;]", comment)[0]
+    title = comment.partition(": ")[2].partition(". ")[0].removesuffix(".")  # Fig. 1: the chain of N masses. ...
+    return title[0].upper() + title[1:]
+
+
+def read_figures(folder, source):
+    """The figures of the run, those of the paper first."""
+    captions, figures = read_json(source / "docs/ledger/figures.json"), []
+    scripts = {file.stem: file for file in (source / "paper-figures").rglob("*.gp")}
+    for name in sorted(file.stem for file in folder.glob("*.svg") if file.stem in scripts):  # others an earlier run left
+        if name not in captions:
+            raise Fault(f"figure {name} must have its caption in docs/ledger/figures.json")
+        record = read_json(folder / f"{name}.json") if (folder / f"{name}.json").exists() else None
+        title = record["title"] if record else title_of_script(scripts[name].read_text().splitlines())
+        number = f"Fig. {int(name[3:5])}" if name.startswith("fig") else ""
+        data = [file.name for ending in (".dat", ".csv") for file in sorted(folder.glob(f"{name}*{ending}"))]
+        figures.append(SimpleNamespace(
+            name=name, label=label("figure", name), number=number, title=title, record=record,
+            full_title=f"{number}: {title}" if number else title, data=data, caption=captions[name],
+            script=scripts[name].relative_to(source).as_posix()))
+    return sorted(figures, key=lambda figure: not figure.number)
+
+
+# Symbols
+
+
+def of_other_masses(latex):
+    """The same symbol of another mass: psi_ki, psi_ji, psi_li; G_k, G_j."""
+    base, bar, below = latex.rpartition("_")
+    mass = next((mass for mass in "kj" if bar and mass in below), None)
+    if mass is None or "lim" in below:
+        return [latex]
+    at = latex.index(mass, len(base))
+    return [latex] + [latex[:at] + other + latex[at + 1:] for other in "kjl" if other != mass]
+
+
+def read_symbols(notation):
+    """The paper's symbols from the tables of the notation page."""
+    symbols = []
+    for line in notation.partition("\n## Symbols of ours\n")[0].splitlines():
+        if not line.startswith("| $"):
+            continue
+        cells = [cell.strip(" ") for cell in line[1:].removesuffix("|").split("|")]
+        if len(cells) < 4:
+            raise Fault(f"a symbol must have its meaning and its equation: {line}")
+        equations = [number for number in re.findall(r"\(([^)]*)\)", cells[3]) if number in EQUATIONS]
+        for latex in re.findall(r"\$([^$]*)\$", cells[0]):
+            latex = re.sub(r"(\\overline|\\mathbf|\\dot) (.)", r"\1{\2}", latex).replace(r"\boldsymbol\Psi", r"\boldsymbol{\Psi}")
+            latex = latex.replace("'", "")
+            if latex not in ("", "j", "l", "t"):
+                symbols.append(SimpleNamespace(latex=of_other_masses(latex), meaning=cells[2], equations=equations,
+                                               units=cells[4] if len(cells) > 4 else ""))
+    if not symbols:
+        raise Fault("the notation page must have tables of symbols")
+    return symbols
+
+
+def stands_in(latex, name):
+    """Whether a symbol stands in a formula, and not as a part of another one."""
+    before = (r"(?<![A-Za-z\\_{])" if len(name) < 3 else r"(?<![A-Za-z\\_])") if name[0].isalpha() else ""
+    return re.search(before + re.escape(name) + (r"(?![A-Za-z_])" if name[-1].isalpha() else ""), latex) is not None
+
+
+def symbols_in(symbols, latex):
+    """The symbols of a formula with their names in it, in the order of the notation page; of equal meanings the first."""
+    found = {}
+    for symbol in symbols:
+        if any(stands_in(latex, name) for name in symbol.latex):
+            found.setdefault(symbol.meaning, symbol)
+    return [(next((name for name in symbol.latex if name in latex), symbol.latex[0]), symbol) for symbol in found.values()]
+
+
+# Departures
+
+
+def faults_of_departures(departures, ledger):
+    """Why the departures do not fit the run: one without a sentence, a sentence too many, or another formula than printed."""
+    def bare(latex):
+        for part in (r"\misprint", r"\mended", r"\begin{aligned}", r"\end{aligned}", r"\vphantom{\frac{V}{V}}",
+                     r"\vphantom{\sqrt{V_{dj}^2}}", r"\Bigl", r"\Bigr", r"\left.", r"\right.", r"\left", r"\right"):
+            latex = latex.replace(part, "")
+        return re.sub(r"[{}&\s\\]", "", latex)
+
+    faults = []
+    for entry in ledger:
+        place = f"docs/ledger/departures.json: ({entry['equation']})"
+        departure = departures.get(entry["equation"])
+        if (entry["departure"] != "none") != (departure is not None):
+            faults.append(f"{place} " + ("has a sentence and does not depart" if departure else
+                                         "departs from the print and has no sentence"))
+        if departure is None or not departure.printed:
+            continue
+        printed, statement = bare(departure.printed), bare(entry["statement"])
+        if printed != statement:
+            faults.append(f"{place} without its marks is not the printed formula: {printed} against {statement}")
+        if entry["equation"] != "68" and not (r"\misprint{" in departure.printed and r"\mended{" in departure.holds):
+            faults.append(f"{place} shows no difference")
+    return faults

@@ -1,0 +1,155 @@
+"""All generated pages: each kind has a template; the pages are Doxygen's, which resolves links to what is in the sources."""
+import json
+import re
+from collections import Counter
+from itertools import groupby
+from pathlib import Path
+
+import jinja2
+
+from . import text
+from .chapter import chapter_views, read_chapter
+from .check import faults_of_pages
+from .code import code_of
+from .equations import LONGEST_STATEMENT, SAMPLES, SAMPLES_OF_MODES, accuracy_rows, equation_view, in_namespace, witness_names
+from .graph import graph_of
+from .records import faults_of_departures, read_run, record_of
+from .sources import Sources, code_lines, coq_lines
+from .text import EQUATIONS, Fault, closed_marks, html, statement_that_holds, told_in, verdict_text, without_marks
+
+SECTIONS = {"2.1": "Formulation", "2.2": "Modal superposition", "2.3": "The mass in contact", "2.4": "Time response",
+            "2.5": "The other masses", "2.6": "Domain of validity", "3.1": "Numerical approach", "4.1": "Resonances",
+            "4.2": "Low and high frequency ratios", "4.3": "Invariant points and the stuck contact"}
+DEPARTURES = {"scan": "a slip of the scan", "misprint": "a misprint: the paper's own other equations contradict it",
+              "substance": "an error of substance: it does not hold as it is meant",
+              "convention": "a convention that the paper does not state"}
+
+
+def tables(markdown, prefix):
+    """Headings, tables and sentences of a text in Markdown."""
+    parts, sections = [], 0
+    for is_table, lines in groupby(markdown.splitlines(), lambda line: line.startswith("|")):
+        if is_table:
+            rows = [[cell.strip(" ").replace("\\|", "|") for cell in re.findall(r"((?:\\\||[^|])*)\|", line[1:])]
+                    for line in lines]
+            for row in rows:
+                if len(row) != len(rows[0]):
+                    raise Fault(f"a row of a table must have as many cells as its head: {row}")
+            parts.append({"rows": [row for row in rows if not re.fullmatch("[-: ]*", "".join(row))]})
+            continue
+        for line in filter(None, lines):
+            if line.startswith("#"):
+                sections += 1
+                parts.append({"heading": line.lstrip("# "), "label": f"{prefix}_{sections}"})
+            else:
+                parts.append({"text": line})
+    return parts
+
+
+def worst_of_functions(run):
+    """For each function in double the worst errors over its zones; those of the printed form None where one is not finite."""
+    rows = sorted((row for type, row in accuracy_rows(run) if type == "double"), key=lambda row: row["function"])
+    worst = []
+    for name, zones in groupby(rows, lambda row: row["function"]):
+        zones = list(zones)
+        printed = [zone["printed"] for zone in zones]
+        worst.append({"function": name, "equations": zones[-1]["equations"], "points": sum(zone["points"] for zone in zones),
+                      "printed": None if None in printed else max(printed),
+                      "shipped": max((zone["shipped"] for zone in zones if zone["shipped"] is not None), default=0)})
+    return worst
+
+
+def environment(run, sources):
+    """Jinja with the words of the pages as filters."""
+    templates = Path(__file__).parent.parent / "templates"
+    jinja = jinja2.Environment(loader=jinja2.FileSystemLoader(templates), undefined=jinja2.StrictUndefined, trim_blocks=True,
+                               keep_trailing_newline=True, comment_start_string="<!--#", comment_end_string="#-->")
+    jinja.filters |= {name: word for name, word in vars(text).items() if callable(word)} | dict(
+        code_of=code_of, coq_lines=coq_lines, in_namespace=in_namespace,
+        departure_text=lambda kind: DEPARTURES.get(kind, "none"),
+        error=lambda worst: "not finite" if worst is None else f"{worst:.3g}",
+        snippet_lines=lambda function, signature=False: code_lines(sources.snippet(function), signature),
+        number="{:.10g}".format, json=lambda value: json.dumps(value, ensure_ascii=False, separators=(",", ":")),
+        sample=lambda name, of_modes: SAMPLES_OF_MODES[name] if of_modes else SAMPLES.get(name, "1"),
+        names=lambda witness: witness_names(run, witness), record=lambda claim: record_of(run, claim),
+        in_order=lambda entries, key: [(name, list(group)) for name, group in groupby(entries, lambda entry: entry[key])],
+        section_title=lambda section: f"{section} {SECTIONS[section]}" if section in SECTIONS else section,
+        counts=lambda ledger, key: ", ".join(f"{n} {text.verdict_text(word)}"
+                                             for word, n in sorted(Counter(entry[key] for entry in ledger).items())),
+        tables=lambda markdown, prefix: jinja.get_template("tables.html").render(pieces=tables(markdown, prefix)))
+    said = {equation: text.typeset(departure.said, "departures.json") for equation, departure in run.departures.items()}
+    jinja.globals |= dict(run=run, ledger=run.ledger, figures=run.figures, departures=run.departures,
+                          said_of=lambda equation: said.get(equation, ""), longest_statement=LONGEST_STATEMENT)
+    return jinja
+
+
+def make_pages(run, sources, chapter):
+    """The pages by name, and why they cannot be taken, a sentence each."""
+    faults = [f"the ledger must have an entry for equation ({number})" for number in EQUATIONS if number not in run.entries]
+    faults += faults_of_departures(run.departures, run.ledger)
+    if faults:
+        return {}, faults
+    jinja, pages = environment(run, sources), {}
+
+    def add(name, template, view):
+        page = jinja.get_template(f"{template}.html").render(view)
+        pages[name] = re.sub(r"\n*(\n\\(?:sub)?section .*\n)\n*", r"\n\1\n", page)  # a heading stands apart
+
+    for figure in run.figures:
+        with told_in(faults):
+            add(figure.label, "figure", dict(figure=figure, program=figure.script.removesuffix("gp") + "cpp"))
+    for equation in EQUATIONS:
+        with told_in(faults):
+            view = equation_view(run, sources, run.entries[equation])
+            add(view["name"], "equation", view)
+            if view["more"]:
+                add(view["name"] + "_more", "equation_more", view)
+    summary, audit = tables(run.audit, "audit")
+    of_pages = {"audit": dict(summary=summary, audit=audit), "accuracy_page": dict(functions=worst_of_functions(run)),
+                "equation_graph": dict(graph=graph_of(run.ledger))}
+    for name in ("home", "equations", "errata", "errata_sheet", "stand_ins", "figures_page", "speed_page", "conformance_page",
+                 *of_pages):
+        with told_in(faults):
+            add(name, name, of_pages.get(name, {}))
+    views, faults_of_chapter = chapter_views(run, read_chapter(chapter))
+    for view in views:
+        add(view["name"], "chapter", view)
+    faults += faults_of_chapter
+    return pages, sorted(set(faults or faults_of_pages(pages)))  # a page that could not be made is missed by all that link to it
+
+
+def script_files(run):
+    """What the scripts of the pages read: symbols and statements for the formulas, places to go to, accuracy as a table."""
+    as_json = lambda value: json.dumps(value, indent=0, ensure_ascii=False)
+    in_html = lambda words: closed_marks(html(words), "$", r"\(", r"\)")
+    symbols = [{"latex": symbol.latex, "meaning": closed_marks(in_html(symbol.meaning), "`", "<code>", "</code>"),
+                "units": symbol.units, "equations": symbol.equations} for symbol in run.notation]
+    statements, places = {}, {}
+    for entry in run.ledger:
+        departure = run.departures.get(entry["equation"])
+        said = f"as printed: {verdict_text(entry['printed'])}" + (f". {departure.said}" if departure else "")
+        latex = without_marks(departure.holds) if departure and departure.holds else statement_that_holds(entry)
+        statements[entry["equation"]] = {"said": in_html(said), "latex": latex}
+        places.setdefault(f"section {entry['section']}", f"equations.html#{text.label('equations', entry['section'])}")
+    for figure in run.figures:
+        if figure.number:
+            places[f"figure {figure.number[5:]}"] = f"{figure.label}.html"
+    columns = ("function", "type", "zone", "points", "printed", "shipped", "shipped_at")
+    rows = [",".join(json.dumps((row | {"type": type})[column], ensure_ascii=False) for column in columns)
+            for type, row in accuracy_rows(run)]
+    return {"accuracy.csv": "\n".join([",".join(columns)] + rows) + "\n", "symbols.json": as_json(symbols) + "\n",
+            "statements.json": as_json(statements) + "\n", "sections.js": f"window.siteSections = {as_json(places)};\n"}
+
+
+def write(run, source, output):
+    """Makes and writes the pages of a run. Returns what was done and the faults; with faults nothing is written."""
+    record = read_run(run, source)
+    pages, faults = make_pages(record, Sources(source), source / "docs/chapter")
+    if faults:
+        return "", faults
+    output.mkdir(parents=True, exist_ok=True)
+    for file in output.glob("*.md"):  # pages of an earlier run
+        file.unlink()
+    for name, content in ({f"{name}.md": page for name, page in pages.items()} | script_files(record)).items():
+        (output / name).write_text(content)
+    return f"{len(pages)} pages", []

@@ -1,0 +1,119 @@
+"""What the pages take from the sources: the lines of functions, and where claims and tests stand."""
+import re
+from collections import namedtuple
+from pathlib import Path
+
+from .text import Fault, html
+
+Place = namedtuple("Place", "file line")
+Snippet = namedtuple("Snippet", "file first lines signature")
+
+LITERAL = r'"(?:[^"\\]|\\.)*"'
+PIECES = re.compile(rf"//[^\n]*|/\*.*?\*/|R\"(?P<end>[^(]*)\((?P<raw>.*?)\)(?P=end)\"|{LITERAL}|(?<!\w)'(?:[^'\\]|\\.)*'",
+                    re.S | re.ASCII)
+TEST = re.compile(rf"(?:TEST_CASE|SCENARIO)\(\s*((?:{LITERAL}\s*)+),\s*((?:{LITERAL}\s*)+)")
+KEYWORDS = re.compile(r"\b(template|class|struct|return|const|typename|inline|requires)\b", re.ASCII)
+COQ_KEYWORDS = set("""Lemma Theorem Definition forall exists Proof Qed Section End Variables Hypothesis Fixpoint fun match with
+end if then else let in Require Import Open Scope""".split())
+
+
+def unescaped(literal):
+    return re.sub(r"\\(.)", lambda m: {"n": "\n", "t": "\t"}.get(m[1], m[1]), literal, flags=re.S)
+
+
+class Sources:
+    """The sources of the project."""
+
+    def __init__(self, root):
+        self.root = Path(root)
+        self.files = {}
+        self.makers, self.literals, self.lines_of, self.tests = {}, {}, {}, {}
+        for file in sorted((self.root / "derivation").rglob("*.cpp")):
+            self.read_claims(file.relative_to(self.root).as_posix(), file.read_text())
+        for file in sorted((self.root / "tests").rglob("*.cpp")):
+            self.read_tests(file.relative_to(self.root).as_posix(), file.read_text())
+
+    def read_claims(self, name, text):
+        """Keeps the literals of a source: those that a claim takes as its id, others with a slash, and those without."""
+        before, end = "", 0
+        for piece in PIECES.finditer(text):
+            before = text[end:piece.start()].strip(" \t") if piece.start() > end else before
+            end = piece.end()
+            if piece[0].startswith("/"):
+                before = ""
+                continue
+            literal = piece["raw"] if piece["raw"] is not None else unescaped(piece[0][1:-1])
+            place = Place(name, text.count("\n", 0, piece.start()) + 1)
+            if "/" in literal:
+                (self.makers if before.endswith(".id =") else self.literals).setdefault(literal, place)
+            else:
+                self.lines_of.setdefault((name, literal), place.line)
+            before = ""
+
+    def read_tests(self, name, text):
+        for test in TEST.finditer(text):
+            if "[eq:" in test[2]:
+                told = "".join(unescaped(part[1:-1]) for part in re.findall(LITERAL, test[1]))
+                self.tests.setdefault(told, Place(name, text.count("\n", 0, test.start(1)) + 1))
+
+    def claim(self, claim):
+        """Where a claim is made, of whose id a source may have the beginning alone."""
+        for places in (self.makers, self.literals):
+            if claim in places:
+                return places[claim]
+            begins = [text for text in places
+                      if claim.startswith(text) and (text.endswith(("=", "/")) or claim[len(text)] == "/")]
+            if begins:
+                text = max(begins, key=len)
+                file, line = places[text]
+                return Place(file, self.lines_of.get((file, claim[len(text):]), line))
+        raise Fault(f"claim {claim} must be made in a source under derivation")
+
+    def test(self, name):
+        """Where a test is declared, by its name as it ran: that of a test over types ends with the type."""
+        place = self.tests.get(name) or self.tests.get(name.rpartition(" - ")[0])
+        if place is None:
+            raise Fault(f"test '{name}' must stand in a source under tests")
+        return place
+
+    def snippet(self, function):
+        """A function or a type of the ledger, from its template head to its closing brace."""
+        name, file, at = function["name"], function["file"], function["line"]
+        if file not in self.files:
+            self.files[file] = (self.root / file).read_text().split("\n")
+        lines = self.files[file]
+        word = name.rpartition("::")[2]
+        if not 1 <= at <= len(lines) or not re.search(rf"(?<!\w){re.escape(word)}(?!\w)", lines[at - 1], re.ASCII):
+            raise Fault(f"{name} must stand where the ledger has it, {file}:{at}; run ./verify paper again")
+        first = at - 1
+        while first > 0 and not re.match(r"\s*($|//|#)|.*[;{}]\s*$", lines[first - 1]):
+            first -= 1
+        end, depth, signature = first, 0, 0
+        while end == first or depth > 0 or not re.search(r"[;}]\s*$", code):
+            code = lines[end].partition("//")[0]
+            end += 1
+            signature = signature or (end - first if "{" in code else 0)
+            depth += code.count("{") - code.count("}")
+        return Snippet(file, first + 1, lines[first:end], signature or end - first)
+
+
+def code_lines(snippet, signature=False):
+    """Lines of C++ with their numbers, comments and keywords marked as Doxygen marks them; or those before the body alone."""
+    lines = []
+    for number, line in enumerate(snippet.lines[:snippet.signature if signature else None], snippet.first):
+        code, slashes, comment = line.partition("//")
+        marked = KEYWORDS.sub(r'<span class="keyword">\1</span>', html(code)) + (
+            f'<span class="comment">{html(slashes + comment)}</span>' if slashes else "")
+        lines.append(f'<span class="lineno"><a href="source:{snippet.file}:{number}">{number:5}</a></span>&#160;{marked}')
+    return lines
+
+
+def coq_lines(text):
+    """Lines in the language of Coq, keywords and comments marked."""
+    def marked(piece):
+        if piece[0].startswith("(*"):
+            return "\n".join(f'<span class="comment">{html(line)}</span>' if line else "" for line in piece[0].split("\n"))
+        return f'<span class="keyword">{piece[0]}</span>' if piece[0] in COQ_KEYWORDS else html(piece[0])
+
+    pieces = re.compile(r"\(\*.*?(?:\*\)|\Z)|[A-Za-z]\w*|.", re.S | re.ASCII)
+    return pieces.sub(marked, text.removesuffix("\n")).split("\n")

@@ -1,0 +1,204 @@
+"""Text for Doxygen: what is special to it is escaped; formulas, symbols and the numbers of equations become what they are."""
+import re
+from contextlib import contextmanager
+from functools import cache
+
+EQUATIONS = [str(n) for n in range(1, 89)] + [f"A.{n}" for n in range(1, 16)]
+GREEK = set("alpha beta gamma delta zeta eta theta kappa mu pi phi psi tau omega Omega Sigma Psi".split())
+BARRED = {"X": r"\overline{X}", "x": r"\bar{x}", "K": r"\overline{K}", "C": r"\overline{C}", "M": r"\overline{M}"}
+WORD = re.compile(r"\w+", re.ASCII)
+PART = {"r": r"\mathrm{Re}\,", "i": r"\mathrm{Im}\,"}
+
+
+class Fault(Exception):
+    """Why a page cannot be made, in a sentence."""
+
+
+@contextmanager
+def told_in(faults):
+    """What is made within may have a fault, which is added to a list."""
+    try:
+        yield
+    except Fault as fault:
+        faults.append(str(fault))
+
+
+def html(text):
+    """Text for an attribute or a raw block of HTML."""
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace('"', "&quot;")
+
+
+def escaped(text):
+    """Text that Doxygen shows as it is."""
+    return re.sub(r"[\\@$#%*_`\[\]]", r"\\\g<0>", html(text))
+
+
+formula = r"\f${}\f$".format  # in a line
+displayed = "\n\\f[ {} \\f]\n".format  # on a line of its own
+
+
+def label(kind, name):
+    return re.sub(r"\W", "_", f"{kind}_{name}", flags=re.ASCII)
+
+
+def equation_label(equation):
+    return label("eq", equation)
+
+
+def equation_link(equation):
+    return rf'\ref {equation_label(equation)} "({equation})"'
+
+
+def equation_links(equations):
+    return ", ".join(map(equation_link, equations)) or "nothing"
+
+
+def source_link(place, shown):
+    """A link to a line of a source, resolved when the site is there; the place is that of a claim or a function."""
+    file, line = (place["file"], place["line"]) if isinstance(place, dict) else place
+    return f'<a href="source:{file}:{line}">{escaped(shown)}</a>'
+
+
+def subscripted(base, below):
+    """A letter with its subscript as the paper writes it: V_dj, U_dj, S_dj, v_di, u_di, s_di have a d that code leaves out."""
+    part = ""
+    if base in ("V", "v") and re.fullmatch("[^d][ri]", below):  # V_jr, V_ji: real and imaginary part
+        part, below = PART[below[1]], below[0]
+    elif base == "v" and re.match("[ri].", below):  # v_r1, v_i1
+        part, below = PART[below[0]], below[1:]
+    if base in tuple("VUSvus") and not below.startswith("d"):
+        below = "d" + below
+    letter = BARRED.get(base, "\\" + base if base in GREEK else base)
+    return part + letter + "_{" + {"lim": r"\lim"}.get(below, below) + "}"
+
+
+@cache
+def symbol(name, alone):
+    """LaTeX of a symbol that the run names in plain text, e.g. `eta_prime_0`; empty where it is none. Alone, a letter is one."""
+    if name in GREEK:
+        return "\\" + name
+    if alone and len(name) == 1:
+        return BARRED.get(name, name)
+    if alone and re.fullmatch("P[A-Z]", name):  # PA to PR: the coefficients of (A.10)
+        return rf"\mathcal{{{name[1]}}}"
+    base, bar, below = name.partition("_")
+    if not bar:  # R1, zeta1
+        found = re.fullmatch(r"(.*[^0-9])([0-9]+)", name)
+        known = found and (found[1] in GREEK or alone and len(found[1]) == 1)
+        return subscripted(found[1], found[2]) if known else ""
+    if not below or base not in GREEK and len(base) != 1:
+        return ""
+    if below.startswith("prime_"):
+        return subscripted(base, below[6:]) + "'"
+    if below.endswith("_abs"):
+        return f"|{subscripted(base, below[:-4])}|"
+    return "" if "_" in below or len(below) > 3 else subscripted(base, below)
+
+
+def formula_at(text, at):
+    """The formula that starts at a word, and where it ends; empty where the word is no symbol, or part of a path or a name."""
+    word = WORD.match(text, at)[0]
+    end = at + len(word)
+    call = re.compile(r"\((\w*)\)", re.ASCII).match(text, end) if word in ("sin", "cos", "sinh", "cosh", "exp") else None
+    if call and symbol(call[1], False):
+        return rf"\{word}({symbol(call[1], False)})", call.end()
+    over_one = re.search(r"(?<!\w)1/$", text[:at], re.ASCII)
+    after_mark = at > 0 and text[at - 1] in "./:`#" and text[at:at + 5] != "r_n,i" and not over_one
+    if after_mark or re.compile(r"[(:*`]|\.\w", re.ASCII).match(text, end):
+        return "", end
+    if word == "r_n" and text.startswith(",i", end):
+        return "r_{n,i}", end + 2
+    latex = symbol(word, False)
+    value = re.compile(r"=[0-9](?:[0-9.]*[0-9])?").match(text, end)
+    if not latex and not (value and re.fullmatch("[A-Za-z]", word)):
+        return "", end
+    more = value or (re.compile("'*").match(text, end) if "_" in word else None)
+    return (latex or word) + (more[0] if more else ""), more.end() if more else end
+
+
+@cache
+def prose(text):
+    """A sentence of the run: escaped, its symbols typeset, the numbers of equations linked."""
+    out, at = [], 0
+    token = re.compile(r"(?<![\w\\])\(((?:A\.)?[0-9]+)\)|<=|>=|->|\w+", re.ASCII)
+    while found := token.search(text, at):
+        out.append(escaped(text[at:found.start()]))
+        at = found.end()
+        if found[1]:
+            out.append(equation_link(found[1]) if found[1] in EQUATIONS else escaped(found[0]))
+        elif found[0] in ("<=", ">=", "->"):
+            out.append({"<=": "≤", ">=": "≥", "->": "→"}[found[0]])
+        else:
+            latex, at = formula_at(text, found.start())
+            out.append(formula(latex) if latex else escaped(text[found.start():at]))
+    return "".join(out) + escaped(text[at:])
+
+
+def typeset(text, place):
+    """Text with formulas between dollars and code between backquotes; the rest as `prose`."""
+    out, at = "", 0
+    for found in re.finditer(r"\$([^$]*)\$|`([^`]*)`|[$`]", text):
+        if found.lastindex is None:
+            raise Fault(f"a formula or code must be closed, not '{text[found.start():][:40]}', in {place}")
+        inner = formula(found[1]) if found[1] is not None else f"<code>{escaped(found[2])}</code>"
+        out += prose(text[at:found.start()]) + inner
+        at = found.end()
+    return out + prose(text[at:])
+
+
+def sentence(note):
+    """A sentence that a note becomes: its first word with a capital unless it is a symbol, a full stop at its end."""
+    word = WORD.match(note)
+    if len(note) > 1 and note[0].islower() and not (word and symbol(word[0], True)):
+        note = note[0].upper() + note[1:]
+    return prose(note) + ("" if note.endswith(".") else ".")
+
+
+def witness_value(value):
+    """A fraction typeset, a long decimal cut to 20 digits."""
+    if fraction := re.fullmatch("(-?)([0-9]+)/([0-9]+)", value):
+        return formula(rf"{fraction[1]}\tfrac{{{fraction[2]}}}{{{fraction[3]}}}")
+    return escaped(value[:22]) + "…" if re.fullmatch(r"[0-9.-]{25,}", value) else prose(value)
+
+
+def counted(n, one, many):
+    return f"{n} {one if n == 1 else many}"
+
+
+def closed_marks(text, mark, opening, closing):
+    """Text whose marks, which open and close in turn, are replaced by an opening and a closing."""
+    parts = text.split(mark)
+    return parts[0] + "".join((opening if n % 2 == 0 else closing) + part for n, part in enumerate(parts[1:]))
+
+
+def verdict_text(verdict):
+    return {"illegible": "illegible in the text at hand", "not_applicable": "not applicable"}.get(verdict, verdict)
+
+
+def verdict_mark(verdict):
+    return f'<span class="verdict {verdict.replace("_", "-")}">{verdict_text(verdict)}</span>'
+
+
+def fails(verdict):
+    """Whether a printed form does not hold as it stands."""
+    return verdict in ("refuted", "illegible")
+
+
+def statement_that_holds(entry):
+    return entry["correction"] or entry["statement"]
+
+
+def without_marks(latex):
+    return latex.replace(r"\misprint", "").replace(r"\mended", "")
+
+
+def function_link(function):
+    name = function["name"]
+    shown = name.removeprefix("denhartog::")
+    if name.endswith("::operator"):  # the index of functions cuts its name here; Doxygen knows the class
+        name, shown = name[:-10], shown + "()"
+    return rf'\ref {name} "{shown}"'
+
+
+def claim_link(record):
+    return rf'\ref {label("claim", record["claim"])} "{record["claim"]}"'

@@ -1,0 +1,470 @@
+"""The generated pages of the site: what they say, what they refuse, and what the checks of the finished site do not let through.
+
+Needs DENHARTOG_SOURCE_DIR. Ends with status 77 where Jinja2 is missing.
+"""
+import json
+import math
+import os
+import pathlib
+import random
+import sys
+import tempfile
+import unittest
+from types import SimpleNamespace
+
+PROJECT = pathlib.Path(os.environ["DENHARTOG_SOURCE_DIR"])
+sys.path.insert(0, str(PROJECT / "docs/site"))
+sys.dont_write_bytecode = True
+
+try:
+    import jinja2
+except ImportError as missing:
+    print(f"skipped: {missing} (Debian package python3-jinja2)")
+    sys.exit(77)
+
+from pages import finish, site, text
+from pages.check import faults_of_pages
+from pages.code import code_of
+from pages.doxygen import class_page, text_of_html, trim
+from pages.equations import equation_view
+from pages.graph import layout
+from pages.records import faults_of_departures, read_symbols, stands_in, symbols_in
+from pages.sources import Sources, coq_lines
+from pages.text import EQUATIONS, Fault, displayed, equation_label, equation_link, escaped, formula, html, prose, symbol, witness_value
+
+
+def entry(number, **more):
+    return {"equation": number, "section": "2.3", "kind": "result", "statement": f"a_{{{number}}}=b", "printed": "unknown",
+            "departure": "none", "correction": "", "correction_by": "", "shipped": "unknown", "witness": {}, "functions": [],
+            "as_printed": [], "claims": [], "tests": [], "tests_failed": [], "figures": [], "rests_on": [], "used_by": [],
+            "printed_note": "", "in_print": "", "remark": "", "consequence": "", "no_function": "",
+            "kernel": {"status": "not_run"}} | more
+
+
+class SmallRun:
+    """Two equations, (37) and (38), of which (38) rests on (37), with a claim each; the rest of the paper left out."""
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder)
+        self.write("src/f.hpp", "namespace denhartog::paper {\n\n/// @brief X.\ntemplate <class T>\nT amplitude(const T& x) {\n"
+                                "    return x < 1 ? x : 2;\n}\n}\n")
+        self.write("derivation/c.cpp", 'const char* id = "38/amplitude";\nconst char* other = "37/sine";\n')
+        self.write("tests/t.cpp", 'TEST_CASE("the amplitude is right", "[eq:38]") {}\n')
+        self.write("docs/chapter/chapter.md", "# All\n\n{{claims 37}}\n\n{{claims 38}}\n")
+        refuted = entry("38", rests_on=["37"], printed="refuted", shipped="proved", departure="misprint", correction="a=c",
+                        witness={"V_jr": "1/3"}, tests=["the amplitude is right"],
+                        functions=[{"name": "denhartog::paper::amplitude", "file": "src/f.hpp", "line": 5}])
+        ledger = [entry("37", used_by=["38"]), refuted]
+        self.run = SimpleNamespace(ledger=ledger, entries={each["equation"]: each for each in ledger}, claims={}, symbols={},
+                                   certificates={}, theorems="", figures=[], accuracy=[], chart="", batch="", conformance={},
+                                   departures={}, notation=[], places={}, formulas={}, questions={}, excess_of_67=36.4,
+                                   motion=[[0.0] * 3] * 4, audit="All.\n\n| equation |\n|---|\n",
+                                   run={"agreement": [{"group": "a", "scenes": 1} | dict.fromkeys(
+                                       ("double", "50 digits"), {"worst": 1e-15, "scene": "b"})], "stand_ins": [{"name": "sinc", "header": "evaluation/special.hpp",
+                                                                        "theorem": r"x \mapsto \sin(x)/x"}]})
+        self.entry = refuted
+        self.add_claim(ledger[0], "37/sine")
+        self.add_claim(refuted, "38/amplitude")
+
+    def write(self, name, content):
+        (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (self.folder / name).write_text(content)
+
+    def add_claim(self, row, name):
+        row["claims"].append({"id": name, "role": "shipped", "verdict": "proved", "what": "The amplitude", "assumptions": ["R_i > 0"],
+                              "kind": "derived", "kernel": {"status": "not_run"}})
+        self.run.claims[name] = {"claim": name, "equations": [row["equation"]], "title": "The amplitude", "verdict": "proved",
+                                 "steps": [{"text": "A quadratic", "latex": "x^2=y"}]}
+
+    def render(self, template, **view):
+        return site.environment(self.run, Sources(self.folder)).get_template(template + ".html").render(view)
+
+    def page(self, number):
+        view = equation_view(self.run, Sources(self.folder), self.run.entries[number])
+        more = self.render("equation_more", **view) if view["more"] else ""
+        return self.render("equation", **view) + more
+
+    def chapter(self, written):
+        self.write("docs/chapter/chapter.md", written)
+        views, faults = site.chapter_views(self.run, site.read_chapter(self.folder / "docs/chapter"))
+        return [self.render("chapter", **view) for view in views], faults
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.small = SmallRun(self.folder / "small")
+
+    def assertTells(self, faults, *parts):
+        for part in parts:
+            self.assertTrue(any(part in fault for fault in faults), f"{part} is not among {faults}")
+
+    def assertHas(self, page, *parts):
+        for part in parts:
+            self.assertIn(part, page)
+
+
+class Words(Case):
+    def test_escaped(self):
+        """What is special to Doxygen and HTML is escaped."""
+        self.assertEqual(escaped('a < b & c @ d # 5 % \\ _x_ *y* "z"'),
+                         "a &lt; b &amp; c \\@ d \\# 5 \\% \\\\ \\_x\\_ \\*y\\* &quot;z&quot;")
+        self.assertEqual(html('<a href="b">&'), "&lt;a href=&quot;b&quot;&gt;&amp;")
+
+    def test_symbols(self):
+        """Symbols in plain text become the paper's; one letter is a symbol only by itself."""
+        for name, alone, latex in (
+                ("zeta_i", False, r"\zeta_{i}"), ("V_dj", False, "V_{dj}"), ("U_j", True, "U_{dj}"), ("V_jr", True, r"\mathrm{Re}\,V_{dj}"),
+                ("v_i1", True, r"\mathrm{Im}\,v_{d1}"), ("eta_prime_0", True, r"\eta_{0}'"), ("X_j", False, r"\overline{X}_{j}"),
+                ("R1", True, "R_{1}"), ("zeta1", False, r"\zeta_{1}"), ("R1", False, ""), ("psi_k_abs", True, r"|\psi_{k}|"),
+                ("PA", True, r"\mathcal{A}"), ("beta_lim", False, r"\beta_{\lim}"), ("mode_functions", False, ""), ("S", False, "")):
+            self.assertEqual(symbol(name, alone), latex, name)
+
+    def test_prose(self):
+        """A sentence of the run gets its links and symbols, and paths stay as they are."""
+        for said, shown in (
+                ("by (46) and (A.7)", r'by \ref eq_46 "(46)" and \ref eq_A_7 "(A.7)"'),
+                ("sin(2) is no equation, nor (2022), (0)", "sin(2) is no equation, nor (2022), (0)"),
+                ("zeta_i <= 1 -> R_i", r"\f$\zeta_{i}\f$ ≤ 1 → \f$R_{i}\f$"),
+                ("mode_functions.hpp, beta.hpp", r"mode\_functions.hpp, beta.hpp"),
+                ("SDOF zeta=0.001 r=0.95.", r"SDOF \f$\zeta=0.001\f$ \f$r=0.95\f$."),
+                ("x_j'/sin(tau)", r"\f$\bar{x}_{j}'\f$/\f$\sin(\tau)\f$"),
+                ("zeta_i > 0 or 1/R_i not odd", r"\f$\zeta_{i}\f$ &gt; 0 or 1/\f$R_{i}\f$ not odd"),
+                ("tests/limits/R_i", r"tests/limits/R\_i"), ("zeta/r_n,i", r"\f$\zeta\f$/\f$r_{n,i}\f$")):
+            self.assertEqual(prose(said), shown)
+        for value, shown in (("-329/333", r"\f$-\tfrac{329}{333}\f$"), ("0.25", "0.25"),
+                             ("0.105313493022638536325369615526715714", "0.10531349302263853632…")):
+            self.assertEqual(witness_value(value), shown)
+
+    def test_tables(self):
+        """Tables of the surveys become HTML, and a ragged row is refused."""
+        shown = self.small.render("tables", pieces=site.tables("## Head\n\n| a | b |\n| --- | --- |\n| (38) | x \\| y |\n\nA note.\n", "speed"))
+        self.assertHas(shown, r"\section speed_1 Head", "<tr><th>a</th><th>b</th></tr>",
+                       r'<td>\ref eq_38 "(38)"</td><td>x | y</td>', "<p>A note.</p>")
+        self.assertNotIn("---", shown)
+        with self.assertRaisesRegex(Fault, "as many cells"):
+            site.tables("| a | b |\n|---|---|\n| 1 |\n", "x")
+
+    def test_notation(self):
+        """The symbols of a formula are those of the notation page, of other masses too, and not parts of other symbols."""
+        symbols = read_symbols("| $G_k$ | `G_k` | a sum | (35) | m |\n| $\\beta$ | `beta` | friction ratio | (11) | |\n"
+                               "\n## Symbols of ours\n| $q$ | `q` | ours | | |\n")
+        self.assertEqual([(name, each.equations, each.units) for name, each in symbols_in(symbols, r"\beta G_j")],
+                         [("G_j", ["35"], "m"), (r"\beta", ["11"], "")])
+        self.assertFalse(stands_in(r"\beta_{\lim}", r"\beta"))
+        self.assertFalse(stands_in(r"\Gamma", "a"))
+
+    def test_coq(self):
+        """Keywords and comments of Coq are marked, a comment over several lines on each."""
+        self.assertEqual(coq_lines("Lemma a : x < 1. (* b\n\nc *) Qed.\n"),
+                         ['<span class="keyword">Lemma</span> a : x &lt; 1. <span class="comment">(* b</span>', "",
+                          '<span class="comment">c *)</span> <span class="keyword">Qed</span>.'])
+
+
+class Code(Case):
+    ROOT = "sqrt((1-(zeta*zeta)))"
+    THETA = f"((pi*{ROOT})/R)"
+    DAMPING = f"(sin({THETA})/((R*{ROOT})*(cosh(((pi*zeta)/R))+cos({THETA}))))"
+
+    def formula(self, *holds, arguments="R zeta a b x", of_modes=""):
+        return {"name": "f", "arguments": arguments.split(), "of_modes": of_modes.split(), "holds": holds, "printed": holds}
+
+    def test_languages(self):
+        """A formula is code in each language, with names for what is needed twice and no bracket that says nothing."""
+        self.assertEqual(code_of(self.formula(self.DAMPING, arguments="R zeta"), "python"),
+                         "def f(R, zeta):\n    w = np.sqrt(1 - zeta * zeta)\n    theta = np.pi * w / R\n"
+                         "    return np.sin(theta) / (R * w * (np.cosh(np.pi * zeta / R) + np.cos(theta)))\n")
+        pair = self.formula("atan2(a,b)", "((1/2)*(-a))", arguments="a b")
+        for formula, language, lines in (
+                (self.formula(self.DAMPING), "matlab", "theta = pi .* w ./ R;"), (self.formula("(a-((b-1)*(-a)))"), "cxx", "return a - (b - 1) * -a;"),
+                (pair, "cxx", "std::complex<double> f(double a, double b) {\n    return {std::atan2(a, b), 1.0 / 2 * -a};\n}\n"),
+                (pair, "python", "return np.arctan2(a, b) + 1j * (1 / 2 * -a)\n"), (pair, "matlab", "y = complex(atan2(a, b), 1 ./ 2 .* -a);"),
+                (self.formula("(2*sum((x*x)))", of_modes="x"), "python", "2 * np.sum(x * x)"),
+                (self.formula("(2*sum((x*x)))", of_modes="x"), "javascript",
+                 "let sum = 0;\n    for (let i = 0; i < x.length; ++i) {\n        sum += x[i] * x[i];\n    }\n    return 2 * sum;"),
+                (self.formula("sum(((x*a)/(x*a)))", of_modes="x"), "cxx", "        const double t1 = x[i] * a;\n        sum += t1 / t1;")):
+            self.assertIn(lines, code_of(formula, language))
+        self.assertTrue(code_of(pair, "javascript", "printed").startswith("function f_as_printed(a, b) {"))
+
+    def test_order(self):
+        """The operations keep their order: the code gives the same double as the expression with all its brackets."""
+        functions = {name: getattr(math, name) for name in ("sqrt", "sin", "cos", "cosh", "pi")}
+        for expression in (self.DAMPING, "(a+(b+(x-(a-b))))", "(a*(b*(x/(a/b))))", "((-((a*b)/x))/R)", "((-a)-(-(b*(-x))))"):
+            scope = {"np": SimpleNamespace(**functions)}
+            exec(code_of(self.formula(expression), "python"), scope)
+            for seed in range(50):
+                values = [random.Random(seed).uniform(0.1, 0.9) * (n + 1) / 5 for n in range(5)]
+                self.assertEqual(scope["f"](*values), eval(expression, functions | dict(zip(("R", "zeta", "a", "b", "x"), values))), expression)
+
+
+class Checks(Case):
+    def pages(self, more="", at=0):
+        pages = {equation_label(n): f"# Equation ({n}) {{#{equation_label(n)}}}\n\n" for n in EQUATIONS}
+        pages[list(pages)[at]] += more
+        return pages
+
+    def test_sound_pages(self):
+        """Pages of all equations with labels that are there have no fault."""
+        self.assertEqual(faults_of_pages(self.pages("see " + equation_link("A.8") + formula(r"\frac{a}{b}") + displayed("|x|"))), [])
+        self.assertEqual(faults_of_pages(self.pages("\\htmlonly[block]\n$ \\frac \\endhtmlonly")), [])
+
+    def test_faults(self):
+        """An equation without page, unknown and doubled labels, raw LaTeX, open formulas, braces and place-holders are faults."""
+        for wrong, told in ((r'\ref figure_nowhere "a figure"', "links to figure_nowhere"), ("\\anchor eq_2\n", "eq_2 is there twice"),
+                            ("\\anchor eq_1\n", "eq_1 is there twice"), (r"the \frac{a}{b} of", "LaTeX outside of a formula"),
+                            ("price 5 $ x", "dollar outside of a formula"), (r"\f$ a + b", "not closed"),
+                            (formula(r"\frac{a}{b"), "braces do not match"), (formula("}a{"), "braces do not match"),
+                            (r"\f$ a \f[ b \f] \f$", "formula within a formula"), ("{{equation 26}}", "place-holder")):
+            self.assertTells(faults_of_pages(self.pages(wrong)), told)
+        pages = self.pages()
+        del pages["eq_46"]
+        self.assertEqual(faults_of_pages(pages), ["equation (46) has no page"])
+
+    def test_departures(self):
+        """A departure is said in words, with the difference marked, and what it says must fit what is printed."""
+        departure = SimpleNamespace(said="The sign of $b$ is wrong, see (37).", printed=r"a_{38}=\misprint{b}", holds=r"a=\mended{-b}")
+        departures = self.small.run.departures = {"38": departure}
+        page = self.small.page("38")
+        self.assertHas(page, r'The sign of \f$b\f$ is wrong, see \ref eq_37 "(37)".', r"\f[ a_{38}=\misprint{b} \f]")
+        self.assertLess(page.index("mended"), page.index("The proof"))
+        self.assertLess(page.index("The proof"), page.index("The function"))
+        faults = lambda departures: faults_of_departures(departures, self.small.run.ledger)
+        self.assertEqual(faults(departures), [])
+        self.assertTells(faults({}), "has no sentence")
+        self.assertTells(faults({"37": SimpleNamespace(said="x", printed="", holds="")}), "does not depart")
+        departure.printed = r"a_{38}=\misprint{c}"
+        self.assertTells(faults(departures), "is not the printed formula")
+        departure.printed, departure.holds = "a_{38}=b", "a=-b"
+        self.assertTells(faults(departures), "shows no difference")
+
+
+class Pages(Case):
+    def test_equation(self):
+        """The page of an equation has statement, correction, witness, function, steps, test and neighbours."""
+        page = self.small.page("38")
+        self.assertTrue(page.startswith("# Equation (38) {#eq_38}\n"))
+        self.assertHas(page, r"\f[ a_{38}=b \f]", r"\f[ a=c \f]", r"\f$\mathrm{Re}\,V_{dj}\f$ = \f$\tfrac{1}{3}\f$",
+                       r'\ref denhartog::paper::amplitude "paper::amplitude"', 'href="source:src/f.hpp:5"', "x &lt; 1 ? x : 2;",
+                       'href="source:derivation/c.cpp:1"', r"\f[ x^2=y \f]", 'href="source:tests/t.cpp:1"', r"previous: \ref eq_37",
+                       r"next: \ref eq_39", r'<dt>Rests on</dt><dd>\ref eq_37 "(37)"</dd>')
+
+    def test_snippet(self):
+        """A snippet has the lines of the source from its template head to its closing brace."""
+        snippet = Sources(self.small.folder).snippet(self.small.entry["functions"][0])
+        self.assertEqual((snippet.first, len(snippet.lines), snippet.lines[-1], snippet.signature), (4, 4, "}", 2))
+
+    def test_what_is_missing(self):
+        """A function that is not at its line, a claim without source or record, a test or a figure that is nowhere: no page."""
+        def changed(change, told):
+            self.setUp()
+            change(self.small)
+            with self.assertRaisesRegex(Fault, told):
+                self.small.page("38")
+
+        changed(lambda small: small.entry["functions"][0].update(line=6), "paper::amplitude must stand where the ledger has it")
+        changed(lambda small: small.add_claim(small.entry, "nowhere"), "claim nowhere must be made in a source")
+        changed(lambda small: small.run.claims.pop("38/amplitude"), "must have its steps")
+        changed(lambda small: small.entry["tests"].append("a test that is nowhere"), "a test that is nowhere")
+        changed(lambda small: small.entry["figures"].append("none"), "figure none must be drawn")
+
+    def test_chapter(self):
+        """The chapter replaces place-holders by the run's LaTeX and lists what it does not show."""
+        (page,), faults = self.small.chapter("# All\n\nBy (37), $a<b$ in `code`.\n\n{{equation 38}}\n\n{{steps 38/amplitude}}\n\n{{claims 37}}\n")
+        self.assertEqual(faults, [])
+        self.assertHas(page, r'By \ref eq_37 "(37)", \f$a<b\f$ in <code>code</code>.', r"\f[ a=c\tag{38} \f]", r"\f[ x^2=y \f]", "37/sine")
+
+    def test_faults_of_the_chapter(self):
+        """An unknown place-holder, claim or equation, an open formula and a claim that is left out are faults of the chapter."""
+        _, faults = self.small.chapter("# All\n\n{{proof 38}}\n\n{{steps 38/none}}\n\n{{equation 99}}\n\nopen $x\n\n{{claims 38}}\n")
+        self.assertTells(faults, "{{proof 38}}", "38/none", "(99)", "must be closed", "claim 37/sine is on a result")
+        self.assertNotIn("38/amplitude", " ".join(faults))
+
+    def test_typeset_steps(self):
+        """Formulas within a sentence of a step and the run's own names of symbols are typeset."""
+        step = self.small.run.claims["38/amplitude"]["steps"][0]
+        step["text_latex"] = "With $a_1$ as in (37)"
+        self.small.run.symbols["V_jr"] = "V'_{jr}"
+        self.assertHas(self.small.page("38"), r'With \f$a_1\f$ as in \ref eq_37 "(37)":', r"\f$V'_{jr}\f$ = ")
+        step["text_latex"] = "With $a_1"
+        with self.assertRaisesRegex(Fault, "must be closed"):
+            self.small.page("38")
+
+    def test_accuracy(self):
+        """What the tests measured stands on the page of its equation alone."""
+        self.small.run.accuracy.append({"type": "double", "functions": [{
+            "function": "u", "equations": ["38"], "zone": "R near 1", "points": 7, "printed": None, "shipped": 1.5, "shipped_at": "0x1.8p-1"}]})
+        self.assertHas(self.small.page("38"), "<td>double</td><td>R near 1</td><td>7</td><td>not finite</td><td>1.5</td><td>0x1.8p-1</td>")
+        self.assertNotIn("0x1.8p-1", self.small.page("37"))
+
+    def test_kernel(self):
+        """The kernel's verdict has theorems with their statements, and lemmas with what their letters stand for."""
+        run = self.small.run
+        self.small.entry["kernel"] = {"status": "checked", "theorems": [{"name": "amplitude", "status": "checked", "says": "It is zeta_i"}]}
+        self.small.entry["claims"][0]["kernel"] = {"status": "checked"}
+        run.theorems = "Definition amplitude : Prop :=\n  forall x, x < 1.\n\nDefinition other : Prop := True.\n"
+        lemma = {"generators": [{"name": "g", "stands_for": "sin x"}], "statement": "g = g"}
+        run.certificates["38/amplitude"] = {"file": "a.v", "lemmas": [lemma] * 4}
+        page = self.small.page("38")
+        self.assertHas(page, '<span class="verdict proved">checked</span> <strong>Theorem amplitude</strong>: It is ', "x, x &lt; 1.",
+                       "<code>g</code> stands for <code>sin x</code>.", "4 identities", "The other 1 are in a.v.")
+        self.assertNotIn("True", page)
+
+    def test_overviews(self):
+        """Departures and the index count what the ledger has."""
+        self.small.run.departures = {"38": SimpleNamespace(said="x", printed="", holds="")}
+        self.assertHas(self.small.render("errata"), "1 of the 2 equations depart", r"\ref claim_38_amplitude")
+        self.assertHas(self.small.render("stand_ins"), "<code>sinc</code>", r"\f$x \mapsto \sin(x)/x\f$")
+        self.assertHas(self.small.render("equations"), "2 equations", "1 refuted",
+                       r'\subpage eq_38 "(38)"', "2.3 The mass in contact")
+
+    def test_whole_site(self):
+        """A run without an equation of the paper is refused, and so is one whose pages have a fault."""
+        make = lambda: site.make_pages(self.small.run, Sources(self.small.folder), self.small.folder / "docs/chapter")
+        self.assertTells(make()[1], "must have an entry for equation (46)")
+        rest = [entry(number) for number in EQUATIONS if number not in ("37", "38")]
+        self.small.run.ledger += rest
+        self.small.run.entries |= {each["equation"]: each for each in rest}
+        self.assertTells(make()[1], "(38) departs from the print and has no sentence")
+        self.small.run.departures["38"] = SimpleNamespace(said="{{x}}", printed="", holds="")
+        self.assertTells(make()[1], "page eq_38 has a place-holder")
+        self.small.run.departures["38"].said = "x"
+        pages, faults = make()
+        self.assertEqual((faults, len(pages)), ([], 103 + 12))
+        self.assertHas(pages["eq_67"], r'unsafe side: 36 \% above \ref eq_69 "(69)" at \f$r = 0.55\f$')
+        files = site.script_files(self.small.run)
+        self.assertEqual(json.loads(files["statements.json"])["38"], {"said": "as printed: refuted. x", "latex": "a=c"})
+        self.assertEqual(files["sections.js"], 'window.siteSections = {\n"section 2.3": "equations.html#equations_2_3"\n};\n')
+
+    def test_graph(self):
+        """In the graph every equation stands below what it rests on, and no two in one place; a way round or a hole is refused."""
+        rows = json.loads((PROJECT / "docs/ledger/equations.json").read_text())
+        places = layout(rows, 20)
+        self.assertEqual(len(set(places.values())), len(rows))
+        self.assertTrue(all(0 <= column < 20 for _, column in places.values()))
+        for row in rows:
+            for ground in row["rests_on"]:
+                self.assertGreater(places[row["equation"]][0], places[ground][0])
+        with self.assertRaisesRegex(Fault, "must not rest on itself"):
+            layout([{"equation": "1", "rests_on": ["2"]}, {"equation": "2", "rests_on": ["1"]}], 20)
+        with self.assertRaisesRegex(Fault, "must have an entry"):
+            layout([{"equation": "1", "rests_on": ["2"]}], 20)
+
+
+class Finished(Case):
+    def write(self, name, content):
+        (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (self.folder / name).write_text(content)
+
+    def test_links_to_sources(self):
+        """Links to lines of sources are resolved through the tag file, or reported."""
+        self.write("tags.xml", f'<tagfile>\n<compound kind="file">\n<name>mode.hpp</name>\n<path>{self.folder.resolve()}/root/src/a/</path>\n'
+                               '<filename>a_2mode_8hpp</filename>\n<member kind="function"><name>d</name></member>\n</compound>\n'
+                               '<compound kind="page">\n<name>eq_46</name>\n<filename>eq_46</filename>\n</compound>\n</tagfile>\n')
+        self.write("site/a_2mode_8hpp_source.html", '<a id="l00042"></a>')
+        self.write("site/eq_46.html", '<a href="source:src/a/mode.hpp:42">x</a><a href="page:eq_46">y</a>')
+        link = lambda: finish.link(self.folder / "site", self.folder / "tags.xml", self.folder / "root")
+        self.assertEqual(link(), ("links to 2 places in the sources and pages", []))
+        self.assertEqual((self.folder / "site/eq_46.html").read_text(), '<a href="a_2mode_8hpp_source.html#l00042">x</a><a href="eq_46.html">y</a>')
+        self.write("site/bad.html", '<a href="source:src/a/mode.hpp:43"><a href="source:src/b.hpp:1"><a href="page:eq_99">'
+                                    '<a href="source:src/a/mode.hpp:x"><a href="source:">')
+        self.assertTells(link()[1], "source:src/b.hpp:1, which", "page:eq_99, which", "mode.hpp:x, which", "source:, which")
+        self.write("site/bad.html", '<a href="source:src/a/mode.hpp:43">')
+        self.assertEqual(link()[1], [])
+        self.assertTells(finish.finish(self.folder / "site")[1], "leads to a_2mode_8hpp_source.html#l00043, but there is no such place")
+
+    def test_headings_and_tables(self):
+        """A page gets its title as a heading, a table a box to scroll in, and broken elements are joined."""
+        for before, after in (
+                ('<div class="headertitle"><div class="title">E (46)</div></div>', '<div class="headertitle"><div><h1 class="title">E (46)</h1></div></div>'),
+                ('<div class="title">T</div><h1>S</h1><h2>U</h2>', '<div><h1 class="title">T</h1></div><h2>S</h2><h3>U</h3>'),
+                ('<table class="markdownTable">x</table>y', '<div class="table-box" tabindex="0"><table class="markdownTable">x</table></div>y'),
+                ('<div class="claim">a</div><div class="claim">b</div> <div class="claim">c</div><div class="x">d</div>',
+                 '<div class="claim">ab</div> <div class="claim">c</div><div class="x">d</div>'),
+                ('<div class="title">f<div class="ingroups">g</div></div>', '<div><h1 class="title">f</h1><div class="ingroups">g</div></div>')):
+            self.assertEqual(finish.finished_page(before), after)
+
+    def test_search(self):
+        """The search knows a page and each documented name on it."""
+        page = ('<h1 class="title">paper</h1><div class="contents"><p>The formulas, R &lt; 1.</p>'
+                '<h2 class="memtitle"><span class="permalink"><a href="#a1">&#9670;&#160;</a></span>d()</h2><div class="memproto">d(tau)</div>'
+                '<div class="memdoc"><p>Free <b>motion</b> \\(d_i\\).</p></div></div><footer></footer>')
+        self.assertEqual(finish.search_documents(page, "paper.html"),
+                         [{"kind": 2, "text": "The formulas, R < 1.", "title": "paper", "url": "paper.html"},
+                          {"kind": 2, "text": "Free motion d_i.", "title": "d()", "url": "paper.html#a1"}])
+        self.assertEqual(finish.search_documents("<p>no heading</p>", "x.html"), [])
+        kinds = [finish.kind_of_page(name) for name in ("eq_57.html", "figure_fig07.html", "errata.html", "eq_57_more.html",
+                                                        "structdenhartog_1_1Boundary.html")]
+        self.assertEqual(kinds, sorted(set(kinds)))
+        self.assertEqual(text_of_html("<script>x</script> a\n <i>b</i>&amp;lt; "), "a b &lt;")
+
+    def test_faults_of_the_site(self):
+        """A broken link, a missing place and an address elsewhere are faults of the site."""
+        self.write("site/a.html", '<h1 class="title">A</h1><a href="b.html#there">b</a> <a href="#own" id="own">o</a> <a href="b.html?q=1">q</a>'
+                                  ' <script src="search-documents.js"></script>')
+        self.write("site/b.html", '<p id="there">b</p>')
+        place = self.folder / "site"
+        self.assertEqual(finish.finish(place), ("2 pages, 4 links followed, 1 entries for the search", []))
+        self.assertTrue((place / "search-documents.js").exists() and (place / "sitemap.txt").exists())
+        self.write("site/paper.html", f'<a href="{finish.PAPER}">the paper</a>')
+        self.assertEqual(finish.finish(place)[1], [])
+        for wrong in ('<a href="none.html">x</a>', '<a href="b.html#nowhere">x</a>', '<a href="#nowhere">x</a>', '<img src="none.svg">',
+                      '<a href="https://example.org">x</a>', '<a href="mailto:x">x</a>'):
+            self.write("site/c.html", wrong)
+            self.assertEqual(len(finish.finish(place)[1]), 1, wrong)
+
+    def test_trim(self):
+        """The site leaves out pages that nobody reads and parts a namespace by header."""
+        folder, made_from = '<li class="navelem"><a class="el" href="dir_1.html">', "was generated from the following file:<ul><li>"
+        item = lambda anchor, name, file: (
+            f'<a id="{anchor}" name="{anchor}"></a>\n<h2 class="memtitle"><span class="permalink"></span>{name}</h2>\n<p>Says {name} of file '
+            f'<a class="el" href="{file}_source.html">x</a>.</p>\n')
+        texts = trim({
+            "eq_80.html": '<a href="structA-members.html">list</a> <a href="namespacedenhartog.html#a1">f</a>', "structA-members.html": "",
+            "structA.html": made_from + "src/denhartog/scene/<a", "structB.html": made_from + "tests/unit/<a",
+            "x_8hpp.html": folder + "tests</a></li>", "y_8cpp.html": "",
+            "x_8hpp_source.html": '<a href="x_8hpp.html">Go to the documentation of this file.</a><a href="structB.html">B</a>',
+            "c_8h.html": folder + 'src</a></li><a href="x_8hpp.html#there">x</a>',
+            "namespacedenhartog.html": '<title>t</title><h1 class="title">denhartog Namespace Reference</h1><div class="contents">\n<p>All.</p>'
+                '<table class="memberdecls"><a id="func-members" name="func-members"></a></table><h2 class="groupheader">Function '
+                'Documentation</h2>\n' + item("a1", "f()", "one_8hpp") + item("a2", "g()", "two_2x__y_8hpp") + "</div><!-- contents -->",
+            "one_8hpp_source.html": "", "two_2x__y_8hpp_source.html": ""})
+        for name in ("structA-members.html", "structB.html", "x_8hpp.html", "y_8cpp.html"):
+            self.assertNotIn(name, texts)
+        self.assertIn("structA.html", texts)
+        self.assertEqual(texts["eq_80.html"], 'list <a href="namespacedenhartog_in_one_8hpp.html#a1">f</a>')
+        self.assertEqual(texts["x_8hpp_source.html"], "B")
+        self.assertHas(texts["c_8h.html"], '<a href="x_8hpp_source.html">x</a>')
+        self.assertNotRegex(texts["namespacedenhartog.html"], "memberdecls|Says")
+        self.assertHas(texts["namespacedenhartog.html"], 'namespacedenhartog_in_two_2x__y_8hpp.html#a2">g()</a>')
+        part = texts["namespacedenhartog_in_two_2x__y_8hpp.html"]
+        self.assertHas(part, '<h1 class="title">denhartog in two/x_y.hpp</h1>', "Says g()")
+        self.assertNotIn("Says f()", part)
+
+    def test_page_of_a_type(self):
+        """The page of a type begins with its description and says nothing twice."""
+        row = lambda name: (f'<tr class="memitem:{name}"><td><a class="el" href="structA.html#{name}">{name}</a></td></tr>\n<tr class="memdesc:'
+                            f'{name}"><td>says {name} <a href="structA.html#{name}">More...</a></td></tr>\n')
+        box = lambda name, more: (
+            f'<a id="{name}" name="{name}"></a>\n<h2 class="memtitle">{name}</h2>\n<div class="memdoc">\n<p>says {name}</p>\n<p class="definition">'
+            f'Definition at line <a class="el" href="a_8hpp_source.html#l00001">1</a>.</p>{more}</div>\n')
+        page = class_page(
+            '<h1 class="title">A Struct Reference</h1>\n<p>Brief. <a href="structA.html#details">More...</a></p>\n<table>' + row("one") +
+            row("two") + row("three") + '</table>\n<a name="details" id="details"></a><h2 class="groupheader">Detailed Description</h2>\n'
+            '<div>Brief. All of it.</div><h2 class="groupheader">Member Function Documentation</h2>\n' +
+            box("one", "<dl><dd>its parameters</dd></dl>") + '<h2 class="groupheader">Member Data Documentation</h2>\n' + box("two", "") +
+            box("three", "") + "<hr/>The documentation for this struct was generated from the following file:<ul></ul>", "structA.html")
+        self.assertTrue(page.startswith('<h1 class="title">A</h1>\n<a name="details" id="details"></a>\n<div>Brief. All of it.</div>'))
+        self.assertHas(page, 'structA.html#one">More...')
+        self.assertIn("says one", page[page.index("in detail"):])
+        for name in ("two", "three"):
+            self.assertHas(page, f'<a class="el" id="{name}" href="a_8hpp_source.html#l00001">{name}')
+            self.assertEqual(page.count(f"says {name}"), 1)
+            self.assertNotIn(f"structA.html#{name}", page)
+        self.assertNotIn("Data", page)
+        self.assertTrue(page.endswith("</div>\n<hr/>Declared in:<ul></ul>"))
+
+
+if __name__ == "__main__":
+    unittest.main()
