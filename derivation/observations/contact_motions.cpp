@@ -24,7 +24,7 @@ ContactMotion motion_of_contact(ExactSolver& solver, double r, double beta) {
     search.contact_only = true;
     search.with_stability = false;
     const PeriodicOrbit orbit = periodic_orbit(solver, at_rest(solver.system().basis.r_n.size()), search);
-    if (orbit.status == OrbitStatus::not_converged) throw std::logic_error("no steady motion: " + orbit.reason);
+    if (orbit.status == OrbitStatus::not_converged) throw std::logic_error("no steady motion: " + in_words(orbit.reason));
     if (orbit.status == OrbitStatus::permanently_stuck) return {0, 0, true};
     return {orbit.contact.amplitude, orbit.stops.size(), false};
 }

@@ -81,7 +81,7 @@ double largest_velocity(double zeta) {
     search.contact_only = true;
     search.with_stability = false;
     const PeriodicOrbit orbit = periodic_orbit(solver, at_rest(1), search);
-    if (orbit.status != OrbitStatus::periodic) throw std::logic_error("no steady motion: " + orbit.reason);
+    if (orbit.status != OrbitStatus::periodic) throw std::logic_error("no steady motion: " + in_words(orbit.reason));
     const std::vector<Phase> phases = solver.run(orbit.start, 0, 2 * pi<double>()).phases;
     double largest = 0;
     for (std::size_t n = 0; n < phases.size(); ++n)

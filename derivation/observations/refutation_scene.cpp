@@ -36,7 +36,7 @@ json solved(const RefutationScene& s) {
     if (s.slides) state = steady_state(sums, limit, s.beta);
     const SlidingScene at{s.where, false, s.mu, s.system, std::move(basis), std::move(sums), std::move(limit), std::move(state)};
     const Compared c = s.compared(at);
-    const nlohmann::ordered_json written = write_scene(Scene<double>{s.system, s.mu, s.r, s.beta});
+    const nlohmann::ordered_json written = write_scene(Scene<double>{s.system, s.mu, s.r, s.beta, {}, {}});
     return {{"where", s.where},
             {"scene", written.dump()},
             {"regime", regime},

@@ -169,7 +169,7 @@ TEST_CASE("equal damping ratios couple the stuck modes of more than two masses",
             CHECK_FALSE(stuck.modes_diagonalise_damping);
             CHECK(stuck.coupling > 0.02);
             // by the square root of the stiffness matrix: with M = 1 and equal ratios C = 2 zeta sqrt(K)
-            const Eigen::MatrixXd K = matrices_of(Scene<double>{s, 1.0, 1.0, {}}).K;
+            const Eigen::MatrixXd K = matrices_of(Scene<double>{s, 1.0, 1.0, {}, {}, {}}).K;
             const Eigen::MatrixXd C = 0.02 * square_root(K);
             for (std::size_t a = 0; a < stuck.masses.size(); ++a) {
                 const auto row = static_cast<Eigen::Index>(stuck.masses[a].index);

@@ -105,6 +105,7 @@ private:
 
     static ContactMechanics without_load(SceneInBalls scene) {
         scene.p = BallMatrix(scene.N(), 1);
+        scene.p_i = BallMatrix();
         return ContactMechanics(scene);
     }
 

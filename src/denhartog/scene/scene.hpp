@@ -98,7 +98,7 @@ struct Scene {
     std::optional<Units> units{}; ///< if the scene was in physical units: the units to convert answers back
     /// Constant force on each mass in units of P, N values or none. Displacements of a steady motion are those from the place of
     /// rest to which it moves the masses, see `place_of_rest`
-    std::vector<T> static_load{};
+    std::vector<T> static_load;
 };
 
 /// @brief Number of masses N. @param s a system @return N

@@ -47,30 +47,32 @@ public:
             double x;
             int sign;
         };
-        std::optional<Known> last;  // the last place with a certain sign, with no place without an answer behind it
-        std::optional<double> open; // the first place behind it whose sign the digits do not tell
+        std::optional<Known> last; // the last place with a certain sign, with no place without an answer behind it
+        double open = 0;           // the first place behind it whose sign the digits do not tell, if there is one
+        bool is_open = false;
         for (std::size_t n = 0; n < at_.size(); ++n) {
             const SeenAmplitude& seen = look(at_[n]);
             if (!seen.amplitude) {
                 last.reset();
-                open.reset();
+                is_open = false;
                 continue;
             }
             const int sign = sign_of(*seen.amplitude, target);
             if (sign == 0) {
-                if (!open) open = at_[n];
+                if (!is_open) open = at_[n];
+                is_open = true;
                 continue;
             }
             if (last && sign != last->sign)
                 cross(last->x, at_[n], target);
-            else if (open)
-                add(PlaceIs::undecided, last ? last->x : *open, at_[n], *open);
+            else if (is_open)
+                add(PlaceIs::undecided, last ? last->x : open, at_[n], open);
             else if (last)
                 look_between(n, sign, target);
             last = Known{at_[n], sign};
-            open.reset();
+            is_open = false;
         }
-        if (open) add(PlaceIs::undecided, last ? last->x : *open, at_.back(), *open);
+        if (is_open) add(PlaceIs::undecided, last ? last->x : open, at_.back(), open);
         return finish();
     }
 
