@@ -106,6 +106,7 @@ const Symbols& symbols() {
         n.F = positive("F", "F");
         n.x = any("x", "x");
         n.p_j = any("p_j", "p_j");
+        n.q_j = any("q_j", "q_j");
         n.PA = any("PA", "\\mathcal{A}");
         n.PB = any("PB", "\\mathcal{B}");
         n.PC = any("PC", "\\mathcal{C}");

@@ -79,6 +79,7 @@ struct Symbols {
     GiNaC::ex F;           ///< friction force
     GiNaC::ex x;           ///< displacement
     GiNaC::ex p_j;         ///< part of the load on the mass in contact, where the load is on several
+    GiNaC::ex q_j;         ///< the same of its part that leads by a quarter of a period
     GiNaC::ex PA;          ///< coefficient A of (A.11)
     GiNaC::ex PB;          ///< coefficient B of (A.11)
     GiNaC::ex PC;          ///< coefficient C of (A.11)

@@ -45,7 +45,7 @@ const HeldChain& held_chain() {
 
 /// Load on the held contact as a function of tau, by row 2 of (6): x_2 = 0, x_k = Re{X_k exp(i tau)}. The stiffnesses come from
 /// the energy of the chain's springs.
-ex derived_load(const ex& direct, bool damping_force) {
+ex derived_load(const ex& direct, bool damping_force, const ex& ahead = 0) {
     from_premise();
     const HeldChain& c = held_chain();
     const ex tau = symbols().tau;
@@ -55,7 +55,7 @@ ex derived_load(const ex& direct, bool damping_force) {
     ex load = energy.diff(x_2).subs(lst{x_1 == motion(0), x_2 == 0, x_3 == motion(1)});
     const GiNaC::symbol t = GiNaC::ex_to<GiNaC::symbol>(tau);
     if (damping_force) load += c.C_21 * motion(0).diff(t) + c.C_23 * motion(1).diff(t);
-    return load - direct * GiNaC::cos(tau);
+    return load - direct * GiNaC::cos(tau) + ahead * GiNaC::sin(tau);
 }
 
 /// Factors of cos(tau) and -sin(tau).
@@ -69,12 +69,12 @@ ex limit_of(const ex& load) {
     return GiNaC::sqrt(re * re + im * im) / symbols().mu;
 }
 
-Complex<Symbolic> shipped_load(const ex& direct) {
+Complex<Symbolic> shipped_load(const ex& direct, const ex& ahead) {
     const HeldChain& c = held_chain();
     const std::vector<Symbolic> C_j{Symbolic(c.C_21), Symbolic(c.C_23)}, K_j{Symbolic(-c.kappa_2), Symbolic(-c.kappa_3)};
     std::vector<Complex<Symbolic>> X;
     for (int k = 0; k < 2; ++k) X.push_back({Symbolic(c.X_re[k]), Symbolic(c.X_im[k])});
-    return paper::load_on_held_contact<Symbolic>(C_j, K_j, X, Complex<Symbolic>{Symbolic(direct), Symbolic(0)});
+    return paper::load_on_held_contact<Symbolic>(C_j, K_j, X, Complex<Symbolic>{Symbolic(direct), Symbolic(ahead)});
 }
 
 /// The three lines of (88); the masses on the other side of the contact at rest, and all of them where it bears the load itself.
@@ -159,12 +159,12 @@ const Register claims_of_section_4_3_stuck([] {
          .assumptions = held,
          .kernel =
              [&s] {
-                 const Complex<Symbolic> load = shipped_load(s.p_j);
+                 const Complex<Symbolic> load = shipped_load(s.p_j, s.q_j);
                  return Values{load.re, load.im, paper::sticking_limit(load, Symbolic(s.mu))};
              },
          .derived =
              [&s] {
-                 const ex load = derived_load(s.p_j, true);
+                 const ex load = derived_load(s.p_j, true, s.q_j);
                  const auto [re, im] = complex_amplitude(load);
                  return std::vector<ex>{re, im, limit_of(load)};
              },
@@ -180,12 +180,12 @@ const Register claims_of_section_4_3_stuck([] {
          .assumptions = held,
          .kernel =
              [&s] {
-                 const ex limit = square(paper::sticking_limit(shipped_load(1), Symbolic(s.mu))).expression();
+                 const ex limit = square(paper::sticking_limit(shipped_load(1, s.q_j), Symbolic(s.mu))).expression();
                  return Values{Symbolic(s.mu * s.mu * (s.beta * s.beta - limit))};
              },
          .derived =
              [&s] {
-                 const auto [re, im] = complex_amplitude(derived_load(1, true));
+                 const auto [re, im] = complex_amplitude(derived_load(1, true, s.q_j));
                  return std::vector<ex>{GiNaC::pow(s.mu * s.beta, 2) - re * re - im * im};
              },
          .steps =

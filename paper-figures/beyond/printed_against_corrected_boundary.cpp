@@ -66,7 +66,7 @@ std::vector<std::pair<double, double>> seen(const Figure& figure, const WithMode
 
 /// The motion that the algorithm finds at r = 0.4 of panel d one percent beyond the boundary.
 std::string beyond_the_boundary(const WithModes& s, double mu) {
-    Scene<double> scene{.system = s.system, .mu = mu, .r = 0.4, .beta = 0};
+    Scene<double> scene{.system = s.system, .mu = mu, .r = 0.4, .beta = 0, .static_load = {}};
     const double limit = boundary(s.at(0.4), mu).exact;
     scene.beta = 1.01 * limit;
     const PaperMotion m = paper_algorithm(scene, from_sliding(s, mu)(0.4, 1.01 * limit));
@@ -78,7 +78,7 @@ std::string beyond_the_boundary(const WithModes& s, double mu) {
 
 /// How little the contact moves below the boundary of permanent sticking, panel f at r = 2.2.
 std::string near_permanent_sticking(const WithModes& s) {
-    Scene<double> scene{.system = s.system, .mu = 1, .r = 2.2, .beta = 0};
+    Scene<double> scene{.system = s.system, .mu = 1, .r = 2.2, .beta = 0, .static_load = {}};
     scene.beta = 0.98 * boundary(s.at(2.2), 1.0).sticking.value();
     PaperSettings settings;
     settings.absolute_tolerance = 1e-9;

@@ -94,7 +94,7 @@ TEST_CASE("the response functions are those of the formulas in 100 digits, and o
         const ResponsesInBalls& r = *truth.point.responses;
         const Scene<Real100> scene = scene_in<Real100>(s.text);
         const ModeSums<Real100> sums =
-            mode_sums(modal_basis(scene.system), contact_row(scene.system), load_row(scene.system), *scene.r);
+            mode_sums(modal_basis(scene.system), contact_row(scene.system), load_rows(scene.system), *scene.r);
         const std::size_t j = r.contact(), own = contact_row(scene.system).index;
         CHECK(holds(r.V[j].re, sums.V[own].re, size_of(r.V[j])));
         CHECK(holds(r.V[j].im, sums.V[own].im, size_of(r.V[j])));

@@ -115,7 +115,7 @@ TEST_CASE("(56) of a damping matrix next to a modal one is that of the modes, in
     const SceneSource with_friction = scene_of(R"({"mass_ratios": [1, 0.8], "stiffness_ratios": [1, 0.9], "contact": 2, "load": 1,
         "r": 0.6, "beta": 0.01, "damping_matrix": [[0.10700000107, -0.027], [-0.027, 0.067]]})");
     for (const Asked asked : {Asked::amplitude, Asked::motion}) { // whatever is asked
-        const Solution s = solve(with_friction, {asked});
+        const Solution s = solve(with_friction, {asked, std::nullopt});
         CHECK(s.method.precision == "double");
         CHECK(s.limits.value().paper.value == Approx(modal).epsilon(1e-6));
     }

@@ -114,7 +114,8 @@ T instant_farthest_out(const MovingMass<T>& mass, const std::vector<FrictionAt<T
 } // namespace
 
 template <ManyDigits T>
-ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r) {
+ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, const LoadRows& rows_of_load, const T& r) {
+    const Mass load = rows_of_load.re;
     const std::size_t N = basis.r_n.size(), rows = static_cast<std::size_t>(basis.phi.rows());
     ModeSums<T> s;
     s.r = r;
@@ -136,7 +137,12 @@ ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const
     const std::size_t masses = load.index < N || load == contact ? rows : load.index;
     for (std::size_t k = 0; k < masses; ++k) {
         const std::span<const T> psi_k = mode_shapes_at(s, Mass{k});
-        s.V.push_back(paper::complex_response_of_mass(psi_k, mode_shapes_at(s, load), R, v));
+        Complex<T> V = paper::complex_response_of_mass(psi_k, mode_shapes_at(s, load), R, v);
+        if (rows_of_load.im) { // V_re + i V_im
+            const Complex<T> ahead = paper::complex_response_of_mass(psi_k, mode_shapes_at(s, *rows_of_load.im), R, v);
+            V = {V.re - ahead.im, V.im + ahead.re};
+        }
+        s.V.push_back(V);
         s.U.push_back(paper::damping_function_of_mass(psi_k, psi_j, R, u));
         s.G.push_back(paper::damping_function_of_mass(psi_k, psi_j, R, g));
     }
@@ -268,8 +274,8 @@ Motion<T> motion(const ModeSums<T>& s, const SteadyState<T>& state, const T& tau
     return all;
 }
 
-template ModeSums<Real50> mode_sums(const ModalBasis<Real50>&, Mass, Mass, const Real50&);
-template ModeSums<Real100> mode_sums(const ModalBasis<Real100>&, Mass, Mass, const Real100&);
+template ModeSums<Real50> mode_sums(const ModalBasis<Real50>&, Mass, const LoadRows&, const Real50&);
+template ModeSums<Real100> mode_sums(const ModalBasis<Real100>&, Mass, const LoadRows&, const Real100&);
 template Real50 sliding_demand(const ModeSums<Real50>&, const Real50&);
 template Real100 sliding_demand(const ModeSums<Real100>&, const Real100&);
 template Real50 instant_of_largest_demand(const ModeSums<Real50>&);

@@ -17,7 +17,7 @@ using namespace denhartog;
 
 namespace {
 
-Scene<double> free_scene(System<double> system, double beta, double mu = 1) { return {std::move(system), mu, 1.0, beta}; }
+Scene<double> free_scene(System<double> system, double beta, double mu = 1) { return {std::move(system), mu, 1.0, beta, {}, {}}; }
 
 bool holds(const Certified& x, double value, double slack = 0) { return std::abs(x.value - value) <= x.error + slack; }
 
@@ -272,7 +272,8 @@ TEST_CASE("a constant load moves every motion by K^-1 s and changes nothing else
             system.contact = Mass{1};
             system.contact_with = Mass{0};
         }
-        Scene<double> plain{system, n % 2 == 0 ? 1 : 1.25, from(0.2, 1.5), n % 4 == 3 ? 3.0 : from(0.05, 0.8)}, loaded = plain;
+        Scene<double> plain{system, n % 2 == 0 ? 1 : 1.25, from(0.2, 1.5), n % 4 == 3 ? 3.0 : from(0.05, 0.8), {}, {}},
+            loaded = plain;
         for (std::size_t k = 0; k < N; ++k) loaded.static_load.push_back(from(-4, 4));
         const std::vector<Certified> places = place_of_rest(scene_source(loaded));
         REQUIRE(places.size() == N);

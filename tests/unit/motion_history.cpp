@@ -8,7 +8,7 @@ using namespace denhartog;
 
 namespace {
 
-Scene<double> stopping_scene() { return {chain_of({1, 0.75}, {1, 1.5}, 0.0625, 1, 2), 1.125, 0.4375, 0.375}; }
+Scene<double> stopping_scene() { return {chain_of({1, 0.75}, {1, 1.5}, 0.0625, 1, 2), 1.125, 0.4375, 0.375, {}, {}}; }
 
 } // namespace
 

@@ -64,7 +64,7 @@ TEST_CASE("keys, values and names of files are printed without what a terminal o
     refused(run_program("equations --ledger '/no/such/\x1b[2J'"), 2, "\\x1B[2J");
     const Run json = run_program("solve --json", with_key("\\u001b" + std::string(100'000, 'k')) + "\n" + plain_scene + "\n");
     CHECK(json.status == 2);
-    CHECK(lines_of(json.output).front().size() < 2000);
+    CHECK(lines_of(json.output).front().size() < 2500); // with all keys of a scene
 }
 
 TEST_CASE("more masses than can be computed are refused by name, rule and number", "[program][input][limits]") {

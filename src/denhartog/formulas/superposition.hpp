@@ -33,13 +33,13 @@ template <class T>
 ///
 /// The force on the masses is \f$ \mathrm{Re}\{\mathbf{p}\,e^{\mathrm{i}\tau}\} = \mathbf{p}'\cos\tau - \mathbf{p}''\sin\tau \f$.
 /// It enters (12) by \f$ \mathbf{p}^T\boldsymbol\psi_i \f$ alone, and linearly, so that (33) holds of both parts.
-/// @eq{33}  @derivation{contact_and_load_directions}  @domain{the domain of (33)}
-/// @param of_cosine  (33) with \f$ \mathbf{p}' \f$
-/// @param of_sine    (33) with \f$ \mathbf{p}'' \f$
-/// @return           V_dk, complex; dimensionless
+/// @eq{33}  @derivation{paper/contact_and_load_directions}  @domain{the domain of (33)}
+/// @param V_dk_p  (33) with \f$ \mathbf{p}' \f$
+/// @param V_dk_q  (33) with \f$ \mathbf{p}'' \f$
+/// @return        V_dk, complex; dimensionless
 template <class T>
-[[nodiscard]] Complex<T> complex_response_to_phases(const Complex<T>& of_cosine, const Complex<T>& of_sine) {
-    return of_cosine + times_i(of_sine);
+[[nodiscard]] Complex<T> complex_response_to_phases(const Complex<T>& V_dk_p, const Complex<T>& V_dk_q) {
+    return V_dk_p + times_i(V_dk_q);
 }
 
 /// @brief First damping function of a mass, \f$ U_{dk} = \sum_i \psi_{ki}\psi_{ji}R_i^2 u_{di} \f$.
