@@ -69,7 +69,7 @@ ex limit_of(const ex& load) {
     return GiNaC::sqrt(re * re + im * im) / symbols().mu;
 }
 
-Complex<Symbolic> shipped_load(const ex& direct, const ex& ahead) {
+Complex<Symbolic> shipped_held_load(const ex& direct, const ex& ahead) {
     const HeldChain& c = held_chain();
     const std::vector<Symbolic> C_j{Symbolic(c.C_21), Symbolic(c.C_23)}, K_j{Symbolic(-c.kappa_2), Symbolic(-c.kappa_3)};
     std::vector<Complex<Symbolic>> X;
@@ -159,7 +159,7 @@ const Register claims_of_section_4_3_stuck([] {
          .assumptions = held,
          .kernel =
              [&s] {
-                 const Complex<Symbolic> load = shipped_load(s.p_j, s.q_j);
+                 const Complex<Symbolic> load = shipped_held_load(s.p_j, s.q_j);
                  return Values{load.re, load.im, paper::sticking_limit(load, Symbolic(s.mu))};
              },
          .derived =
@@ -180,7 +180,7 @@ const Register claims_of_section_4_3_stuck([] {
          .assumptions = held,
          .kernel =
              [&s] {
-                 const ex limit = square(paper::sticking_limit(shipped_load(1, s.q_j), Symbolic(s.mu))).expression();
+                 const ex limit = square(paper::sticking_limit(shipped_held_load(1, s.q_j), Symbolic(s.mu))).expression();
                  return Values{Symbolic(s.mu * s.mu * (s.beta * s.beta - limit))};
              },
          .derived =

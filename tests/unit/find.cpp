@@ -112,7 +112,7 @@ TEST_CASE("a search over a known function finds crossings, jumps, touches, gaps 
     CHECK(kinds_of(search_of([](double x) { return x; }, 10, 1e-3).value(0.5)) == Kinds{"crossing"});
     const auto gap = [](double x) { return std::abs(x - 0.5) < 0.07 ? std::nan("") : x; };
     const FoundPlaces beside = search_of(gap).value(0.5); // no crossing where nothing is known
-    CHECK(beside.places.empty());
+    CHECK(kinds_of(beside) == Kinds{"undecided"});
     CHECK(beside.unanswered == std::vector<double>{0.5});
     CHECK(in_words(beside.why) == in_words(Why::not_periodic));
     const FoundPlaces top = search_of(parabola).extreme(true);
@@ -123,7 +123,20 @@ TEST_CASE("a search over a known function finds crossings, jumps, touches, gaps 
     CHECK(kinds_of(search_of(parabola).extreme(false)) == Kinds{"end of the interval"});
     const auto pole = [](double x) { return x == 0.5 ? std::nan("") : 1 / std::abs(x - 0.5); };
     CHECK(kinds_of(search_of(pole).extreme(true)) == Kinds{"undecided"});
+    const FoundPlaces flat = search_of([](double x) { return std::max(0.0, 0.45 - x); }).extreme(false); // others are as good
+    CHECK(kinds_of(flat) == Kinds{"undecided"});
     CHECK(search_of([](double) { return std::nan(""); }).extreme(true).places.empty());
+}
+
+TEST_CASE("beside a pole, where there is no answer, the amplitude is asked for as well", "[find]") {
+    const std::string undamped =
+        R"({"mass_ratios": 1, "stiffness_ratios": 1, "damping_ratios": 0, "contact": 1, "load": 1, "r": 0.5,
+        "beta": 0})";
+    const FoundPlaces found = find_places(undamped, {"r", 0.3, 1.7}, wanted_from("amplitude of mass 1 = 5"), 4);
+    REQUIRE(kinds_of(found) == Kinds{"crossing", "crossing"});
+    CHECK(holds(found.places[0], sqrt(Real50(Real50(4) / 5)))); // 1 / |1 - r^2| = 5
+    CHECK(holds(found.places[1], sqrt(Real50(Real50(6) / 5))));
+    CHECK(found.unanswered == std::vector<double>{1});
 }
 
 TEST_CASE("sentences are read", "[find]") {

@@ -231,7 +231,7 @@ private:
         else if (status == MotionStatus::open)
             why += Reasons(Why::too_fast) + Why::namely;
         why += status == MotionStatus::chattering ? Why::chattering : Why::not_periodic;
-        why += {Why::within_periods, done / 2};
+        if (done >= 2) why += {Why::within_periods, done / 2};
         const int h = recent_.states.size() > 1 ? recent_.lengths(map_).back() : 0;
         if (h > 0 && std::ranges::is_sorted(recent_.states, std::ranges::less_equal{}, norm))
             why += {Why::still_grows, size};

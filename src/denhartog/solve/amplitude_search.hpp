@@ -47,13 +47,14 @@ public:
             double x;
             int sign;
         };
-        std::optional<Known> last; // the last place with a certain sign, with no place without an answer behind it
+        std::optional<Known> last; // the last place with a certain sign
+        bool gap = false;          // whether there is a place without an answer behind it
         double open = 0;           // the first place behind it whose sign the digits do not tell, if there is one
         bool is_open = false;
         for (std::size_t n = 0; n < at_.size(); ++n) {
             const SeenAmplitude& seen = look(at_[n]);
             if (!seen.amplitude) {
-                last.reset();
+                gap = true;
                 is_open = false;
                 continue;
             }
@@ -63,14 +64,16 @@ public:
                 is_open = true;
                 continue;
             }
-            if (last && sign != last->sign)
+            if (last && sign != last->sign && gap)
+                add(PlaceIs::undecided, last->x, at_[n], at_[n]);
+            else if (last && sign != last->sign)
                 cross(last->x, at_[n], target);
             else if (is_open)
                 add(PlaceIs::undecided, last ? last->x : open, at_[n], open);
-            else if (last)
+            else if (last && !gap)
                 look_between(n, sign, target);
             last = Known{at_[n], sign};
-            is_open = false;
+            gap = is_open = false;
         }
         if (is_open) add(PlaceIs::undecided, last ? last->x : open, at_.back(), open);
         return finish();
@@ -90,13 +93,18 @@ public:
         for (std::size_t n = 1; n + 1 < at_.size(); ++n) {
             const auto &before = look(at_[n - 1]).amplitude, &here = look(at_[n]).amplitude, &after = look(at_[n + 1]).amplitude;
             if (!before || !here || !after || better(*before, *here) || better(*after, *here)) continue;
-            take(nearest(at_[n - 1], at_[n + 1], [&](const Certified& a) { return largest ? -a.value : a.value; }));
+            take(place_of_least(at_[n - 1], at_[n + 1], [&](const Certified& a) { return largest ? -a.value : a.value; }));
         }
         if (best) {
-            const double x = *best, from = certainly_worse(x, -1, better), to = certainly_worse(x, 1, better);
-            const bool gap = std::ranges::any_of(found_.unanswered, [&](double at) { return from <= at && at <= to; });
-            const bool inside = from < x && to > x;
-            add(gap ? PlaceIs::undecided : inside ? PlaceIs::extreme : PlaceIs::end_of_range, from, to, x);
+            const double x = *best;
+            const std::optional<double> below = certainly_worse(x, -1, better), above = certainly_worse(x, 1, better);
+            const double from = below.value_or(at_.front()), to = above.value_or(at_.back());
+            const bool at_end = (x == at_.front() && above) || (x == at_.back() && below);
+            add(has_gap(from, to) ? PlaceIs::undecided
+                : below && above  ? PlaceIs::extreme
+                : at_end          ? PlaceIs::end_of_range
+                                  : PlaceIs::undecided,
+                from, to, x);
         }
         return finish();
     }
@@ -124,7 +132,7 @@ private:
 
     // A place between two where a function of the amplitude is least.
     template <class Function>
-    double nearest(double from, double to, const Function& f) {
+    double place_of_least(double from, double to, const Function& f) {
         std::uintmax_t steps = most_steps;
         const auto at = [&](double x) {
             const SeenAmplitude& seen = look(x);
@@ -140,7 +148,7 @@ private:
         if (!first || !middle || !last || sign_of(*first, target) != sign || sign_of(*middle, target) != sign) return;
         const auto away = [&](const Certified& a) { return sign * (a.value - target); };
         if (away(*middle) > away(*first) || away(*middle) > away(*last)) return;
-        const double x = nearest(at_[n - 2], at_[n], away);
+        const double x = place_of_least(at_[n - 2], at_[n], away);
         if (!look(x).amplitude) return;
         const int there = sign_of(*look(x).amplitude, target);
         if (there == -sign) {
@@ -176,13 +184,18 @@ private:
         const double step = std::abs(above.value - below.value), unsure = below.error + above.error;
         const bool narrow = high - low <= 64 * eps * std::max(std::abs(low), std::abs(high));
         const bool near = std::abs(look(at).amplitude->value - target) <= 8 * unsure;
-        add(narrow && !near && step > 64 * unsure ? PlaceIs::jump : PlaceIs::crossing, low, high, at);
+        const bool jumps = narrow && !near && step > 64 * unsure;
+        add(has_gap(low, high) ? PlaceIs::undecided : jumps ? PlaceIs::jump : PlaceIs::crossing, low, high, at);
     }
 
-    // From a place on, a step in one direction, the first place at which the amplitude is certainly worse; the end of the interval
-    // if there is none.
+    bool has_gap(double from, double to) const {
+        return std::ranges::any_of(found_.unanswered, [&](double at) { return from <= at && at <= to; });
+    }
+
+    // From a place on, by steps in one direction, the first one at which the amplitude is certainly worse or not known; none if
+    // there is none.
     template <class Better>
-    double certainly_worse(double x, int direction, const Better& better) {
+    std::optional<double> certainly_worse(double x, int direction, const Better& better) {
         const double end = direction < 0 ? at_.front() : at_.back();
         const Certified here = *look(x).amplitude;
         for (double width = (at_.back() - at_.front()) * 0x1p-40; std::abs(end - x) > width; width *= 2) {
@@ -191,7 +204,7 @@ private:
             if (!there) return next;
             if (better(here, *there) && (is_certainly_less(here, *there) || is_certainly_less(*there, here))) return next;
         }
-        return end;
+        return std::nullopt;
     }
 
     FoundPlaces finish() {

@@ -16,11 +16,12 @@ struct ConditionOfAmplitudes {
 };
 
 /// @brief The conditions of all amplitudes, \f$ \frac{p}{X_k}\frac{\partial X_k}{\partial p} \f$, for each
-/// number p of a scene that is not zero: frequency, friction, force, masses, stiffnesses and damping ratios.
+/// number p of a scene that is not zero and that it has a line for: masses, stiffnesses, damping ratios, frequency, the force or the
+/// base's motion, and friction.
 ///
 /// They are estimates to two digits, by differences of answers on both sides with two steps that agree. There is none where they
 /// do not agree, as where the regime changes, where an answer is missing, or where a mass does not move. Entries of matrices are
-/// left out, because one changes with its mirror image.
+/// left out, because one changes with its mirror image; so are `mu`, the lists of loads and their phases.
 /// @param scene              the text of the scene
 /// @param damping_tolerance  as in `System`
 /// @return                   one for each number, in the order of the scene

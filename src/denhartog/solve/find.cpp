@@ -39,8 +39,9 @@ std::vector<double> first_places(const VariedNumber& varied, const Json& scene, 
     if (unit > 0) {
         const std::shared_ptr<const ContactSystem> system = moving_in_double(source, modes_in_double(source));
         for (const auto* frequencies : {&system->basis.r_n, &system->stuck.r_n})
-            for (const double r_n : *frequencies)
-                if (r_n * unit > varied.from && r_n * unit < varied.to) at.push_back(r_n * unit);
+            for (const double r_n : *frequencies) // where nothing is damped there is no answer at them, but beside them
+                for (const double beside : {-0x1p-20, 0.0, 0x1p-20})
+                    if (const double x = r_n * unit * (1 + beside); x > varied.from && x < varied.to) at.push_back(x);
     }
     std::ranges::sort(at);
     at.erase(std::ranges::unique(at).begin(), at.end());

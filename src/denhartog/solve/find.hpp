@@ -50,9 +50,9 @@ struct Wanted {
 
 /// @brief What a place that was found is.
 enum class PlaceIs : unsigned char {
-    crossing,    ///< the amplitude is certainly below the value at one end, and above it at the other
-    jump,        ///< the same at two neighbouring doubles or nearly so, and it does not come near the value
-    undecided,   ///< it may reach the value, or only come near, which the digits do not tell; of an extreme: beside a gap
+    crossing, ///< the amplitude is certainly below the value at one end, and above it at the other
+    jump,     ///< the same at two neighbouring doubles or nearly so, and it does not come near the value
+    undecided, ///< it may reach the value, or only come near, which the digits do not tell; of an extreme: it is not certain on both sides
     extreme,     ///< the amplitude is certainly less, or more, at both ends: an extreme lies between
     end_of_range ///< the extreme is at an end of the interval
 };
@@ -85,7 +85,7 @@ struct FoundPlaces {
 /// places and shows at neither is not found: the list is not proved to be whole, whereas each crossing in it is proved to the
 /// bounds of the amplitudes at its ends. An amplitude that is taken over a second number is the largest, or the least, that was
 /// seen there.
-/// @param scene    the text of a scene with masses in a chain or any other; the number that varies has to be in it
+/// @param scene    the text of a scene, which has the number that varies
 /// @param varied   the number and its interval
 /// @param wanted   what the amplitude has to be
 /// @param samples  from 2 to `most_samples_to_find`

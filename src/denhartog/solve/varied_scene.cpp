@@ -21,6 +21,8 @@ nlohmann::json::json_pointer place_of(const std::string& key, const nlohmann::js
     if (!scene.contains(name)) refuse("must be a key of the scene that has a number");
     std::string path = pointer_step(name);
     const Json& value = scene.at(name);
+    if (value.is_array() && !value.empty() && value.front().is_array())
+        refuse("must not name an entry of a matrix, because one changes with its mirror image");
     if (slash != std::string::npos) {
         double place = 0;
         const bool is_number = number_from_text(key.substr(slash + 1), place) == NumberFault::none;

@@ -92,11 +92,12 @@ void add_find_command(CLI::App& app, ExitStatus& status) {
         "certainly less (or more) at both. `is` says what the place is:\n"
         "crossing            the amplitude passes the value\n"
         "jump                it jumps over the value: with mu above 1 another motion may take over\n"
-        "undecided           it reaches the value, or only comes near: the digits do not tell; or there is a place without an\n"
-        "                    answer beside the extreme\n"
+        "undecided           it reaches the value, or only comes near: the digits do not tell; or a place without an answer\n"
+        "                    lies between; or an extreme that is not certain on both sides, because others are as good\n"
         "extreme             the largest, or least, amplitude of all that were seen\n"
         "end of the interval the same, at an end of the interval\n"
-        "What shows at no sample is not found: more --samples look closer. Amplitudes are in the scene's unit of length, or in\n"
+        "What shows at no sample is not found: more --samples look closer. Displacements are those that\n"
+        "`solve` lists, not those seen from the ground. Amplitudes are in the scene's unit of length, or in\n"
         "units of P / k_1 if it is given in ratios. An amplitude over a second number is the largest, or least, that was seen.\n"
         "If nothing was found and some samples have no answer, the exit status is 3.");
     command->callback([options, &status] {
