@@ -45,7 +45,7 @@ template <class T>
 [[nodiscard]] Response<T> response(const Scene<T>& scene, std::optional<Mass> only = std::nullopt) {
     check(scene);
     if (!scene.r) throw InputError("r", "must be given", "");
-    const ModeSums<T> sums = mode_sums(modal_basis(scene.system), contact_row(scene.system), load_row(scene.system), *scene.r);
+    const ModeSums<T> sums = mode_sums(modal_basis(scene.system), contact_row(scene.system), load_rows(scene.system), *scene.r);
     Response<T> all{*scene.r, scene.mu, scene.beta, scene.system.contact, boundary(sums, scene.mu), std::nullopt, std::nullopt};
     if (!scene.beta) return all;
     if constexpr (std::same_as<T, double>)

@@ -133,7 +133,7 @@ Agreement<T> compare_with_second_witness(const Scene<T>& scene, int steps) {
     const Response<T> answered = response(scene);
     if (!answered.steady_state)
         throw DomainError("no motion to compare with the second witness: " + in_words(answered.regime.value().reason));
-    const ModeSums<T> sums = mode_sums(modal_basis(scene.system), contact_row(scene.system), load_row(scene.system), *scene.r);
+    const ModeSums<T> sums = mode_sums(modal_basis(scene.system), contact_row(scene.system), load_rows(scene.system), *scene.r);
     return compare(sampled_motion(sums, *answered.steady_state, steps), half_period_motion(half_period_problem(scene), steps));
 }
 

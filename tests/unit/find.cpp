@@ -110,11 +110,19 @@ TEST_CASE("a search over a known function finds crossings, jumps, touches, gaps 
     CHECK(jump.places[0].to >= 0.314);
     CHECK(jump.places[0].to - jump.places[0].from < 1e-14);
     CHECK(kinds_of(search_of([](double x) { return x; }, 10, 1e-3).value(0.5)) == Kinds{"crossing"});
+    const AmplitudeAt through_zero = [](double x) -> SeenAmplitude { return {Certified{1 + x, 1e-13}, {}}; };
+    CHECK(kinds_of(AmplitudeSearch({-1, 1}, through_zero).value(1)) == Kinds{"crossing"}); // at zero itself
     const auto gap = [](double x) { return std::abs(x - 0.5) < 0.07 ? std::nan("") : x; };
     const FoundPlaces beside = search_of(gap).value(0.5); // no crossing where nothing is known
     CHECK(kinds_of(beside) == Kinds{"undecided"});
     CHECK(beside.unanswered == std::vector<double>{0.5});
     CHECK(in_words(beside.why) == in_words(Why::not_periodic));
+    // Three sides of the value, the middle one without an answer about where it changes.
+    const FoundPlaces torn = search_of([](double x) {
+                                 return std::abs(x - 0.31) < 0.01 ? std::nan("") : x < 0.31 ? 1.0 : 2.0;
+                             }).value(1.5);
+    REQUIRE(kinds_of(torn) == Kinds{"undecided"});
+    CHECK((torn.places[0].from <= torn.places[0].at && torn.places[0].at <= torn.places[0].to));
     const FoundPlaces top = search_of(parabola).extreme(true);
     REQUIRE(kinds_of(top) == Kinds{"extreme"});
     CHECK(top.places[0].from < 0.37);
@@ -183,6 +191,12 @@ TEST_CASE("what cannot be varied is refused by name", "[find][program]") {
         CHECK(run.output.empty());
         CHECK(run.error.find(says) != std::string::npos);
     }
+    const Run huge = asked("beta", "0:1e300", "--samples 4");
+    CHECK(huge.output.find("0.503976330244") != std::string::npos); // as in a narrower interval
+    const Run text = run_program("find - --vary comment --between 0:1 --so-that 'amplitude of mass 1 = 1'",
+                                 R"({"comment": "a chain", )" + chain.substr(1));
+    CHECK(text.status == 2);
+    CHECK(text.error.find("has a number") != std::string::npos);
     CHECK(asked("beta", "0:1", "--samples 1").status == 2);
     CHECK(asked("beta", "0:1", "--samples 1000000").status == 2);
     const Run good = asked("beta", "0:0.9", "--json");

@@ -111,8 +111,9 @@ public:
 
 private:
     static constexpr double eps = std::numeric_limits<double>::epsilon();
-    static constexpr int bits_of_extreme = 24;       // to which its place is followed: the amplitude is flat there
-    static constexpr std::uintmax_t most_steps = 60; // of narrowing a crossing or an extreme
+    static constexpr int bits_of_extreme = 24;                     // to which its place is followed: the amplitude is flat there
+    static constexpr std::uintmax_t most_steps = 60;               // of narrowing an extreme
+    static constexpr std::uintmax_t most_steps_of_crossing = 1200; // also from an interval over all doubles
 
     static bool is_certainly_less(const Certified& a, const Certified& b) { return a.value + a.error < b.value - b.error; }
 
@@ -171,21 +172,25 @@ private:
             if (there == -sign) high = std::min(high, x);
             return seen.amplitude->value - target;
         };
-        std::uintmax_t steps = most_steps;
+        std::uintmax_t steps = most_steps_of_crossing;
         const auto done = [](double a, double b) { return std::abs(b - a) <= 2 * eps * std::max(std::abs(a), std::abs(b)); };
         const auto [a, b] = boost::math::tools::toms748_solve(g, from, to, g(from), g(to), done, steps);
         double at = a + (b - a) / 2;
         if (!look(at).amplitude) at = look(low).amplitude ? low : from;
         // From there outwards to where the sign is certain.
         for (const bool up : {false, true})
-            for (double width = std::max(4 * eps * std::abs(at), b - a); (up ? high - at : at - low) > width; width *= 4)
+            for (double width = std::max({4 * eps * std::abs(at), b - a, 0x1p-60 * (to - from)});
+                 (up ? high - at : at - low) > width; width *= 4)
                 (void)g(up ? at + width : at - width);
+        if (at < low || at > high) at = low + (high - low) / 2; // where it crosses more than once
+        if (!look(at).amplitude) at = low;
         const Certified &below = *look(low).amplitude, &above = *look(high).amplitude;
         const double step = std::abs(above.value - below.value), unsure = below.error + above.error;
         const bool narrow = high - low <= 64 * eps * std::max(std::abs(low), std::abs(high));
         const bool near = std::abs(look(at).amplitude->value - target) <= 8 * unsure;
         const bool jumps = narrow && !near && step > 64 * unsure;
-        add(has_gap(low, high) ? PlaceIs::undecided : jumps ? PlaceIs::jump : PlaceIs::crossing, low, high, at);
+        const bool wide = steps >= most_steps_of_crossing; // the steps were not enough
+        add(has_gap(low, high) || wide ? PlaceIs::undecided : jumps ? PlaceIs::jump : PlaceIs::crossing, low, high, at);
     }
 
     bool has_gap(double from, double to) const {

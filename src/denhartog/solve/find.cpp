@@ -104,6 +104,9 @@ FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, cons
     FoundPlaces found =
         wanted.is == AmplitudeIs::value ? search.value(wanted.value) : search.extreme(wanted.is == AmplitudeIs::largest);
     found.questions = questions;
+    if (found.places.empty() && !found.unanswered.empty())
+        throw PrecisionError("no place was found, and the amplitude is not known at " + std::to_string(found.unanswered.size()) +
+                             (found.unanswered.size() == 1 ? " sample: " : " samples: ") + found.why);
     return found;
 }
 

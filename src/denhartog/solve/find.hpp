@@ -91,7 +91,8 @@ struct FoundPlaces {
 /// @param samples  from 2 to `most_samples_to_find`
 /// @param damping_tolerance  as in `System`
 /// @return         what was found
-/// @throws         InputError if the scene or the request breaks a rule
+/// @throws         InputError if the scene or the request breaks a rule; PrecisionError if nothing was found and some samples
+///                 have no answer
 [[nodiscard]] FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, const Wanted& wanted, int samples,
                                       double damping_tolerance = 0);
 
