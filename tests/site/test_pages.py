@@ -359,12 +359,12 @@ class Finished(Case):
 
     def test_links_to_sources(self):
         """Links to lines of sources are resolved through the tag file, or reported."""
-        self.write("tags.xml", f'<tagfile>\n<compound kind="file">\n<name>mode.hpp</name>\n<path>{self.folder.resolve()}/root/src/a/</path>\n'
+        self.write("tags.xml", f'<tagfile>\n<compound kind="file">\n<name>mode.hpp</name>\n<path>{self.folder.resolve()}/checkout/src/a/</path>\n'
                                '<filename>a_2mode_8hpp</filename>\n<member kind="function"><name>d</name></member>\n</compound>\n'
                                '<compound kind="page">\n<name>eq_46</name>\n<filename>eq_46</filename>\n</compound>\n</tagfile>\n')
         self.write("site/a_2mode_8hpp_source.html", '<a id="l00042"></a>')
         self.write("site/eq_46.html", '<a href="source:src/a/mode.hpp:42">x</a><a href="page:eq_46">y</a>')
-        link = lambda: finish.link(self.folder / "site", self.folder / "tags.xml", self.folder / "root")
+        link = lambda: finish.link(self.folder / "site", self.folder / "tags.xml", self.folder / "checkout")
         self.assertEqual(link(), ("links to 2 places in the sources and pages", []))
         self.assertEqual((self.folder / "site/eq_46.html").read_text(), '<a href="a_2mode_8hpp_source.html#l00042">x</a><a href="eq_46.html">y</a>')
         self.write("site/bad.html", '<a href="source:src/a/mode.hpp:43"><a href="source:src/b.hpp:1"><a href="page:eq_99">'

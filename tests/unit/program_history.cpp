@@ -162,6 +162,9 @@ TEST_CASE("what a history, a free motion or a constant load cannot be is refused
     refused("integrate --start 1,0", scene.dump(), "friction must be given");
     scene["base_motion"] = "with_wall";
     refused("integrate --start 1,0", scene.dump(), "base_motion must not be given where force is 0");
+    scene.erase("base_motion");
+    scene["base_acceleration"] = 1;
+    refused("integrate --start 1,0", scene.dump(), "base_acceleration must not be given where force is 0");
     scene = json::parse(stopping);
     scene["static_load"] = {1};
     refused("solve", scene.dump(), "static_load must have as many values as there are masses (2), but is 1 (at /static_load)");

@@ -6,6 +6,7 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
+#include "denhartog/number/number_text.hpp"
 
 namespace denhartog {
 namespace {
@@ -115,6 +116,14 @@ private:
 };
 
 } // namespace
+
+std::optional<double> number_in(const nlohmann::json& value) {
+    if (value.is_number()) return value.get<double>();
+    double number = 0;
+    if (!value.is_string() || number_from_text(value.get_ref<const std::string&>(), number) != NumberFault::none)
+        return std::nullopt;
+    return number;
+}
 
 void refuse_zero_byte(const std::string& quantity, std::string_view text, std::size_t line) {
     const std::size_t zero = text.find('\0');

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,9 @@ namespace denhartog {
 // zero byte, with the JSON pointer where a key is given twice, a number is beyond a double, or values are nested deeper than a
 // scene's.
 [[nodiscard]] nlohmann::json read_json(std::string_view text, std::size_t line = 1);
+
+// The number of a value that is one, or a text that is written like one; none else.
+[[nodiscard]] std::optional<double> number_in(const nlohmann::json& value);
 
 // One step of a JSON pointer: `/key` with the two reserved characters escaped.
 [[nodiscard]] std::string pointer_step(std::string_view key);

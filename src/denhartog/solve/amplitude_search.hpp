@@ -79,25 +79,17 @@ public:
         return finish();
     }
 
+    /// @brief The amplitude where it is largest, or least, of all that were seen.
+    SeenAmplitude amplitude_of_extreme(bool largest) {
+        const std::optional<double> x = place_of_extreme(largest);
+        return x ? look(*x) : SeenAmplitude{std::nullopt, found_.why};
+    }
+
     /// @brief Where it is largest, or least.
     FoundPlaces extreme(bool largest) {
-        const auto better = [&](const Certified& a, const Certified& b) {
-            return largest ? a.value > b.value : a.value < b.value;
-        };
-        std::optional<double> best;
-        const auto take = [&](double x) {
-            const SeenAmplitude& seen = look(x);
-            if (seen.amplitude && (!best || better(*seen.amplitude, *look(*best).amplitude))) best = x;
-        };
-        for (const double x : at_) take(x);
-        for (std::size_t n = 1; n + 1 < at_.size(); ++n) {
-            const auto &before = look(at_[n - 1]).amplitude, &here = look(at_[n]).amplitude, &after = look(at_[n + 1]).amplitude;
-            if (!before || !here || !after || better(*before, *here) || better(*after, *here)) continue;
-            take(place_of_least(at_[n - 1], at_[n + 1], [&](const Certified& a) { return largest ? -a.value : a.value; }));
-        }
-        if (best) {
+        if (const std::optional<double> best = place_of_extreme(largest)) {
             const double x = *best;
-            const std::optional<double> below = certainly_worse(x, -1, better), above = certainly_worse(x, 1, better);
+            const std::optional<double> below = certainly_worse(x, -1, largest), above = certainly_worse(x, 1, largest);
             const double from = below.value_or(at_.front()), to = above.value_or(at_.back());
             const bool at_end = (x == at_.front() && above) || (x == at_.back() && below);
             add(has_gap(from, to) ? PlaceIs::undecided
@@ -120,7 +112,6 @@ private:
     const SeenAmplitude& look(double x) {
         const auto known = seen_.find(x);
         if (known != seen_.end()) return known->second;
-        ++found_.questions;
         const SeenAmplitude& now = seen_.emplace(x, amplitude_(x)).first->second;
         if (!now.amplitude) {
             found_.unanswered.push_back(x);
@@ -130,6 +121,26 @@ private:
     }
 
     void add(PlaceIs is, double from, double to, double at) { found_.places.push_back({is, from, to, at, *look(at).amplitude}); }
+
+    static bool is_better(bool largest, const Certified& a, const Certified& b) {
+        return largest ? a.value > b.value : a.value < b.value;
+    }
+
+    // The place at which it is largest, or least, of all that were seen; none if it is known at none.
+    std::optional<double> place_of_extreme(bool largest) {
+        std::optional<double> best;
+        const auto take = [&](double x) {
+            const SeenAmplitude& seen = look(x);
+            if (seen.amplitude && (!best || is_better(largest, *seen.amplitude, *look(*best).amplitude))) best = x;
+        };
+        for (const double x : at_) take(x);
+        for (std::size_t n = 1; n + 1 < at_.size(); ++n) {
+            const auto &before = look(at_[n - 1]).amplitude, &here = look(at_[n]).amplitude, &after = look(at_[n + 1]).amplitude;
+            if (!before || !here || !after || is_better(largest, *before, *here) || is_better(largest, *after, *here)) continue;
+            take(place_of_least(at_[n - 1], at_[n + 1], [&](const Certified& a) { return largest ? -a.value : a.value; }));
+        }
+        return best;
+    }
 
     // A place between two where a function of the amplitude is least.
     template <class Function>
@@ -176,7 +187,6 @@ private:
         const auto done = [](double a, double b) { return std::abs(b - a) <= 2 * eps * std::max(std::abs(a), std::abs(b)); };
         const auto [a, b] = boost::math::tools::toms748_solve(g, from, to, g(from), g(to), done, steps);
         double at = a + (b - a) / 2;
-        if (!look(at).amplitude) at = look(low).amplitude ? low : from;
         // From there outwards to where the sign is certain.
         for (const bool up : {false, true})
             for (double width = std::max({4 * eps * std::abs(at), b - a, 0x1p-60 * (to - from)});
@@ -199,15 +209,14 @@ private:
 
     // From a place on, by steps in one direction, the first one at which the amplitude is certainly worse or not known; none if
     // there is none.
-    template <class Better>
-    std::optional<double> certainly_worse(double x, int direction, const Better& better) {
+    std::optional<double> certainly_worse(double x, int direction, bool largest) {
         const double end = direction < 0 ? at_.front() : at_.back();
         const Certified here = *look(x).amplitude;
         for (double width = (at_.back() - at_.front()) * 0x1p-40; std::abs(end - x) > width; width *= 2) {
             const double next = x + direction * width;
             const std::optional<Certified> there = look(next).amplitude;
             if (!there) return next;
-            if (better(here, *there) && (is_certainly_less(here, *there) || is_certainly_less(*there, here))) return next;
+            if (largest ? is_certainly_less(*there, here) : is_certainly_less(here, *there)) return next;
         }
         return std::nullopt;
     }

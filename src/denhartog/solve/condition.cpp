@@ -73,8 +73,7 @@ std::vector<ConditionOfAmplitudes> conditions_of(std::string_view text, double d
     for (const std::string& number : numbers_of(scene)) {
         const Json::json_pointer place = place_of(number, scene);
         const Json as_written = scene.at(place);
-        const double p =
-            as_written.is_string() ? Json::parse(as_written.get<std::string>()).get<double>() : as_written.get<double>();
+        const double p = *number_in(as_written);
         if (p == 0) continue;
         std::vector<std::optional<double>> settled(N), before(N);
         for (double step = first_step; step >= last_step; step /= 8) {

@@ -93,9 +93,7 @@ FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, cons
                 ++questions;
                 return amplitude_of(given, wanted.mass, damping_tolerance);
             });
-            const FoundPlaces found = search.extreme(wanted.of == AmplitudeIs::largest);
-            if (found.places.empty()) return {std::nullopt, found.why};
-            return {found.places.front().amplitude, {}};
+            return search.amplitude_of_extreme(wanted.of == AmplitudeIs::largest);
         };
     }
     Json at_first = given;

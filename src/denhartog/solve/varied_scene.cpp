@@ -34,10 +34,7 @@ nlohmann::json::json_pointer place_of(const std::string& key, const nlohmann::js
         refuse("must name the place in the list too, counted from 1, such as " + name + "/1");
     }
     const Json::json_pointer pointer(path);
-    const Json& number = scene.at(pointer);
-    double read = 0;
-    const bool in_text = number.is_string() && number_from_text(number.get<std::string>(), read) == NumberFault::none;
-    if (!number.is_number() && !in_text) refuse("must be a key of the scene that has a number");
+    if (!number_in(scene.at(pointer))) refuse("must be a key of the scene that has a number");
     return pointer;
 }
 

@@ -36,6 +36,7 @@ std::vector<Number> springs(const System<double>& s) {
 
 // C 1, by (19) where damping is given by ratios: M Phi diag(2 zeta_i r_ni) Phi^T M 1.
 std::vector<Number> dampers(const System<double>& s, const std::vector<Number>& masses) {
+    if (s.damping_matrix.size() > 0 && s.damping_tolerance == 0) return sums_of_rows(s.damping_matrix); // whatever the modes are
     const std::size_t N = masses.size();
     const ModalBasis<double> basis = modal_basis(s);
     if (damping_matrix_counts(s, basis)) return sums_of_rows(s.damping_matrix);

@@ -4,22 +4,12 @@
 
 #include "denhartog/answer/free_decay.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/json_document.hpp"
 
 namespace denhartog::program {
 namespace {
 
 using nlohmann::json;
-
-// A number of the scene, if it is one.
-std::optional<double> number_in(const json& value) {
-    if (value.is_number()) return value.get<double>();
-    double number = 0;
-    if (!value.is_string() || number_from_text(value.get_ref<const std::string&>(), number) != NumberFault::none)
-        return std::nullopt;
-    return number;
-}
 
 // The first of masses or stiffnesses, a list, a matrix or one number; null where there is none.
 json first_of(const json& object, const char* key) {
@@ -54,7 +44,7 @@ std::optional<UnloadedScene> unloaded_scene(const SceneText& part) {
         return std::nullopt; // the reader of scenes says so
     }
     if (!object.is_object() || !object.contains("force") || number_in(object.at("force")) != 0.0) return std::nullopt;
-    for (const char* key : {"base_motion", "base_displacement"})
+    for (const char* key : {"base_motion", "base_displacement", "base_acceleration"})
         if (object.contains(key)) throw InputError(key, "must not be given where force is 0", "", pointer_step(key));
     const json first_mass = first_of(object, "masses"), first_stiffness = first_of(object, "stiffnesses");
     const std::optional<double> m_1 = number_in(first_mass), k_1 = number_in(first_stiffness);
