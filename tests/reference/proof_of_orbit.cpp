@@ -262,6 +262,7 @@ TEST_CASE("vectors in double belong to their eigenvalues, real or not", "[refere
         const Eigen::VectorXcd v = found.vectors.col(c), left = A.cast<std::complex<double>>() * v - found.values(c) * v;
         CHECK((v.norm() >= 0.5 && left.norm() < 1e-12 * A.norm() * v.norm()));
     }
+    CHECK((found.inverse * found.vectors - Matrix<std::complex<double>>::Identity(n, n)).norm() < 1e-12);
     CHECK((pairs > 0 && 2 * pairs < n));
 }
 
@@ -279,6 +280,34 @@ TEST_CASE("multipliers that double hardly tells apart are known all the same", "
         CHECK((sizes.at(0) - Ball(0.5) - more).may_vanish());
         CHECK((sizes.at(1) - Ball(0.5)).may_vanish());
     }
+}
+
+TEST_CASE("balls about multipliers hold those of every map in the balls of its entries, and hardly more", "[reference][proof]") {
+    constexpr slong n = 7;
+    constexpr double off = 1e-10;
+    const Bits all(192);
+    MapOfDeviations map{BallMatrix(n, n), false}, wide{BallMatrix(n, n), false}, moved = map;
+    for (slong i = 0; i < n; ++i)
+        for (slong k = i; k < n; ++k) {
+            map.A(i, k) = i == k ? Ball(0.9) - Ball(i) / 8 : Ball((7 * i + 5 * k) % 11 - 5) / 16; // the eigenvalues are the diagonal
+            wide.A(i, k) = widened(map.A(i, k), Ball(off));
+            moved.A(i, k) = map.A(i, k) + (i == k ? Ball(off) : Ball(0));
+        }
+    const std::vector<Ball> of_map = multipliers_over_period(map, false), of_wide = multipliers_over_period(wide, false);
+    REQUIRE(of_map.size() == n);
+    for (slong i = 0; i < n; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const Ball truth = Ball(0.9) - Ball(i) / 8;
+        CHECK((of_map[k] - truth).may_vanish());
+        CHECK(of_map[k].radius() < 1e-12);
+        CHECK((arb_contains(of_wide[k].a, (truth - Ball(off)).a) != 0 && arb_contains(of_wide[k].a, (truth + Ball(off)).a) != 0));
+        CHECK(of_wide[k].radius() < 1000 * off); // the vectors are not orthogonal
+    }
+    CHECK(!(multipliers_over_period(moved, false).front() - Ball(0.9)).may_vanish()); // the test would tell
+    for (slong i = 0; i < n; ++i)
+        for (slong k = 0; k < n; ++k) wide.A(i, k) = widened(i == k ? map.A(i, k) : Ball(0), Ball(off));
+    const Ball of_first = multipliers_over_period(wide, false).front(), tenth = widened(middle(of_first), Ball(of_first.radius() / 10));
+    CHECK(arb_contains(tenth.a, (Ball(0.9) + Ball(off)).a) == 0); // a tenth of the bound would be none
 }
 
 TEST_CASE("of a stable and an unstable map the right one is told", "[reference][proof]") {

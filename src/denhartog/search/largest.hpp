@@ -79,7 +79,7 @@ template <class T>
 [[nodiscard]] LargestOnStretches stretches_of_largest(const SearchedFunction<T>& f, double a, double b, double narrow,
                                                       double flat, int looks,
                                                       double at_least = -std::numeric_limits<double>::infinity()) {
-    constexpr int parts = 8;
+    constexpr int parts = 4;
     std::vector<StretchOfLargest> open;
     LargestOnStretches found{{}, at_least, false};
     const auto see = [&](double at) {
