@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 
 constexpr auto varied_keys = std::to_array<const char*>(
     {"mass_ratios", "stiffness_ratios", "damping_ratios", "r", "beta", "masses", "stiffnesses", "force", "friction",
-     "normal_force", "friction_coefficient", "frequency", "frequency_hz", "base_displacement", "base_acceleration"});
+     "normal_force", "friction_coefficient", "frequency", "frequency_hz", "unbalance", "base_displacement", "base_acceleration"});
 constexpr double first_step = 0x1p-15, last_step = 0x1p-44; // relative; they become shorter by a factor of 8
 constexpr double agreement = 0.01;                          // of two steps
 
