@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/scene/scene_json.hpp"
 #include "denhartog/solve/amplitude_search.hpp"
 #include "tests/catch.hpp"

@@ -45,16 +45,19 @@ EnergiesInBalls energies_in_balls(const SceneSource& source, const Solution& sol
     return energies_of_sliding(p.scene, *p.responses, d);
 }
 
+// Zero, within what the number may be, where it may vanish.
+Ball about_zero(const Ball& x) { return x.may_vanish() && x.finite() ? widened(Ball(0), upper_bound_of(abs(x))) : x; }
+
 // Numbers that may vanish have their digits beside the unit that they are in.
-Certified written(const Ball& x, WrittenNumbers& w) { return x.may_vanish() ? w.absolute(x) : w.relative(x); }
+Certified written(const Ball& x, WrittenNumbers& w) { return x.may_vanish() ? w.absolute(about_zero(x)) : w.relative(x); }
 
 EquivalentDamping equivalent_damping(const EnergiesInBalls& e, const Ball& r, const Ball& beta, WrittenNumbers& w) {
     const Ball c = e.contact / (pi<Ball>() * r * e.amplitude * e.amplitude), textbook = 4 * beta * e.amplitude;
     EquivalentDamping all{written(c, w), written(Ball(c / 2), w), written(textbook, w), {}, {}, {}};
-    all.textbook_energy_error = beta.is_zero() ? w.shown(Ball(0)) : w.absolute((textbook - e.contact) / e.contact);
+    all.textbook_energy_error = beta.is_zero() ? w.shown(Ball(0)) : w.absolute(about_zero((textbook - e.contact) / e.contact));
     if (!e.by_textbooks) return all;
     all.textbook_amplitude = w.relative(*e.by_textbooks);
-    all.textbook_amplitude_error = w.absolute((*e.by_textbooks - e.amplitude) / e.amplitude);
+    all.textbook_amplitude_error = w.absolute(about_zero((*e.by_textbooks - e.amplitude) / e.amplitude));
     return all;
 }
 
@@ -71,7 +74,7 @@ Energies energies_by_reference(const SceneSource& source, const Solution& soluti
                          const EnergiesInBalls e = energies_in_balls(source, solution, bits, guesses);
                          const auto energy = [&](const Ball& W) {
                              w.beside(W, e.at_most.may_vanish() ? Ball(1) : e.at_most);
-                             return w.shown(W);
+                             return w.shown(about_zero(W));
                          };
                          const SceneInBalls s = scene_as_given(source);
                          all = {energy(e.contact), energy(e.dampers), written(e.friction, w), written(e.on_base, w), {}};

@@ -378,7 +378,8 @@ def _forces(system: System, hertz: np.ndarray) -> np.ndarray:
         force = system.base_force(hz=hertz, acceleration=float(scene["base_acceleration"]))
         return np.broadcast_to(force, hertz.shape)
     if "unbalance" in scene:
-        return float(scene["unbalance"]) * (2 * np.pi * hertz) ** 2
+        omega = 2 * np.pi * hertz
+        return system.m_1 * omega * omega * (float(scene["unbalance"]) / system.m_1)
     must("force" in scene, "force", "must be given (or base_displacement in its place)", "")
     return np.full(hertz.shape, float(scene["force"]))
 

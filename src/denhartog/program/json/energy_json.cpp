@@ -31,10 +31,10 @@ Json energies_json(const Energies& e, const UnitsOfEnergy& in, const NumberWrite
     add("equivalent_damping_ratio", c.ratio);
     const Json others = std::exchange(all, Json());
     add("contact", c.textbook_energy, in.energy);
-    add("contact_relative_error", c.textbook_energy_error);
+    add("contact_off", c.textbook_energy_error);
     if (c.textbook_amplitude) {
         add("amplitude", *c.textbook_amplitude, in.length);
-        add("amplitude_relative_error", *c.textbook_amplitude_error);
+        add("amplitude_off", *c.textbook_amplitude_error);
     }
     const Json textbook = std::exchange(all, others);
     all["textbook"] = textbook;
@@ -73,9 +73,9 @@ std::string energy_table(const Json& answer) {
     if (e.contains("textbook")) {
         const Json &here = e.at("textbook"), &scene = there.at("textbook");
         add(here, scene, "contact", "textbooks: energy 4 F X");
-        add(here, scene, "contact_relative_error", "  off by the part");
+        add(here, scene, "contact_off", "  off by the part");
         add(here, scene, "amplitude", "textbooks: amplitude by that damping");
-        add(here, scene, "amplitude_relative_error", "  off by the part");
+        add(here, scene, "amplitude_off", "  off by the part");
     }
     return aligned(rows) + "\n";
 }
