@@ -97,7 +97,8 @@ std::optional<SensitiveMode> sensitive_mode(const SceneSource& source) {
     const System<double>& s = source->in_double().system;
     const bool damped = std::ranges::all_of(s.damping_ratios, [](double zeta) { return zeta > unit / noticeable; });
     if (s.damping_matrix.size() > 0 ? !s.damping_matrix.isZero(0) : damped) return std::nullopt;
-    const ModalBasis<Bounded<double>>& modes = *modes_in_double(source).basis;
+    const ModesInDouble found = modes_in_double(source);
+    const ModalBasis<Bounded<double>>& modes = *found.basis;
     const LoadRows load = load_rows(s);
     for (std::size_t i = 0; i < modes.r_n.size(); ++i) {
         const auto excites = [&](Mass row) {

@@ -97,12 +97,9 @@ FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, cons
         };
     }
     std::optional<InputError> inadmissible; // a value in the interval that a scene cannot have
-    bool any = false;
     AmplitudeSearch search(first_places(varied, given, samples), [&](double x) -> SeenAmplitude {
         try {
-            SeenAmplitude seen = amplitude(x);
-            any = true;
-            return seen;
+            return amplitude(x);
         } catch (const InputError& e) {
             if (!inadmissible) inadmissible = e;
             return {std::nullopt, std::string(e.what())};
@@ -110,7 +107,7 @@ FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, cons
     });
     FoundPlaces found =
         wanted.is == AmplitudeIs::value ? search.value(wanted.value) : search.extreme(wanted.is == AmplitudeIs::largest);
-    if (!any && inadmissible) throw InputError(*inadmissible);
+    if (found.places.empty() && inadmissible) throw InputError(*inadmissible);
     found.questions = questions;
     if (found.places.empty() && !found.unanswered.empty())
         throw PrecisionError("no place was found, and the amplitude is not known at " + std::to_string(found.unanswered.size()) +
