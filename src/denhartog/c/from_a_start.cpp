@@ -25,15 +25,15 @@ State start_of(const double* x, const double* x_prime, std::size_t N) {
 }
 
 // Numbers with their bounds, and where both go.
-struct Column {
+struct TwoOutputs {
     Numbers numbers;
     double *to, *errors_to;
 };
 
-void hand_out_both(const std::vector<Column>& columns) {
+void hand_out_both(const std::vector<TwoOutputs>& columns) {
     for (const ValueOrError part : {ValueOrError::value, ValueOrError::error}) {
         std::vector<Output> all;
-        for (const Column& each : columns) all.push_back({each.numbers, part == ValueOrError::value ? each.to : each.errors_to});
+        for (const TwoOutputs& each : columns) all.push_back({each.numbers, part == ValueOrError::value ? each.to : each.errors_to});
         hand_out(part, all);
     }
 }

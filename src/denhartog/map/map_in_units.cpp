@@ -15,7 +15,7 @@ namespace denhartog {
 namespace {
 
 // The rows of a map: what varies, and what of the scene goes with it.
-struct Rows {
+struct RowsInUnits {
     RowsOf of;
     const std::vector<double>& values;
     double level = 1;    // of the load of the scene
@@ -43,8 +43,8 @@ struct Rows {
     }
 };
 
-Rows rows_of(const Scene<double>& scene, RowsOf of, const std::vector<double>& values) {
-    Rows rows{of, values};
+RowsInUnits rows_of(const Scene<double>& scene, RowsOf of, const std::vector<double>& values) {
+    RowsInUnits rows{of, values};
     if (of == RowsOf::friction) return rows;
     const Units& units = *scene.units;
     const bool is_unbalance = units.base && scene.system.base_motion == BaseMotion::none;
@@ -85,7 +85,7 @@ FrequenciesInUnits frequencies_in_units(const Scene<double>& scene, const std::s
 RegimeMap map_in_units(const Scene<double>& scene, const FrequenciesInUnits& frequencies, RowsOf of,
                        const std::vector<double>& values, MapRequest request, const std::atomic<bool>& stop,
                        const std::function<void(std::size_t done)>& done) {
-    const Rows rows = rows_of(scene, of, values);
+    const RowsInUnits rows = rows_of(scene, of, values);
     request.r = frequencies.r;
     RegimeMap map;
     if (scene.units->force_changes()) {
