@@ -60,6 +60,8 @@ class System:
         By how much each force of such a list leads, in radians: p_k cos(omega t + theta_k) on mass k.
     base_motion : {"with_wall", "alone", "wall"}
         A moving base or wall in place of `load`: base and wall move together, or the base alone, or the wall alone.
+    static_load : array_like, shape (N,)
+        A constant force on each mass in units of P, of a system in ratios; of one in units give a scene to `from_scene`.
     mu : float
         Static over kinetic friction, Eq. (3), at least 1.
 
