@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/scene/scene_json.hpp"
 #include "denhartog/solve/amplitude_search.hpp"
 #include "tests/catch.hpp"
@@ -182,7 +183,7 @@ TEST_CASE("what cannot be varied is refused by name", "[find][program]") {
                                               {"beta", "1:0", "the lower one first"},
                                               {"beta", "0", "must be A:B"},
                                               {"beta", "0:inf", "must be A:B"},
-                                              {"beta", "-1:1", "beta must"},
+                                              {"beta", "-2:-1", "beta must"},
                                               {"contact", "0.5:1.5", "contact must"},
                                               {"damping_ratios/1", "0:1", "a list"}}) {
         INFO(vary << " " << between);
@@ -191,6 +192,9 @@ TEST_CASE("what cannot be varied is refused by name", "[find][program]") {
         CHECK(run.output.empty());
         CHECK(run.error.find(says) != std::string::npos);
     }
+    const auto partly = nlohmann::json::parse(asked("beta", "-1:0.9", "--json").output); // below 0 it has no answer
+    REQUIRE(partly["places"].size() == 1);
+    CHECK(partly["unanswered"].size() > 10);
     const Run huge = asked("beta", "0:1e300", "--samples 4");
     CHECK(huge.output.find("0.503976330244") != std::string::npos); // as in a narrower interval
     const Run text = run_program("find - --vary comment --between 0:1 --so-that 'amplitude of mass 1 = 1'",

@@ -177,3 +177,12 @@ TEST_CASE("what a history, a free motion or a constant load cannot be is refused
     scene.erase("friction");
     refused("boundary", scene.dump(), "force must be given");
 }
+
+TEST_CASE("a free motion has no ratios", "[program][integrate][bad-input]") {
+    const std::string text =
+        R"({"masses": [1], "stiffnesses": [1], "damping_ratios": 0, "contact": 1, "force": 0, "friction": 0.1})";
+    const Run refused = run_program("integrate --start 1,0 --units ratios", text);
+    CHECK(refused.status == 2);
+    CHECK(refused.error.find("units must be scene where force is 0") != std::string::npos);
+    CHECK(run_program("integrate --start 1,0 --units scene", text).output == run_program("integrate --start 1,0", text).output);
+}

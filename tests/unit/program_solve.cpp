@@ -166,14 +166,14 @@ TEST_CASE("a pole that is met to the last digits of a double is refused as the p
     for (const std::string command : {"solve", "solve --digits 10", "response", "solve --ask amplitude --mass 1"}) {
         const Run run = run_program(command, scene);
         CHECK(run.status == 2);
-        CHECK(run.error.find("frequency_hz must not be at a pole: mode 1 has no damping and R = 1") !=
-              std::string::npos);
+        CHECK(run.error.find("frequency_hz must not be at a pole: mode 1 has no damping and R = 1") != std::string::npos);
         CHECK(run.error.find("(at /frequency_hz)") != std::string::npos);
     }
     CHECK(run_program("solve --digits 20", scene).status == 0); // every number as it stands
     // A mode that the load does not excite has no pole.
     CHECK(run_program("solve", R"({"mass_ratios": [1, 1, 1], "stiffness_matrix": [[3, -1, -0.5], [-1, 2, -1], [-0.5, -1, 3]],
-        "damping_ratios": 0, "contact": 2, "load": 2, "beta": 0.1, "r": 1.8708286933869707})").status == 0);
+        "damping_ratios": 0, "contact": 2, "load": 2, "beta": 0.1, "r": 1.8708286933869707})")
+              .status == 0);
     // As far away as a unit in the last place does not count.
     std::string apart = scene;
     apart.replace(apart.find("3.183098861837907"), 17, "3.183098861838907");
@@ -251,4 +251,31 @@ TEST_CASE("a dimensional scene is answered in its own units too", "[program][sol
     CHECK(sticking["dimensional"]["stops"][0]["end"].get<double>() == Approx(2 * sticking["stops"][0]["end"].get<double>()));
     CHECK(run_program("solve", scene + R"(1, "frequency": 1.5})").output.find("in the units of the scene:") != std::string::npos);
     CHECK_FALSE(json::parse(run_program("solve --json", two_masses("0.5", "0.5")).output).contains("dimensional"));
+}
+
+TEST_CASE("energies are printed in ratios and in the units of the scene", "[program][solve][energy]") {
+    const std::string text = R"({"masses": [2], "stiffnesses": [800], "damping_ratios": 0.02, "contact": 1, "load": 1, "force": 4,
+                               "friction": 1.5, "frequency": 25})";
+    const Run run = run_program("solve --json --energy", text);
+    REQUIRE(run.status == 0);
+    const auto answer = nlohmann::json::parse(run.output);
+    const auto &e = answer["energy"], &there = answer["dimensional"]["energy"];
+    const double X = answer["dimensional"]["masses"][0]["amplitude"], F = 1.5, omega = 25;
+    CHECK(there["contact"].get<double>() == Approx(4 * F * X).epsilon(1e-9));
+    CHECK(there["friction"].get<double>() == Approx(F).epsilon(1e-12));
+    CHECK(there["equivalent_damping"].get<double>() == Approx(4 * F / (std::numbers::pi * omega * X)).epsilon(1e-9));
+    CHECK(there["equivalent_damping_ratio"].get<double>() ==
+          Approx(there["equivalent_damping"].get<double>() / (2 * std::sqrt(2.0 * 800))).epsilon(1e-9));
+    CHECK(there["contact"].get<double>() == Approx(e["contact"].get<double>() * 4 * 4 / 800).epsilon(1e-12));
+    CHECK(there["textbook"]["contact"].get<double>() == Approx(4 * F * X).epsilon(1e-9));
+    CHECK(e["contact_error_bound"].get<double>() < 1e-9);
+    const Run table = run_program("solve --energy", text);
+    CHECK(table.output.find("energy dissipated in the contact") != std::string::npos);
+    CHECK(table.output.find("in the units of the scene") != std::string::npos);
+    CHECK(run_program("solve --json", text).output.find("energy") == std::string::npos);
+    const auto many = nlohmann::json::parse(run_program("solve --json --energy --digits 30", text).output);
+    CHECK(many["energy"]["dampers"].get<std::string>().size() > 30);
+    for (const char* with : {"--mass 1", "--ask amplitude", "--samples 8", "--ask regime"})
+        CHECK(run_program(std::string("solve --energy ") + with, text).error.find("energy must be given without") !=
+              std::string::npos);
 }
