@@ -124,7 +124,10 @@ markdown {
             split(substr($0, 3, length($0) - 3), picture, /\]\(\.\.\/build\/verify\//)
             $0 = "<p><a href=\"" picture[2] "\"><img src=\"" picture[2] "\" alt=\"" picture[1] "\"></a></p>"
         }
-        $0 = sources(/^#/ ? formulas($0) : numbers(formulas($0)))
+        if (/^\$\$.*\$\$$/) # a formula, alone on its line
+            $0 = "\\f[ " substr($0, 3, length($0) - 4) " \\f]"
+        else
+            $0 = sources(/^#/ ? formulas($0) : numbers(formulas($0)))
     }
     print
     next

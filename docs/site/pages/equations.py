@@ -114,7 +114,8 @@ def statement_of(run, entry):
     latex = f"{read} {without_marks(held)}"
     of_formula = {name: value for name, value in entry["witness"].items()
                   if is_of_formula(run, name, f"{read} {entry['correction']}")}
-    return SimpleNamespace(departure=departure, marked=marked, printed=departure.printed if marked else read, held=held, two=two,
+    why = typeset(departure.why, "docs/ledger/departures.json") if departure and departure.why else ""
+    return SimpleNamespace(departure=departure, marked=marked, why=why, printed=departure.printed if marked else read, held=held, two=two,
                            short=two and len(read) < 110 and len(without_marks(held)) < 110,
                            symbols=symbols_in(run.notation, latex), witness=of_formula or entry["witness"])
 
@@ -170,7 +171,7 @@ def equation_view(run, sources, entry):
         (forms, "the forms that keep their digits"), (others, counted(len(others), "further claim", "further claims")),
         (accuracy, "the measured accuracy"), (callers, "the functions that use it")) if there]
     contents = [(key, title) for key, title, there in (
-        ("proof", "proof", True), ("functions", "function", True), ("check", "check your number", code or questions),
+        ("why", "why it is wrong", statement.why), ("proof", "proof", True), ("functions", "function", True), ("check", "check your number", code or questions),
         ("figures", "figure", entry["figures"]), ("tests", "tests", True), ("observations", "what the text says", observations),
         ("kernel", "kernel", True), ("more_link", "more", more)) if there]
     return dict(

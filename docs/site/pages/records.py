@@ -44,8 +44,10 @@ def read_run(verify, source):
         accuracy=sorted(accuracy, key=lambda record: {"d": 0, "l": 1}.get(record["type"][0], 2)),  # double, long double, others
         chart=read_if_there(verify / "chart/tables.md"), batch=read_if_there(verify / "chart/batch.md"),
         conformance={file.stem: file.read_text() for file in (verify / "conformance").glob("*.md")},
-        departures={row["equation"]: SimpleNamespace(**({"printed": "", "holds": ""} | row))
+        departures={row["equation"]: SimpleNamespace(**({"printed": "", "holds": "", "why": ""} | row))
                     for row in read_json(source / "docs/ledger/departures.json")},
+        statements=read_json(verify / "paper/statements.json"),
+        in_words={row["claim"]: row for row in read_json(source / "docs/ledger/in_words.json")},
         notation=read_symbols((source / "docs/notation.md").read_text()), places=read_json(source / "docs/explore/places.json"),
         formulas=offers["formulas"], questions=offers["questions"], excess_of_67=excess_of_67(program),
         motion=motion_of_example(program, source / "docs/example.json"))
@@ -172,6 +174,8 @@ def faults_of_departures(departures, ledger):
         if (entry["departure"] != "none") != (departure is not None):
             faults.append(f"{place} " + ("has a sentence and does not depart" if departure else
                                          "departs from the print and has no sentence"))
+        if departure is not None and entry["printed"] == "refuted" and not departure.why:
+            faults.append(f"{place} is refuted as printed and does not say why")
         if departure is None or not departure.printed:
             continue
         printed, statement = bare(departure.printed), bare(entry["statement"])

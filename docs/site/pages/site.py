@@ -11,6 +11,7 @@ from . import text
 from .chapter import chapter_views, read_chapter
 from .check import faults_of_pages
 from .code import code_of
+from .conclusions import conclusions_view
 from .equations import LONGEST_STATEMENT, SAMPLES, SAMPLES_OF_MODES, accuracy_rows, equation_view, in_namespace, witness_names
 from .graph import graph_of
 from .records import faults_of_departures, read_run, record_of
@@ -111,6 +112,8 @@ def make_pages(run, sources, chapter):
                  *of_pages):
         with told_in(faults):
             add(name, name, of_pages.get(name, {}))
+    with told_in(faults):
+        add("conclusions", "conclusions", conclusions_view(run))
     views, faults_of_chapter = chapter_views(run, read_chapter(chapter))
     for view in views:
         add(view["name"], "chapter", view)

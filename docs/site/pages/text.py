@@ -1,4 +1,5 @@
 """Text for Doxygen: what is special to it is escaped; formulas, symbols and the numbers of equations become what they are."""
+import math
 import re
 from contextlib import contextmanager
 from functools import cache
@@ -35,6 +36,13 @@ def escaped(text):
 
 formula = r"\f${}\f$".format  # in a line
 displayed = "\n\\f[ {} \\f]\n".format  # on a line of its own
+
+
+def raw(text):
+    """A text of Doxygen's as HTML, for a raw block: formulas, links to labels, what is escaped."""
+    text = re.sub(r"\\f\$(.*?)\\f\$", r"\(\1\)", text)
+    text = re.sub(r'\\ref (\w+) "([^"]*)"', r'<a href="page:\1">\2</a>', text)
+    return re.sub(r"\\([@$#%*_`\[\]])", r"\1", text)
 
 
 def label(kind, name):
@@ -159,6 +167,16 @@ def witness_value(value):
     if fraction := re.fullmatch("(-?)([0-9]+)/([0-9]+)", value):
         return formula(rf"{fraction[1]}\tfrac{{{fraction[2]}}}{{{fraction[3]}}}")
     return escaped(value[:22]) + "…" if re.fullmatch(r"[0-9.-]{25,}", value) else prose(value)
+
+
+def digits(value, count):
+    """A number to so many digits, 0.0134 or 4.3 x 10^6; one that has fewer is written with these, 0.4 and not 0.400."""
+    rounded = f"{value:.{count - 1}e}"
+    mantissa, power = rounded.split("e")
+    exact = math.isclose(float(rounded), value, rel_tol=1e-9)
+    if value == 0 or -4 <= int(power) < 6:
+        return f"{float(rounded):.12g}" if exact else f"{float(rounded):.{max(count - 1 - int(power), 0)}f}"
+    return rf"${mantissa}\cdot10^{{{int(power)}}}$"
 
 
 def counted(n, one, many):
