@@ -120,9 +120,10 @@ markdown {
     if (!code) {
         if (/^# / && !/\{#/ && !titled++ && page_label(FILENAME) != "index") $0 = $0 " {#" page_label(FILENAME) "}"
         gsub(/\]\(\.\.\/paper-figures\/README\.md\)/, "](@ref figures_page)")
-        if (match($0, /^!\[.*\]\(\.\.\/build\/verify\/figures\/[a-z_]+\.svg\)$/)) { # a picture, alone on its line
-            split(substr($0, 3, length($0) - 3), picture, /\]\(\.\.\/build\/verify\//)
-            $0 = "<p><a href=\"" picture[2] "\"><img src=\"" picture[2] "\" alt=\"" picture[1] "\"></a></p>"
+        if (/^<!-- figure [a-z_]+: .* -->$/) { # a picture that the run has drawn; the sources have none to show
+            at = index($0, ": ")
+            picture = "figures/" substr($0, 13, at - 13) ".svg"
+            $0 = "<p><a href=\"" picture "\"><img src=\"" picture "\" alt=\"" substr($0, at + 2, length($0) - at - 5) "\"></a></p>"
         }
         if (/^\$\$.*\$\$$/) # a formula, alone on its line
             $0 = "\\f[ " substr($0, 3, length($0) - 4) " \\f]"

@@ -31,6 +31,12 @@ def with_links(text, place):
                    for at, part in enumerate(parts))
 
 
+def places_in_chapter(files):
+    """The page and its title where the chapter shows each equation."""
+    return {equation: (name, files[name].partition("\n")[0].removeprefix("# "))
+            for name in reversed(files) for equation in re.findall(r"\{\{equation (.*?)\}\}", files[name])}
+
+
 def chapter_views(run, files):
     """What the template shows of each page, and the faults: a claim on a result that the chapter leaves out is one."""
     shown = {claim for content in files.values() for claim in re.findall(r"\{\{steps (.*?)\}\}", content)}

@@ -69,6 +69,17 @@ def with_numbers(words, record, claim):
     return typeset(said, "docs/ledger/in_words.json")
 
 
+def sentence_on(run, claim, verdict):
+    """The sentence on a claim with the numbers of the run; empty where nobody has written one."""
+    words = run.in_words.get(claim)
+    if words is None:
+        return ""
+    decided = "refuted at a threshold of ours" if verdict == "refuted" and words["verdict"] != "refuted" else verdict
+    if words["verdict"] != decided:
+        raise Fault(f"docs/ledger/in_words.json: {claim} is {verdict}, its sentence is for {words['verdict']}")
+    return with_numbers(words["words"], record_of(run, claim), claim)
+
+
 def number_of_ours(threshold):
     """What was taken for a vague word, and where the verdict turns."""
     turns, taken = digits(threshold["turns"], 2), digits(threshold["taken"], 2)
@@ -84,10 +95,8 @@ def decided_by(run, claim):
     if claim["id"] not in run.claims:  # an id for all claims that begin with it
         return view
     view.record = record = record_of(run, claim["id"])
-    if words and words["verdict"] != claim["verdict"]:
-        raise Fault(f"docs/ledger/in_words.json: {claim['id']} is {claim['verdict']}, its sentence is for {words['verdict']}")
     if words:
-        view.said = with_numbers(words["words"], record, claim["id"])
+        view.said = sentence_on(run, claim["id"], claim["verdict"])
         view.picture = words.get("picture")
     elif claim["verdict"] in ("refuted", "refuted at a threshold of ours"):
         view.misprint = equation in run.departures

@@ -48,7 +48,7 @@ def read_run(verify, source):
                     for row in read_json(source / "docs/ledger/departures.json")},
         statements=read_json(verify / "paper/statements.json"),
         in_words={row["claim"]: row for row in read_json(source / "docs/ledger/in_words.json")},
-        notation=read_symbols((source / "docs/notation.md").read_text()), places=read_json(source / "docs/explore/places.json"),
+        names=read_json(source / "docs/ledger/names.json"), notation=read_symbols((source / "docs/notation.md").read_text()), places=read_json(source / "docs/explore/places.json"),
         formulas=offers["formulas"], questions=offers["questions"], excess_of_67=excess_of_67(program),
         motion=motion_of_example(program, source / "docs/example.json"))
 
