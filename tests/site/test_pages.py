@@ -58,7 +58,7 @@ class SmallRun:
         ledger = [entry("37", used_by=["38"]), refuted]
         self.run = SimpleNamespace(ledger=ledger, entries={each["equation"]: each for each in ledger}, claims={}, symbols={},
                                    certificates={}, theorems="", figures=[], accuracy=[], chart="", batch="", conformance={},
-                                   departures={}, notation=[], places={}, statements=[], in_words={},
+                                   departures={}, notation=[], places={}, statements=[], in_words={}, stand_for=[],
                                    names={number: "A name" for number in EQUATIONS}, formulas={}, questions={}, excess_of_67=36.4,
                                    motion=[[0.0] * 3] * 4, audit="All.\n\n| equation |\n|---|\n",
                                    run={"agreement": [{"group": "a", "scenes": 1} | dict.fromkeys(
@@ -336,6 +336,11 @@ class Pages(Case):
         _, faults = self.small.chapter("# All\n\n{{proof 38}}\n\n{{steps 38/none}}\n\n{{equation 99}}\n\nopen $x\n\n{{claims 38}}\n")
         self.assertTells(faults, "{{proof 38}}", "38/none", "(99)", "must be closed", "claim 37/sine is on a result")
         self.assertNotIn("38/amplitude", " ".join(faults))
+
+    def test_borrowed_symbols(self):
+        """A symbol that a claim borrows is shown as what it stands for, in steps and in witnesses."""
+        self.small.run.stand_for = [{"claims": "38/.*", "symbols": [["x", r"\\eta"], [r"\\mathrm\{Re\}\\,V_\{dj\}", r"\\eta'"]]}]
+        self.assertHas(self.small.page("38"), r"\f[ \eta^2=y \f]", r"\f$\eta'\f$ = ")
 
     def test_typeset_steps(self):
         """Formulas within a sentence of a step and the run's own names of symbols are typeset."""

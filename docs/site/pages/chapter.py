@@ -59,7 +59,7 @@ def chapter_views(run, files):
         if kind in ("figure", "explore"):
             return {"kind": kind, "name": name, "shown": known[name]}
         if kind == "steps":
-            return {"kind": kind, "record": known[name], "steps": steps_of(known[name])}
+            return {"kind": kind, "record": known[name], "steps": steps_of(run, known[name])}
         claims = []
         for claim in known[name]["claims"] if kind == "claims" else []:
             record = record_of(run, claim["id"])

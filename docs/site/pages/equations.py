@@ -3,11 +3,11 @@ import re
 from types import SimpleNamespace
 
 from .conclusions import number_of_ours, sentence_on
-from .records import record_of, symbols_in
+from .records import meant_by, record_of, symbols_in
 from .text import (EQUATIONS, Fault, counted, displayed, equation_label, escaped, fails, formula, label, prose,
                    statement_that_holds, symbol, typeset, without_marks)
 
-LONGEST_FORMULA = 500  # longer ones are left to the record: nobody reads them, and they take seconds to typeset
+LONGEST_FORMULA = 700  # longer ones are left to the record: nobody reads them, and they take seconds to typeset
 LONGEST_STATEMENT = 4000  # in the language of Coq
 ABBREVIATED, DIVISORS = "Abbreviations", "where no divisor is zero"  # steps of the record that are no steps of the argument
 ROLES = {"both": "on the formula as printed and as shipped", "printed": "on the formula as printed",
@@ -36,11 +36,11 @@ def step_sentence(step, claim):
     return prose(head + zero_with) + (f"<code>{escaped(generators)}</code>" if zero_with else "")
 
 
-def steps_of(record):
+def steps_of(run, record):
     """The steps of a claim: a sentence and formulas each; what abbreviations stand for is looked up and comes last."""
     steps = []
     for step in record["steps"]:
-        text, latex, here = step["text"], step["latex"], step["text"] == ABBREVIATED
+        text, latex, here = step["text"], meant_by(run, record["claim"], step["latex"]), step["text"] == ABBREVIATED
         if text == DIVISORS and steps:
             steps[-1]["condition"] += text + "\n" + displayed(latex)
             continue
@@ -64,7 +64,7 @@ def claim_view(run, sources, claim, equation):
         witness=witness if witness != run.entries[equation]["witness"] else {},  # which stands at the head of the page
         said=sentence_on(run, claim["id"], claim["verdict"]), thresholds=[number_of_ours(threshold) for threshold in thresholds],
         whatever=claim["verdict"] == "refuted" and not any(t["decides"] for t in thresholds),
-        steps=steps_of(record),
+        steps=steps_of(run, record),
         count=sum(step["text"] not in (ABBREVIATED, DIVISORS) for step in record["steps"]))
 
 
@@ -91,9 +91,9 @@ def sorted_claims(entry):
 # Witnesses and statements
 
 
-def witness_names(run, witness):
+def witness_names(run, witness, claim=""):
     """The values of a witness with their names typeset, as the derivation has them if it does."""
-    latex = {name: run.symbols.get(name) or symbol(name, True) for name in witness}
+    latex = {name: meant_by(run, claim, run.symbols.get(name) or symbol(name, True)) for name in witness}
     return [(formula(latex[name]) if latex[name] else prose(name), value) for name, value in witness.items()]
 
 

@@ -48,7 +48,7 @@ def read_run(verify, source):
                     for row in read_json(source / "docs/ledger/departures.json")},
         statements=read_json(verify / "paper/statements.json"),
         in_words={row["claim"]: row for row in read_json(source / "docs/ledger/in_words.json")},
-        names=read_json(source / "docs/ledger/names.json"), notation=read_symbols((source / "docs/notation.md").read_text()), places=read_json(source / "docs/explore/places.json"),
+        stand_for=read_json(source / "docs/ledger/stand_for.json"), names=read_json(source / "docs/ledger/names.json"), notation=read_symbols((source / "docs/notation.md").read_text()), places=read_json(source / "docs/explore/places.json"),
         formulas=offers["formulas"], questions=offers["questions"], excess_of_67=excess_of_67(program),
         motion=motion_of_example(program, source / "docs/example.json"))
 
@@ -75,6 +75,15 @@ def record_of(run, claim):
     if record is None:
         raise Fault(f"claim {claim} must have its steps in derivation.json; run ./verify paper again")
     return record
+
+
+def meant_by(run, claim, latex):
+    """A formula of a claim with what its symbols stand for: the computer algebra borrows those of the modes for other numbers."""
+    for row in run.stand_for:
+        if re.fullmatch(row["claims"], claim):
+            for symbol, meant in row["symbols"]:
+                latex = re.sub(symbol, meant, latex)
+    return latex
 
 
 # Figures

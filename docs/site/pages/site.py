@@ -72,7 +72,7 @@ def environment(run, sources):
         snippet_lines=lambda function, signature=False: code_lines(sources.snippet(function), signature),
         brief=lambda function: sources.snippet(function).brief, number="{:.10g}".format, json=lambda value: json.dumps(value, ensure_ascii=False, separators=(",", ":")),
         sample=lambda name, of_modes: SAMPLES_OF_MODES[name] if of_modes else SAMPLES.get(name, "1"),
-        names=lambda witness: witness_names(run, witness), record=lambda claim: record_of(run, claim),
+        names=lambda witness, claim="": witness_names(run, witness, claim), record=lambda claim: record_of(run, claim),
         in_order=lambda entries, key: [(name, list(group)) for name, group in groupby(entries, lambda entry: entry[key])],
         section_title=lambda section: f"{section} {SECTIONS[section]}" if section in SECTIONS else section,
         counts=lambda ledger, key: ", ".join(f"{n} {text.verdict_text(word)}"
