@@ -108,10 +108,16 @@ FNR == 1 {
     markdown = file ~ /^docs\/.*\.md$/
     shown_only = file ~ /\.cpp$/ || file ~ /^(docs|tests|paper-figures|derivation\/offers)\/.*\.hpp$/ || (file ~ /^src\// && /^\/\/ /)
 }
-shown_only {
-    brief = FNR == 1 && /^\/\/ / ? substr($0, 4) : ""
+shown_only { # the paragraph at the head of the source alone
+    if (FNR == 1) brief = ""
+    if (/^\/\/ / && (FNR == 1 || brief != "")) {
+        brief = brief (brief == "" ? "" : " ") substr($0, 4)
+        print ""
+        next
+    }
     gsub(/,/, "\\,", brief)
-    print (FNR > 1 ? "" : brief == "" ? "/// @file" : "/// @shown{" numbers(brief) "}")
+    print (brief != "" ? "/// @shown{" numbers(brief) "}" : FNR == 1 ? "/// @file" : "")
+    brief = ""
     next
 }
 

@@ -39,9 +39,9 @@ displayed = "\n\\f[ {} \\f]\n".format  # on a line of its own
 
 
 def raw(text):
-    """A text of Doxygen's as HTML, for a raw block: formulas, links to labels, what is escaped."""
+    """A text of Doxygen's as HTML, for the head of a fold, which can have no link in it."""
     text = re.sub(r"\\f\$(.*?)\\f\$", r"\(\1\)", text)
-    text = re.sub(r'\\ref (\w+) "([^"]*)"', r'<a href="page:\1">\2</a>', text)
+    text = re.sub(r'\\ref (\w+) "([^"]*)"', r"\2", text)
     return re.sub(r"\\([@$#%*_`\[\]])", r"\1", text)
 
 

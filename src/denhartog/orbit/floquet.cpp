@@ -1,3 +1,5 @@
+// Is an orbit stable? `multipliers_of` finds the eigenvalues of the derivative of the map with a bound of the error of each size. It
+// makes the matrix triangular, separates eigenvalues that are far apart, and puts Gershgorin's discs round the rest.
 #include "denhartog/orbit/floquet.hpp"
 
 #include <Eigen/Eigenvalues>
