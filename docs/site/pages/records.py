@@ -108,7 +108,7 @@ def read_figures(folder, source):
         record = read_json(folder / f"{name}.json") if (folder / f"{name}.json").exists() else None
         title = record["title"] if record else title_of_script(scripts[name].read_text().splitlines())
         number = f"Fig. {int(name[3:5])}" if name.startswith("fig") else ""
-        data = [file.name for ending in (".dat", ".csv") for file in sorted(folder.glob(f"{name}*{ending}"))]
+        data = [file.name for ending in (".pdf", ".dat", ".csv") for file in sorted(folder.glob(f"{name}*{ending}"))]
         figures.append(SimpleNamespace(
             name=name, label=label("figure", name), number=number, title=title, record=record,
             full_title=f"{number}: {title}" if number else title, data=data, caption=captions[name],
