@@ -138,6 +138,7 @@ class Words(Case):
                 ("zeta_i > 0 or 1/R_i not odd", r"\f$\zeta_{i}\f$ &gt; 0 or 1/\f$R_{i}\f$ not odd"),
                 ("tests/limits/R_i", r"tests/limits/R\_i"), ("zeta/r_n,i", r"\f$\zeta\f$/\f$r_{n,i}\f$")):
             self.assertEqual(prose(said), shown)
+        self.assertEqual(text.raw(prose("(46) and zeta_i, a_b_c")), r"(46) and \(\zeta_{i}\), a_b_c")
         for value, shown in (("-329/333", r"\f$-\tfrac{329}{333}\f$"), ("0.25", "0.25"),
                              ("0.105313493022638536325369615526715714", "0.105313"),
                              ("0.40000000000000002", "0.4"), ("-7.816875436426E-4", "-0.0007816875436426")):
@@ -264,6 +265,22 @@ class Pages(Case):
         """A snippet has the lines of the source from its template head to its closing brace."""
         snippet = Sources(self.small.folder).snippet(self.small.entry["functions"][0])
         self.assertEqual((snippet.first, len(snippet.lines), snippet.lines[-1], snippet.signature), (4, 4, "}", 2))
+
+    def test_brief(self):
+        """A function behind an equation has the sentence that tells it apart."""
+        self.assertEqual(Sources(self.small.folder).snippet(self.small.entry["functions"][0]).brief, "X.")
+        lines = ["/// @brief Of \\f$ u \\f$, where", "/// it is small.", "/// \\f[ x \\f]", "/// @eq{38}", "int f();"]
+        self.assertEqual(Sources.brief(lines, 4), r"Of \f$ u \f$, where it is small.")
+        self.assertEqual(Sources.brief(["", "int f();"], 1), "")
+
+    def test_numbers_of_masses(self):
+        """Of a claim for several numbers of masses one stands on the page of the equation, the others behind it."""
+        for n in (1, 2):
+            self.small.add_claim(self.small.entry, f"38/sum/N={n}")
+        self.small.write("derivation/d.cpp", 'const char* id = "38/sum/";\n')
+        view = equation_view(self.small.run, Sources(self.small.folder), self.small.entry)
+        self.assertEqual([claim["id"] for claim in view["own"]], ["38/amplitude", "38/sum/N=1"])
+        self.assertEqual([claim["id"] for claim in view["others"]], ["38/sum/N=2"])
 
     def test_what_is_missing(self):
         """A function that is not at its line, a claim without source or record, a test or a figure that is nowhere: no page."""
@@ -445,6 +462,10 @@ class Finished(Case):
                  '<div class="claim">ab</div> <div class="claim">c</div><div class="x">d</div>'),
                 ('<div class="title">f<div class="ingroups">g</div></div>', '<div><h1 class="title">f</h1><div class="ingroups">g</div></div>')):
             self.assertEqual(finish.finished_page(before), after)
+
+    def test_sources(self):
+        """The page of a source has no mark in a comment that only Doxygen reads."""
+        self.assertEqual(finish.readable_source(r"/// @brief Of \f$ u_d \f$: \f[ a \f] @eq{28,29}"), r"/// Of $u_d$: $$a $$ (28,29)")
 
     def test_search(self):
         """The search knows a page and each documented name on it."""
