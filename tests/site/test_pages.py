@@ -476,6 +476,8 @@ class Finished(Case):
                          [{"kind": 2, "text": "The formulas, R < 1.", "title": "paper", "url": "paper.html"},
                           {"kind": 2, "text": "Free motion d_i.", "title": "d()", "url": "paper.html#a1"}])
         self.assertEqual(finish.search_documents("<p>no heading</p>", "x.html"), [])
+        named = '<h1 class="title">Equation (69)</h1><div class="contents"><p><span class="named">Boundary of sliding</span></p></div><footer>'
+        self.assertEqual([each["title"] for each in finish.search_documents(named, "eq_69.html")], ["Equation (69): Boundary of sliding"])
         kinds = [finish.kind_of_page(name) for name in ("eq_57.html", "figure_fig07.html", "errata.html", "eq_57_more.html",
                                                         "structdenhartog_1_1Boundary.html")]
         self.assertEqual(kinds, sorted(set(kinds)))

@@ -94,7 +94,8 @@ def sorted_claims(entry):
 def witness_names(run, witness, claim=""):
     """The values of a witness with their names typeset, as the derivation has them if it does."""
     latex = {name: meant_by(run, claim, run.symbols.get(name) or symbol(name, True)) for name in witness}
-    return [(formula(latex[name]) if latex[name] else prose(name), value) for name, value in witness.items()]
+    words = {"derived": "what holds", "under test": "the formula"}
+    return [(formula(latex[name]) if latex[name] else prose(words.get(name, name)), value) for name, value in witness.items()]
 
 
 def is_of_formula(run, name, latex):

@@ -107,6 +107,8 @@ def search_documents(page, name):
     title = text_of_html(between(page, '<h1 class="title">', "</h1>"))
     if not title:
         return []
+    if name_of_equation := between(page, '<span class="named">', "</span>"):
+        title += ": " + shortened(name_of_equation)
     body = between(page, '<div class="contents">', "<footer")
     for opening, closing in (('<div class="eq-nav">', "</div>"), ('<p class="eq-contents">', "</p>"),
                              ('<div class="copies">', "</div>"), ("<form", "</form>"), (r"\[", r"\]")):

@@ -98,13 +98,13 @@ class Sources:
 
     @staticmethod
     def brief(lines, first):
-        """The sentence after @brief in the comment above a line; its formulas as Doxygen has them."""
+        """The first sentence after @brief in the comment above a line; its formulas as Doxygen has them."""
         above = first
         while above > 0 and lines[above - 1].startswith("///"):
             above -= 1
         told = " ".join(line.removeprefix("///").strip() for line in lines[above:first])
-        found = re.search(r"@brief (.*?)(?= \\f\[| @|\Z)", told)
-        return found[1].strip() if found else ""
+        found = re.search(r"@brief (.*?)(?=\.(?: |\Z)| \\f\[| @|\Z)", told)
+        return found[1].strip() + "." if found else ""
 
 
 def code_lines(snippet, signature=False):
