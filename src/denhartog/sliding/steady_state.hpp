@@ -44,7 +44,7 @@ struct Motion {
 [[nodiscard]] SteadyState<double> steady_state(const ModeSums<double>& sums, const RegimeBoundary<double>& boundary, double beta,
                                                std::optional<Mass> only = std::nullopt);
 
-/// @brief The part of the steady state that needs no search: amplitude and phase of the mass in contact, initial values of every mass.
+/// @brief The steady state without its searches: amplitude and phase of the mass in contact, initial values of every mass.
 /// Instant, amplitude and phase of the masses not in contact are zero. DomainError where the amplitude (38) is not a positive
 /// number. @eq{38,39,44,45,52,53}
 template <class T>
