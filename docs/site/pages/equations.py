@@ -77,10 +77,10 @@ def sorted_claims(entry):
         (observations if claim["role"] == "observation" else claims).append(claim)
     its = [claim for claim in claims if decides(claim) and claim["id"].startswith(entry["equation"] + "/")]
     own = [claim for claim in its if not is_form(claim)]
-    first = {re.sub("/N=.*", "", claim["id"]): claim for claim in reversed(own)}  # of the numbers of masses one is shown
-    own = [claim for claim in own if first[re.sub("/N=.*", "", claim["id"])] is claim]
     if all(claim["role"] == "printed" for claim in own):  # (A.12) is decided by how a shipped formula follows from others
         own += [claim for claim in its if is_form(claim)]
+    first = {re.sub("/N=.*", "", claim["id"]): claim for claim in reversed(own)}  # of the numbers of masses one is shown
+    own = [claim for claim in own if first[re.sub("/N=.*", "", claim["id"])] is claim]
     others = sorted((claim for claim in claims if claim not in own), key=lambda claim: not decides(claim) or is_form(claim))
     if not own:  # (26) is decided by the claims on (A.13)
         own = [claim for claim in others if decides(claim) and not is_form(claim)] or others[:1]
@@ -94,7 +94,7 @@ def sorted_claims(entry):
 def witness_names(run, witness, claim=""):
     """The values of a witness with their names typeset, as the derivation has them if it does."""
     latex = {name: meant_by(run, claim, run.symbols.get(name) or symbol(name, True)) for name in witness}
-    words = {"derived": "what holds", "under test": "the formula"}
+    words = {"derived": "what holds", "under test": "as printed" if claim.endswith("/printed") else "the formula"}
     return [(formula(latex[name]) if latex[name] else prose(words.get(name, name)), value) for name, value in witness.items()]
 
 
