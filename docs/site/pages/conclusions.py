@@ -117,7 +117,8 @@ def conclusions_view(run):
         claims = [decided_by(run, claim) for claim in row["claims"]]
         names = [claim.picture for claim in claims if claim.picture in figures]
         answer, colour = ANSWERS[row["verdict"]]
-        rows.append(dict(row, answer=answer, colour=colour, claims=claims, figure=figures[names[0]] if names else None,
+        remark = re.sub(r"\bfig0?(\d+)\b", r"Fig. \1", row["remark"])
+        rows.append(dict(row, remark=remark, answer=answer, colour=colour, claims=claims, figure=figures[names[0]] if names else None,
                          new=bool(names) and names[0] not in shown,
                          place=next((claim.place for claim in claims if claim.place), None)))
         shown.update(names[:1])
