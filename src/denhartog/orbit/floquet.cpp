@@ -1,3 +1,5 @@
+// Is an orbit stable? `multipliers_of` finds the eigenvalues of the derivative of the map with a bound of the error of each
+// size. It makes the matrix triangular, separates eigenvalues that are far apart, and puts Gershgorin's discs round the rest.
 #include "denhartog/orbit/floquet.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -130,7 +132,7 @@ struct SizeRange {
     double from, to;
 };
 
-// What the n-th largest size lies in, if each of the intervals holds a size unless others overlap it: these hold theirs together.
+// Narrows the range of the n-th largest size. An interval holds one size; intervals that overlap hold as many as they are.
 void intersect_with_joined(std::vector<SizeRange>& known, std::vector<SizeRange> intervals) {
     std::ranges::sort(intervals, std::greater{}, &SizeRange::to);
     for (std::size_t first = 0; first < intervals.size();) {

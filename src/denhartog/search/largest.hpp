@@ -65,7 +65,7 @@ struct StretchOfLargest {
     friend bool operator<(const StretchOfLargest& x, const StretchOfLargest& y) { return x.upper < y.upper; }
 };
 
-/// @brief What a search found.
+/// @brief Result of a search.
 struct LargestOnStretches {
     std::vector<StretchOfLargest> stretches; ///< one of them holds the largest value, if that may be `lower` or more
     double lower;                            ///< a value that the function has, or the one that it has to reach
