@@ -94,12 +94,12 @@ void check_pattern(const Json& pattern, const Json& found, const std::string& pl
 struct Row {
     int status = 0;
     std::string arguments, input;
-    bool several = false;                                ///< scenes
-    std::vector<std::pair<char, std::string>> texts{};   ///< of the output, after `>`, and of the error, after `!`
-    std::vector<std::pair<char, std::string>> below{};   ///< lines below the row: `=` a pattern, `|` a line of the output
+    bool several = false;                              ///< scenes
+    std::vector<std::pair<char, std::string>> texts{}; ///< of the output, after `>`, and of the error, after `!`
+    std::vector<std::pair<char, std::string>> below{}; ///< lines below the row: `=` a pattern, `|` a line of the output
 };
 
-Row row_of(std::string line) {
+Row row_of(std::string line, const std::string& begin) {
     Row row;
     for (std::size_t at; (at = std::max(line.rfind(" > ") + 1, line.rfind(" ! ") + 1)) > 0; line.erase(at - 1))
         row.texts.emplace_back(line[at], trimmed(line.substr(at + 1)));
@@ -113,7 +113,7 @@ Row row_of(std::string line) {
     }
     std::size_t used = 0;
     row.status = std::stoi(line, &used);
-    row.arguments = trimmed(line.substr(used));
+    row.arguments = trimmed(begin + " " + trimmed(line.substr(used)));
     return row;
 }
 
@@ -199,7 +199,7 @@ void expect(const std::string& table, const std::string& begin) {
         if (text[0] == '=' || text[0] == '|')
             rows.at(rows.size() - 1).below.emplace_back(text[0], trimmed(text.substr(1)));
         else
-            rows.push_back(row_of(begin.empty() ? text : begin + " " + text));
+            rows.push_back(row_of(text, begin));
     }
     REQUIRE(!rows.empty());
     for (const Row& row : rows)

@@ -22,7 +22,7 @@
 
 namespace denhartog::tests {
 
-/// @brief Checks every row of a table. @param table the rows @param begin how each of them begins, where they all begin alike
+/// @brief Checks every row of a table. @param table the rows @param begin what the arguments of each begin with
 void expect(const std::string& table, const std::string& begin = "");
 
 /// @brief Standard input by what a row has for it. @param text names of scenes with patches, joined by ` + ` @return the input
