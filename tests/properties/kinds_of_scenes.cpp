@@ -24,11 +24,10 @@ struct Kind {
     int surveys; // seeds of which every scene is compared
 };
 
-const Kind kinds[] = {
-    {"contact and load as vectors", random_vector_scenes, 20261, {6, 70}, {20, 5}, 120, 20263, {3, 60}, 2},
-    {"damping that couples the modes", random_coupled_scenes, 20262, {7, 60}, {20, 3}, 80, 20264, {3, 40}, 2},
-    {"forces out of phase", random_phased_scenes, 20264, {9, 45}, {24, 4}, 120, 20266, {4, 20}, 1},
-    {"moving bases and walls", random_base_scenes, 20265, {18, 20}, {22, 4}, 110, 20268, {4, 15}, 1}};
+const Kind kinds[] = {{"contact and load as vectors", random_vector_scenes, 20261, {6, 70}, {20, 5}, 120, 20263, {3, 60}, 2},
+                      {"damping that couples the modes", random_coupled_scenes, 20262, {7, 60}, {20, 3}, 80, 20264, {3, 40}, 2},
+                      {"forces out of phase", random_phased_scenes, 20264, {9, 45}, {24, 4}, 120, 20266, {4, 20}, 1},
+                      {"moving bases and walls", random_base_scenes, 20265, {18, 20}, {22, 4}, 110, 20268, {4, 15}, 1}};
 
 } // namespace
 

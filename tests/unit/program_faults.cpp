@@ -45,15 +45,18 @@ TEST_CASE("a file that cannot be read is named", "[program][input]") {
     expect("2 response " + (scratch() / "missing.json").string() + " ! missing.json cannot be read\n" + //
            "2 response " + scratch().string() + " ! cannot be read\n" +                                 //
            "0 response < unequal");
-    const std::string output = run_program("response --json '" + file_with("good.json", scene_text("unequal")).string() + "'").output;
+    const std::string output =
+        run_program("response --json '" + file_with("good.json", scene_text("unequal")).string() + "'").output;
     CHECK(output.size() > 100);
     for (const char* standard_input : {"response --json -", "response --json"})
         CHECK(run_program(standard_input, scene_text("unequal")).output == output);
 }
 
 TEST_CASE("an output that cannot be written is an error", "[program][input]") {
-    expect("2 {response|response --json|boundary|functions|motion|motion --output /dev/full|--help} >/dev/full < unequal ! cannot be written\n"
-           "2 motion --output " + (scratch() / "no" / "such" / "file").string() + " < unequal ! cannot be written");
+    expect("2 {response|response --json|boundary|functions|motion|motion --output /dev/full|--help} >/dev/full < unequal ! "
+           "cannot be written\n"
+           "2 motion --output " +
+           (scratch() / "no" / "such" / "file").string() + " < unequal ! cannot be written");
 }
 
 TEST_CASE("a file is written whole or not at all", "[program][input]") {
@@ -83,5 +86,6 @@ TEST_CASE("help and version are everywhere", "[program]") {
 }
 
 TEST_CASE("at a pole of a mode without damping the fault is the scene's r", "[program][domain]") {
-    expect("2 {response --json|boundary|functions|motion} < undamped {\"r\": 1, \"beta\": 0.125} ! mode 1 has no damping and R = 1");
+    expect(
+        "2 {response --json|boundary|functions|motion} < undamped {\"r\": 1, \"beta\": 0.125} ! mode 1 has no damping and R = 1");
 }

@@ -14,10 +14,12 @@ TEST_CASE("integrate prints the same fields by both methods, and the numbers agr
           = "keys method status r beta cycles absolute_tolerance relative_tolerance regime contact masses stops_per_period stops counters"
           = {"counters": "keys steps rejected_steps right_hand_sides phases", "masses": {"0": {"phase": null}}}
           = {"method": "paper", "status": "complete", "regime": "stick_slip", "relative_tolerance": 1e-6}
-        0 integrate - --json --cycles 20 --method exact < )" + scene + R"(
+        0 integrate - --json --cycles 20 --method exact < )" +
+           scene + R"(
           = "keys method status r beta cycles regime contact masses stops_per_period stops counters"
     )");
-    const json a = answer_of("integrate --json --cycles 20", scene), b = answer_of("integrate --json --cycles 20 --method exact", scene);
+    const json a = answer_of("integrate --json --cycles 20", scene),
+               b = answer_of("integrate --json --cycles 20 --method exact", scene);
     CHECK(a["counters"]["phases"] == b["counters"]["phases"]);
     REQUIRE(a["stops_per_period"] == a["stops"].size());
     REQUIRE(a["stops"].size() == b["stops"].size());
@@ -111,7 +113,8 @@ TEST_CASE("a motion that cannot be finished has status and reason in place of nu
 TEST_CASE("the exact method has the modes of a system with a light mass", "[program][integrate]") {
     // With three digits of the first natural frequency the amplitude was 7 % off.
     const std::string at = R"( {"r": 0.7, "beta": 0.5})", command = "integrate --json --method exact";
-    const json with = answer_of(command, "light mass" + at)["masses"], without = answer_of(command, "no light mass" + at)["masses"];
+    const json with = answer_of(command, "light mass" + at)["masses"],
+               without = answer_of(command, "no light mass" + at)["masses"];
     for (const std::size_t k : {0, 1})
         CHECK(with[k]["amplitude"].get<double>() == Approx(without[k]["amplitude"].get<double>()).epsilon(1e-9));
 }

@@ -44,10 +44,12 @@ TEST_CASE("keys, values and names of files are printed without what a terminal o
     check_refused(run_program("solve", with_key("\\u001b[31mred")), 2, "\\x1B[31mred is no key of a scene");
     check_refused(run_program("solve", with_key(std::string(1'000'000, 'k'))), 2, "kkk...kkk");
     check_refused(run_program("solve", with_key("\xFF\xC2\x9B")), 2, "");
-    expect("2 solve '/no/such/\x1b[2J\xFF' ! /no/such/\\x1B[2J\\xFF cannot be read\n"
-           "2 {'\x1b[2J'|solve --no-such-\x1b[2J|map --r '1:2:\x1b[2J' --beta 0:1:2|map --r 1:2:2 --beta 0:1:2 --output '\x1b[2J'|"
-           "equations --ledger '/no/such/\x1b[2J'} < unequal ! \\x1B[2J");
-    const Run json = run_program("solve --json", with_key("\\u001b" + std::string(100'000, 'k')) + "\n" + scene_text("unequal") + "\n");
+    expect(
+        "2 solve '/no/such/\x1b[2J\xFF' ! /no/such/\\x1B[2J\\xFF cannot be read\n"
+        "2 {'\x1b[2J'|solve --no-such-\x1b[2J|map --r '1:2:\x1b[2J' --beta 0:1:2|map --r 1:2:2 --beta 0:1:2 --output '\x1b[2J'|"
+        "equations --ledger '/no/such/\x1b[2J'} < unequal ! \\x1B[2J");
+    const Run json =
+        run_program("solve --json", with_key("\\u001b" + std::string(100'000, 'k')) + "\n" + scene_text("unequal") + "\n");
     CHECK(json.status == 2);
     CHECK(lines_of(json.output).front().size() < 2500); // with all keys of a scene
 }
@@ -66,7 +68,8 @@ TEST_CASE("more masses than can be computed are refused by name, rule and number
 
 TEST_CASE("more samples or points than can be held are refused by name, rule and number", "[program][input][limits]") {
     expect("2 {motion|solve} --samples 10000001 < unequal ! samples must be from 1 to 10000000, but is 10000001\n"
-           "2 {motion|solve|integrate} --samples 2000000 << " + equal_chain(100) +
+           "2 {motion|solve|integrate} --samples 2000000 << " +
+           equal_chain(100) +
            " ! samples must be from 1 to 1000000 for 100 masses, but is 2000000\n"
            "2 map --r 1:2:1000000 --beta 0:1:1000000 < unequal ! the map must have at most");
 }
@@ -75,8 +78,9 @@ TEST_CASE("what the system or memory refuse is told in words of the program", "[
     expect("2 solve /proc/self/mem ! /proc/self/mem cannot be read (");
     if (with_address_sanitizer) return; // which needs more memory than that before it starts
     const std::string large = file_with("large-map.json", scene_text("unequal")).string();
-    const Run run = run_program("--version >/dev/null; ( ulimit -v 200000; exec '" + std::string(std::getenv("DENHARTOG_PROGRAM")) +
-                                "' map --r 1:2:20000 --beta 0:1:10000 '" + large + "' )");
+    const Run run =
+        run_program("--version >/dev/null; ( ulimit -v 200000; exec '" + std::string(std::getenv("DENHARTOG_PROGRAM")) +
+                    "' map --r 1:2:20000 --beta 0:1:10000 '" + large + "' )");
     check_refused(run, 3, "memory must hold the scene and what is asked of it");
     CHECK(run.error.find("bad_alloc") == std::string::npos);
 }
@@ -91,7 +95,8 @@ TEST_CASE("numbers as far apart as their type allows are answered, or refused in
           = {"1": {"error": {"rule": "has the functions (23), (28), (29) of mode 1 at R = 1e-323 are beyond the range"}}}
     )");
     CHECK(run_program("solve", scene_text("long period")).error.find("boost") == std::string::npos);
-    const std::vector<std::string> lines = lines_of(run_program("solve --json", scene_text("unequal + long period + unequal")).output);
+    const std::vector<std::string> lines =
+        lines_of(run_program("solve --json", scene_text("unequal + long period + unequal")).output);
     CHECK(lines.at(0) == lines.at(2));
 }
 

@@ -42,7 +42,8 @@ double number_at(const std::string& bytes, std::size_t place) {
 
 TEST_CASE("a map is a table, a line a point", "[program][map][threads]") {
     const auto rows = rows_of("map --r 0.5:2:4 --beta 0:1:3", grid);
-    expect("0 map --r 0.5:2:4 --beta 0:1:3 < " + grid + "\n | # 13 \n | r,beta,regime,stops_per_period,periods,amplitude_2,status");
+    expect("0 map --r 0.5:2:4 --beta 0:1:3 < " + grid +
+           "\n | # 13 \n | r,beta,regime,stops_per_period,periods,amplitude_2,status");
     REQUIRE(rows.size() == 13);
     CHECK(std::vector(rows[1].begin(), rows[1].begin() + 3) == std::vector<std::string>{"0.5", "0", "continuous"});
     CHECK(rows[1][6] == "answered");
@@ -60,7 +61,9 @@ TEST_CASE("the scene of a map may come after the masses", "[program][map]") {
 TEST_CASE("a map as NPY has a header that NumPy reads and the numbers of the CSV", "[program][map]") {
     const auto file = scratch() / "map.npy";
     const Run csv = run_program("map --r 0.5:2:4 --beta 0:1:3 --mass 1 --mass 2", scene_text(grid));
-    REQUIRE(run_program("map --r 0.5:2:4 --beta 0:1:3 --mass 1 --mass 2 --output '" + file.string() + "'", scene_text(grid)).status == 0);
+    REQUIRE(
+        run_program("map --r 0.5:2:4 --beta 0:1:3 --mass 1 --mass 2 --output '" + file.string() + "'", scene_text(grid)).status ==
+        0);
     const std::string bytes = content_of(file);
     REQUIRE(bytes.substr(0, 8) == std::string("\x93NUMPY\x01\x00", 8));
     const std::size_t length = static_cast<unsigned char>(bytes[8]) + 256U * static_cast<unsigned char>(bytes[9]);
@@ -177,9 +180,9 @@ TEST_CASE("units are refused where a scene has none", "[program][map][bad-input]
 TEST_CASE("a bad grid, mass or output gives status 2, one line and no file", "[program][map]") {
     const auto file = (scratch() / "none" / "map.csv").string();
     expect("2 map {--r 0:2:4 --beta 0:1:3|--r -1:2:4 --beta 0:1:3|--r 1:2 --beta 0:1:3|--r 1:2:0 --beta 0:1:3|"
-           "--r 1:2:1.5 --beta 0:1:3|--r 2:1:3 --beta 0:1:3|--r 1:2:3 --beta -1:1:3|--r 1:2:3|--r a:2:3 --beta 0:1:3} < " + grid +
-           "\n 2 map --r 1:2:3 --beta 0:1:3 {--mass 3|--mass 0|--mass 1 --mass 1|--output map.txt|--start here} < " + grid +
-           "\n 2 map --r 1:2:3 --beta 0:1:3 --output '" + file + "' < " + grid + " ! cannot be written");
+           "--r 1:2:1.5 --beta 0:1:3|--r 2:1:3 --beta 0:1:3|--r 1:2:3 --beta -1:1:3|--r 1:2:3|--r a:2:3 --beta 0:1:3} < " +
+           grid + "\n 2 map --r 1:2:3 --beta 0:1:3 {--mass 3|--mass 0|--mass 1 --mass 1|--output map.txt|--start here} < " +
+           grid + "\n 2 map --r 1:2:3 --beta 0:1:3 --output '" + file + "' < " + grid + " ! cannot be written");
     CHECK_FALSE(std::filesystem::exists(file));
 }
 

@@ -47,7 +47,8 @@ TEST_CASE("above 15 digits numbers are text with these digits", "[program]") {
 
 TEST_CASE("a table has the same numbers", "[program]") {
     char amplitude[40];
-    std::snprintf(amplitude, sizeof amplitude, "%.12g", answer_of("response --json", "three")["masses"][2]["amplitude"].get<double>());
+    std::snprintf(amplitude, sizeof amplitude, "%.12g",
+                  answer_of("response --json", "three")["masses"][2]["amplitude"].get<double>());
     expect(std::string("0 response < three > ") + amplitude + "\n | regime: continuous");
 }
 
@@ -94,7 +95,8 @@ TEST_CASE("the functions have the keys of the interface and the values of the re
 
 TEST_CASE("the modes of a system with a light mass have the digits of those without it", "[program][eq:15]") {
     // Double alone has the first natural frequency of this matrix to three digits.
-    const json with = answer_of("functions --json", "light mass")["modes"], without = answer_of("functions --json", "no light mass")["modes"];
+    const json with = answer_of("functions --json", "light mass")["modes"],
+               without = answer_of("functions --json", "no light mass")["modes"];
     for (const std::size_t i : {0, 1})
         for (const char* key : {"natural_frequency_ratio", "R", "u", "g"})
             CHECK(with[i].at(key).get<double>() == Approx(without[i].at(key).get<double>()).epsilon(1e-6));

@@ -1,16 +1,17 @@
 /// @file
 /// @brief Runs of the program as tables in text: status, arguments, standard input, and what is printed.
 ///
-/// A row is `STATUS ARGUMENTS < SCENE > TEXT ! TEXT`; all but status and arguments may be left out.
+/// A row is `STATUS ARGUMENTS < SCENE > TEXT ! TEXT`; all but the status may be left out.
 /// - `{a|b}` among the arguments stands for one run with each. In a text, `{}` is what was taken.
 /// - SCENE is the name of a line of tests/named_scenes.jsonl, and a merge patch that changes it: `two {"r": 2, "beta": null}`.
 ///   `two + + one` are three lines of input, one of them empty; `<<` gives the input itself.
 /// - `> TEXT` must stand in the output, `! TEXT` in the error. Each may come several times.
-/// - Lines below a row that begin with `=` have a pattern of the JSON that is printed: of its members those that are named. `null`
-///   is a member that is absent. `0`, `1` ... name the places of a list, `*` all of them. A text is a rule where it begins with
-///   `~ 2 1e-9` (near 2), `>`, `>=`, `<` (a number), `#` (size), `keys` (those of an object, in their order), `has` (part of a
-///   text), `longer` (more characters), `text` or `number` (a type). Where there are several scenes the pattern is of the list of lines.
-/// - A line below a row that begins with `|` is a line of the output, the next one after that of the last `|`; `|# 9` is their number.
+/// - Lines below a row that begin with `=` have a pattern of the JSON that is printed: of its members those that are named.
+///   `null` is a member that is absent. `0`, `1` ... name the places of a list, `*` all of them. A text is a rule where it begins
+///   with `~ 2 1e-9` (near 2, relatively), `>`, `>=`, `<` (a number), `#` (size), `keys` (those of an object, in their order),
+///   `has` (part of a text), `longer` (more characters), `text` or `number` (a type). Where there are several scenes the pattern is
+///   of the list of lines.
+/// - A line below a row that begins with `|` is a line of the output, the next one that of the next `|`; `| # 9` is their number.
 ///
 /// A run that fails, and has one scene at most, leaves the output empty; each that fails has one line of printable text for its
 /// error, which begins with `denhartog: `; one that does not fail and has no `!` has no error.

@@ -212,7 +212,8 @@ TEST_CASE("a word for what a scene has under another name is answered with that 
     )");
 }
 
-TEST_CASE("friction by its coefficients is the normal force times the kinetic one, and mu their ratio", "[scene][json][eq:3][eq:11]") {
+TEST_CASE("friction by its coefficients is the normal force times the kinetic one, and mu their ratio",
+          "[scene][json][eq:3][eq:11]") {
     const auto with_friction = [](const json& friction) {
         json scene = dimensional();
         scene.erase("friction");
@@ -302,7 +303,8 @@ TEST_CASE("a matrix is an array of rows of equal length", "[scene][json][bad-inp
         {"stiffness_matrix": [[1, 0], [0, 1]]}   | stiffness_matrix | 3 rows and columns       | 2 by 2 | /stiffness_matrix
         {"stiffness_matrix": [[2, -1, 0], [-1, 2, -1], [0.5, -1, 2]]} | stiffness_matrix | symmetric | 0.5 | /stiffness_matrix/2/0
     )");
-    CHECK(refusal(changed(by_matrix, R"({"stiffness_matrix": [[1, -1, 0], [-1, 2, -1], [0, -1, 1]]})")).value.starts_with("singular"));
+    CHECK(refusal(changed(by_matrix, R"({"stiffness_matrix": [[1, -1, 0], [-1, 2, -1], [0, -1, 1]]})"))
+              .value.starts_with("singular"));
 }
 
 TEST_CASE("every rule of a scene gives the place in the JSON", "[scene][json][bad-input]") {
@@ -412,7 +414,8 @@ TEST_CASE("the forces of a load may have phases", "[scene][json][phases][bad-inp
     in_code.system.load_phases[1] = std::numeric_limits<double>::quiet_NaN();
     REQUIRE_THROWS_WITH(check(in_code), Catch::Matchers::Contains("load_phases of the force on mass 2 must be finite"));
     in_code.system.load_vector.clear();
-    REQUIRE_THROWS_WITH(check(in_code), Catch::Matchers::Contains("load_phases must be given together with load as a force on each"));
+    REQUIRE_THROWS_WITH(check(in_code),
+                        Catch::Matchers::Contains("load_phases must be given together with load as a force on each"));
 }
 
 TEST_CASE("a dimensional scene is asked for what it lacks under its own names", "[scene][json][bad-input]") {

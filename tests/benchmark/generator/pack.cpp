@@ -46,8 +46,9 @@ const char* word(const Event& e) {
 Real50 seconds(const CertifiedScene& s, const Real50& tau) { return tau / s.design.omega; }
 
 std::string of_mass(const CertifiedScene& s, std::size_t k, bool velocity, const char* between) {
-    return joined(s.motion.samples, between,
-                  [&](const Sample& state) { return digits_17(velocity ? Real50(state.x_prime[k] * s.design.omega) : state.x[k]); });
+    return joined(s.motion.samples, between, [&](const Sample& state) {
+        return digits_17(velocity ? Real50(state.x_prime[k] * s.design.omega) : state.x[k]);
+    });
 }
 
 std::string phase_of(const std::optional<Real50>& phase, const char* none) { return phase ? digits_17(*phase) : none; }
@@ -96,7 +97,8 @@ std::string samples_csv(const std::vector<CertifiedScene>& scenes) {
     std::string text = "scene,mass,x,v\n";
     for (const CertifiedScene& s : scenes)
         for (std::size_t k = 0; k < s.design.m.size(); ++k)
-            text += s.design.id + "," + std::to_string(k + 1) + "," + of_mass(s, k, false, " ") + "," + of_mass(s, k, true, " ") + "\n";
+            text += s.design.id + "," + std::to_string(k + 1) + "," + of_mass(s, k, false, " ") + "," + of_mass(s, k, true, " ") +
+                    "\n";
     return text;
 }
 
