@@ -3,6 +3,51 @@
 
 using namespace denhartog::tests;
 
+TEST_CASE("a table finds every kind of claim that is wrong", "[program]") {
+    const std::string right = R"(
+        0 solve --json < two > "regime"
+          = {"regime": "stick_slip", "r": 0.5, "rest_interval": null, "method": "keys model precision proved why", "masses": "# 2"}
+          = {"contact": {"amplitude": "> 0"}, "stops": {"*": {"start": ">= 0"}, "0": {"end": "< 7"}}, "beta": "~ 0.5 1e-9"}
+          = {"regime": "longer 9", "r": "number", "method": {"model": "has exact"}}
+        0 solve --samples 4 < two
+          | # 5
+          | tau,x_1,x_2,v_1,v_2
+        2 solve --ask {colour|weight} < two ! {}
+        2 solve --json < two + two {"r": -1}
+          = {"0": {"regime": "text"}, "1": {"error": {"quantity": "r"}}}
+    )";
+    CHECK(faults_of(right).empty());
+    using Pair = std::pair<std::string, std::string>;
+    for (const auto& [from, to] : {Pair{"0 solve --json", "3 solve --json"},
+                                   {"> \"regime\"", "> \"regimes\""},
+                                   {"\"stick_slip\"", "\"continuous\""},
+                                   {"\"r\": 0.5", "\"r\": 0.75"},
+                                   {"\"rest_interval\"", "\"stops\""},
+                                   {"keys model precision", "keys precision model"},
+                                   {"\"# 2\"", "\"# 3\""},
+                                   {"\"> 0\"", "\"> 9\""},
+                                   {"\">= 0\"", "\">= 9\""},
+                                   {"\"< 7\"", "\"< 0\""},
+                                   {"~ 0.5", "~ 0.6"},
+                                   {"longer 9", "longer 99"},
+                                   {"\"number\"", "\"text\""},
+                                   {"has exact", "has closed"},
+                                   {"| # 5", "| # 6"},
+                                   {"| tau", "| t"},
+                                   {"2 solve --ask", "0 solve --ask"},
+                                   {"! {}", "! sound"},
+                                   {"\"quantity\": \"r\"", "\"quantity\": \"mu\""},
+                                   {"\"*\"", "\"9\""},
+                                   {"solve --ask {colour|weight}", "solve --ask {colour|regime}"}}) {
+        std::string wrong = right;
+        REQUIRE(wrong.find(from) != std::string::npos);
+        wrong.replace(wrong.find(from), from.size(), to);
+        INFO(to);
+        CHECK_FALSE(faults_of(wrong).empty());
+    }
+    CHECK_FALSE(faults_of("0 solve --samples 4 < restless").empty()); // it has an error that is not told of
+}
+
 TEST_CASE("a bad scene gives one line that names quantity and rule, status 2 and no output", "[program][input]") {
     expect(R"(
         2 < unequal {"mass_ratios": []}                       ! mass_ratios

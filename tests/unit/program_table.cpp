@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 #include "tests/catch.hpp"
 
@@ -10,9 +11,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string trimmed(const std::string& text) {
-    const std::size_t from = text.find_first_not_of(' ');
-    return from == std::string::npos ? "" : text.substr(from, text.find_last_not_of(' ') + 1 - from);
+std::string trimmed(const std::string& text, const char* of = " ") {
+    const std::size_t from = text.find_first_not_of(of);
+    return from == std::string::npos ? "" : text.substr(from, text.find_last_not_of(of) + 1 - from);
 }
 
 Json named_scene(const std::string& name) {
@@ -63,30 +64,31 @@ bool follows(const std::string& rule, const Json& found) {
     return found == rule;
 }
 
-void check_pattern(const Json& pattern, const Json& found, const std::string& place) {
-    INFO(place << " must be " << pattern << ", but is " << found.dump().substr(0, 2000));
-    if (pattern.is_object()) {
-        for (const auto& [key, part] : pattern.items()) {
-            const bool in_list = found.is_array() && key.find_first_not_of("0123456789") == std::string::npos;
-            const std::string below = place + "/" + key;
-            INFO(below);
-            if (key == "*") {
-                CHECK(!found.empty());
-                for (const auto& item : found.items()) check_pattern(part, item.value(), place + "/" + item.key());
-            } else if (part.is_null()) {
-                CHECK_FALSE(found.contains(key));
-            } else if (in_list) {
-                REQUIRE(std::stoul(key) < found.size());
-                check_pattern(part, found[std::stoul(key)], below);
-            } else {
-                REQUIRE(found.contains(key));
-                check_pattern(part, found[key], below);
-            }
+// What is wrong with what was printed.
+struct Faults {
+    std::vector<std::string> all;
+    void unless(bool right, const std::string& claim) {
+        if (!right) all.push_back(claim);
+    }
+};
+
+void compare(const Json& pattern, const Json& found, const std::string& place, Faults& faults) {
+    const std::string claim = place + " must be " + pattern.dump() + ", but is " + found.dump().substr(0, 2000);
+    if (pattern.is_string()) return faults.unless(follows(pattern.get<std::string>(), found), claim);
+    if (!pattern.is_object()) return faults.unless(found == pattern, claim);
+    for (const auto& [key, part] : pattern.items()) {
+        const std::string below = place + "/" + key;
+        const bool number = key.find_first_not_of("0123456789") == std::string::npos;
+        if (key == "*") {
+            faults.unless(!found.empty(), claim);
+            for (const auto& item : found.items()) compare(part, item.value(), place + "/" + item.key(), faults);
+        } else if (found.is_array() && number && std::stoul(key) < found.size()) {
+            compare(part, found[std::stoul(key)], below, faults);
+        } else if (part.is_null() || !found.contains(key)) {
+            faults.unless(part.is_null() && found.is_object() && !found.contains(key), claim);
+        } else {
+            compare(part, found[key], below, faults);
         }
-    } else if (pattern.is_string()) {
-        CHECK(follows(pattern.get<std::string>(), found));
-    } else {
-        CHECK(found == pattern);
     }
 }
 
@@ -117,47 +119,46 @@ Row row_of(std::string line, const std::string& begin) {
     return row;
 }
 
-void check_error(const std::string& error) {
-    CHECK(lines_of(error).size() == 1);
-    CHECK(error.size() < 2000);
-    CHECK(error.starts_with("denhartog: "));
-    CHECK(std::ranges::all_of(error, [](char c) { return c == '\n' || (c >= ' ' && c != '\x7F'); }));
+void check_error(const std::string& error, Faults& faults) {
+    const auto printable = [](char c) { return c == '\n' || (c >= ' ' && c != '\x7F'); };
+    faults.unless(lines_of(error).size() == 1 && error.size() < 2000, "the error must be one line of less than 2000 characters");
+    faults.unless(error.starts_with("denhartog: "), "the error must begin with denhartog: ");
+    faults.unless(std::ranges::all_of(error, printable), "the error must be printable");
 }
 
-void check_row(const Row& row, const std::string& arguments, const std::string& taken) {
+void check_row(const Row& row, const std::string& arguments, const std::string& taken, Faults& faults) {
     const Run run = run_program(arguments, row.input);
-    INFO(arguments << " of " << row.input.substr(0, 1000) << ": status " << run.status << ", " << run.error.substr(0, 2000));
-    CHECK(run.status == row.status);
+    const std::size_t before = faults.all.size();
+    faults.unless(run.status == row.status, "the status must be " + std::to_string(row.status));
     bool error = row.status != 0;
-    if (error) {
-        check_error(run.error);
-        if (!row.several) CHECK(run.output.empty());
-    }
+    if (error) check_error(run.error, faults);
+    if (error && !row.several) faults.unless(run.output.empty(), "the output must be empty");
     for (auto [where, text] : row.texts) {
         if (const std::size_t at = text.find("{}"); at != std::string::npos) text.replace(at, 2, taken);
-        INFO(where << " " << text);
-        const std::string& printed = where == '>' ? run.output : run.error;
-        CHECK(printed.find(text) != std::string::npos);
+        faults.unless((where == '>' ? run.output : run.error).find(text) != std::string::npos,
+                      std::string(1, where) + " " + text);
         error = error || where == '!';
     }
-    if (!error) CHECK(run.error.empty());
+    if (!error) faults.unless(run.error.empty(), "there must be no error");
     const std::vector<std::string> lines = lines_of(run.output);
-    Json found = Json::array();
     std::size_t next = 0;
     for (const auto& [kind, text] : row.below) {
-        if (kind == '=' && found.empty()) {
-            if (!row.several) found = Json::parse(run.output);
-            for (const std::string& line : row.several ? lines : std::vector<std::string>()) found.push_back(Json::parse(line));
-        }
         if (kind == '=') {
-            check_pattern(Json::parse(text), found, "");
+            std::string output = run.output;
+            if (row.several) output = "[" + std::regex_replace(trimmed(output, "\n"), std::regex("\n"), ",") + "]";
+            const Json found = Json::parse(output, nullptr, false);
+            faults.unless(!found.is_discarded(), "the output must be JSON");
+            if (!found.is_discarded()) compare(Json::parse(text), found, "", faults);
         } else if (text.starts_with("# ")) {
-            CHECK(lines.size() == std::stoul(text.substr(2)));
+            faults.unless(lines.size() == std::stoul(text.substr(2)), "the output must have " + text.substr(2) + " lines");
         } else {
-            REQUIRE(next < lines.size());
-            CHECK(lines[next++] == text);
+            faults.unless(next < lines.size() && lines[next] == text, "the output must have the line " + text);
+            ++next;
         }
     }
+    for (std::size_t n = before; n < faults.all.size(); ++n)
+        faults.all[n] = arguments + " of " + row.input.substr(0, 1000) + ": " + faults.all[n] + "; status " +
+                        std::to_string(run.status) + ", " + run.error.substr(0, 2000);
 }
 
 } // namespace
@@ -184,14 +185,16 @@ nlohmann::json answer_of(const std::string& arguments, const std::string& scene)
 }
 
 void check_refused(const Run& run, int status, const std::string& piece) {
+    Faults faults;
+    check_error(run.error, faults);
     INFO("status " << run.status << ": " << run.error.substr(0, 2000));
+    CHECK(faults.all == std::vector<std::string>());
     CHECK(run.status == status);
     CHECK(run.output.empty());
-    check_error(run.error);
     CHECK(run.error.find(piece) != std::string::npos);
 }
 
-void expect(const std::string& table, const std::string& begin) {
+std::vector<std::string> faults_of(const std::string& table, const std::string& begin) {
     std::vector<Row> rows;
     for (const std::string& line : lines_of(table)) {
         const std::string text = trimmed(line);
@@ -201,9 +204,13 @@ void expect(const std::string& table, const std::string& begin) {
         else
             rows.push_back(row_of(text, begin));
     }
-    REQUIRE(!rows.empty());
+    if (rows.empty()) throw std::logic_error("a table must have a row");
+    Faults faults;
     for (const Row& row : rows)
-        for (const auto& [arguments, taken] : alternatives_of(row.arguments)) check_row(row, arguments, taken);
+        for (const auto& [arguments, taken] : alternatives_of(row.arguments)) check_row(row, arguments, taken, faults);
+    return faults.all;
 }
+
+void expect(const std::string& table, const std::string& begin) { CHECK(faults_of(table, begin) == std::vector<std::string>()); }
 
 } // namespace denhartog::tests

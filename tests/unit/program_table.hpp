@@ -26,6 +26,9 @@ namespace denhartog::tests {
 /// @brief Checks every row of a table. @param table the rows @param begin what the arguments of each begin with
 void expect(const std::string& table, const std::string& begin = "");
 
+/// @brief What of a table is not so. @param table the rows @param begin as above @return the claims that are wrong
+[[nodiscard]] std::vector<std::string> faults_of(const std::string& table, const std::string& begin = "");
+
 /// @brief Standard input by what a row has for it. @param text names of scenes with patches, joined by ` + ` @return the input
 [[nodiscard]] std::string scene_text(const std::string& text);
 
