@@ -1,5 +1,5 @@
-// Scenes of every kind, random, against routes that share nothing with the answer: the half-period by the exponential of the state
-// in more digits, which knows no modes and no coordinates of the contact; and the paper's Runge-Kutta.
+// Scenes of every kind, random, against routes that share nothing with the answer: the half-period by the exponential of the
+// state in more digits, which knows no modes and no coordinates of the contact; and the paper's Runge-Kutta.
 #include "tests/properties/against_witness.hpp"
 #include "tests/support/coupled_scenes.hpp"
 #include "tests/support/phased_scenes.hpp"

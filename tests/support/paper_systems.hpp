@@ -26,7 +26,7 @@ struct NamedSystem {
 /// @return      the chain
 template <class T>
 [[nodiscard]] System<T> equal_chain(std::size_t N, std::size_t j, std::size_t l, const std::vector<T>& zeta) {
-    System<T> s = chain_of<T>(std::vector<double>(N, 1), std::vector<double>(N, 1), {}, j, l);
+    System<T> s = chain_of<T>(std::vector<double>(N, 1), std::vector<double>(N, 1), 0, j, l);
     s.damping_ratios = zeta;
     return s;
 }

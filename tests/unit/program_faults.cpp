@@ -6,7 +6,8 @@ using namespace denhartog::tests;
 TEST_CASE("a table finds every kind of claim that is wrong", "[program]") {
     const std::string right = R"(
         0 solve --json < two > "regime"
-          = {"regime": "stick_slip", "r": 0.5, "rest_interval": null, "method": "keys model precision proved why", "masses": "# 2"}
+          = {"regime": "stick_slip", "r": 0.5, "rest_interval": null, "method": "keys model precision proved why",
+             "masses": "# 2"}
           = {"contact": {"amplitude": "> 0"}, "stops": {"*": {"start": ">= 0"}, "0": {"end": "< 7"}}, "beta": "~ 0.5 1e-9"}
           = {"regime": "longer 9", "r": "number", "method": {"model": "has exact"}}
         0 solve --samples 4 < two

@@ -11,7 +11,8 @@ TEST_CASE("integrate prints the same fields by both methods, and the numbers agr
           "[program][paper-algorithm]") {
     const std::string scene = R"(one {"r": 0.1, "beta": 0.2})";
     expect("0 integrate --json --cycles 20 < " + scene + R"(
-          = "keys method status r beta cycles absolute_tolerance relative_tolerance regime contact masses stops_per_period stops counters"
+          = "keys method status r beta cycles absolute_tolerance relative_tolerance regime contact masses
+             stops_per_period stops counters"
           = {"counters": "keys steps rejected_steps right_hand_sides phases", "masses": {"0": {"phase": null}}}
           = {"method": "paper", "status": "complete", "regime": "stick_slip", "relative_tolerance": 1e-6}
         0 integrate - --json --cycles 20 --method exact < )" +

@@ -88,7 +88,8 @@ TEST_CASE("what the system or memory refuse is told in words of the program", "[
 TEST_CASE("numbers as far apart as their type allows are answered, or refused in words of the program",
           "[program][input][limits]") {
     expect(R"(
-        3 functions < unequal {"stiffness_ratios": [1, 1e300], "damping_ratios": [1, 1], "load": 2, "r": 3} ! the reference does not prove it
+        3 functions < unequal {"stiffness_ratios": [1, 1e300], "damping_ratios": [1, 1], "load": 2, "r": 3}
+          ! the reference does not prove it
         3 solve < long period ! are beyond the range of the number type
         3 solve --json < unequal + long period + unequal
           | # 3

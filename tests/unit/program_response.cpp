@@ -10,10 +10,12 @@ TEST_CASE("the answer in the sliding regime has the keys of the interface", "[pr
     expect(R"(
         0 response - --json < three
           = "keys regime r beta beta_lim beta_lim_error_bounds method contact masses stops_per_period"
-          = {"beta_lim": "keys exact paper approximate sticking", "beta_lim_error_bounds": "keys exact paper approximate sticking"}
+          = {"beta_lim": "keys exact paper approximate sticking",
+             "beta_lim_error_bounds": "keys exact paper approximate sticking"}
           = {"method": "keys model precision proved why", "contact": "keys mass amplitude phase", "masses": "# 3"}
-          = {"masses": {"0": "keys mass x0 v0 amplitude phase amplitude_monoharmonic phase_monoharmonic error_bound phase_error_bound"}}
-          = {"regime": "continuous", "method": {"model": "closed form", "proved": false}, "stops_per_period": 0, "contact": {"mass": 2}}
+          = {"masses": {"0": "keys mass x0 v0 amplitude phase amplitude_monoharmonic phase_monoharmonic error_bound
+             phase_error_bound"}, "regime": "continuous", "stops_per_period": 0, "contact": {"mass": 2}}
+          = {"method": {"model": "closed form", "proved": false}}
     )");
     const std::string output = run_program("response --json", scene_text("three")).output;
     const json a = json::parse(output);
@@ -65,7 +67,8 @@ TEST_CASE("digits that cannot be reached give status 3 and no number", "[program
     // Next to a pole of an undamped mode the boundary loses a dozen digits and more.
     expect(R"(
         3 response --json --digits 95 < one {"r": 5e-324, "beta": 0.125} ! the reference does not prove it
-        0 response --json --digits 95 < undamped {"damping_ratios": null, "damping_matrix": [[0]], "damping_tolerance": 0.5, "r": 0.3333333333333333, "beta": 0.125}
+        0 response --json --digits 95 < undamped {"damping_ratios": null, "damping_matrix": [[0]],
+          "damping_tolerance": 0.5, "r": 0.3333333333333333, "beta": 0.125}
     )");
 }
 

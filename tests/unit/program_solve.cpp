@@ -32,7 +32,8 @@ TEST_CASE("solve answers with the object of response in the sliding regime", "[p
 TEST_CASE("solve lists the stops where the contact sticks and slips", "[program][solve]") {
     expect(R"(
         0 solve --json < two
-          = {"regime": "stick_slip", "method": {"model": "exact solver"}, "stable": true, "counters": {"phases_propagated": "> 0"}}
+          = {"regime": "stick_slip", "method": {"model": "exact solver"}, "stable": true,
+             "counters": {"phases_propagated": "> 0"}}
           = {"stops": {"*": {"start": ">= 0"}}}
           = {"stops": {"*": {"start": "< 6.283185307179586"}}, "masses": {"0": {"x0": null}, "1": {"amplitude": "> 0"}}}
           = {"multipliers": "# 4", "multiplier_error_bounds": "# 4"}
@@ -46,7 +47,8 @@ TEST_CASE("solve lists the stops where the contact sticks and slips", "[program]
 
 TEST_CASE("solve gives the interval of rest where the contact never moves", "[program][solve]") {
     expect("0 solve --json < " + regimes[2] + R"(
-        = {"regime": "permanent_sticking", "contact": {"amplitude": 0, "phase": null}, "rest_interval": {"to": "> 0"}, "stops": null})");
+        = {"regime": "permanent_sticking", "contact": {"amplitude": 0, "phase": null}, "stops": null,
+           "rest_interval": {"to": "> 0"}})");
 }
 
 TEST_CASE("what is asked decides what is answered", "[program][solve]") {
@@ -123,10 +125,11 @@ TEST_CASE("what solve cannot answer gives status 3 and no number", "[program][so
 }
 
 TEST_CASE("a pole that is met to the last digits of a double is refused as the pole is", "[program][solve][response][domain]") {
-    // With 20 digits every number is taken as it stands; a mode that the load does not excite has no pole; and what is farther away
-    // than the last place is not at it.
+    // With 20 digits every number is taken as it stands; a mode that the load does not excite has no pole; and what is farther
+    // away than the last place is not at it.
     expect(R"(
-        2 {solve|solve --digits 10|response|solve --ask amplitude --mass 1} < near a pole ! frequency_hz must not be at a pole: mode 1 has no damping and R = 1 ! (at /frequency_hz)
+        2 {solve|solve --digits 10|response|solve --ask amplitude --mass 1} < near a pole
+          ! frequency_hz must not be at a pole: mode 1 has no damping and R = 1 ! (at /frequency_hz)
         0 solve --digits 20 < near a pole
         0 solve < unexcited
         0 solve < near a pole {"frequency_hz": 3.183098861838907}

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <regex>
 
 #include "tests/catch.hpp"
@@ -195,15 +196,18 @@ void check_refused(const Run& run, int status, const std::string& piece) {
 }
 
 std::vector<std::string> faults_of(const std::string& table, const std::string& begin) {
+    std::vector<std::string> lines;
+    for (const std::string& line : lines_of(table))
+        if (const std::string text = trimmed(line); !text.empty() && std::strchr("0123456789=|", text[0]) != nullptr)
+            lines.push_back(text);
+        else if (!text.empty())
+            lines.at(lines.size() - 1) += " " + text;
     std::vector<Row> rows;
-    for (const std::string& line : lines_of(table)) {
-        const std::string text = trimmed(line);
-        if (text.empty()) continue;
-        if (text[0] == '=' || text[0] == '|')
-            rows.at(rows.size() - 1).below.emplace_back(text[0], trimmed(text.substr(1)));
+    for (const std::string& line : lines)
+        if (line[0] == '=' || line[0] == '|')
+            rows.at(rows.size() - 1).below.emplace_back(line[0], trimmed(line.substr(1)));
         else
-            rows.push_back(row_of(text, begin));
-    }
+            rows.push_back(row_of(line, begin));
     if (rows.empty()) throw std::logic_error("a table must have a row");
     Faults faults;
     for (const Row& row : rows)

@@ -9,9 +9,10 @@
 /// - Lines below a row that begin with `=` have a pattern of the JSON that is printed: of its members those that are named.
 ///   `null` is a member that is absent. `0`, `1` ... name the places of a list, `*` all of them. A text is a rule where it begins
 ///   with `~ 2 1e-9` (near 2, relatively), `>`, `>=`, `<` (a number), `#` (size), `keys` (those of an object, in their order),
-///   `has` (part of a text), `longer` (more characters), `text` or `number` (a type). Where there are several scenes the pattern is
-///   of the list of lines.
+///   `has` (part of a text), `longer` (more characters), `text` or `number` (a type). Where there are several scenes the pattern
+///   is of the list of lines.
 /// - A line below a row that begins with `|` is a line of the output, the next one that of the next `|`; `| # 9` is their number.
+/// - A line that begins with none of these goes on with the line above.
 ///
 /// A run that fails, and has one scene at most, leaves the output empty; each that fails has one line of printable text for its
 /// error, which begins with `denhartog: `; one that does not fail and has no `!` has no error.

@@ -330,7 +330,8 @@ TEST_CASE("forty masses with dashpots are answered to 30 digits within the work 
     constexpr std::size_t N = 40;
     std::vector<double> dashpots(N, 0.1);
     for (std::size_t i = 0; i < N; i += 3) dashpots[i] = 0.3;
-    Scene<double> scene = scene_of(chain_of(std::vector<double>(N, 1), std::vector<double>(N, 1), {}, 20, 1), 0.3, 0.01);
+    const std::vector<double> ones(N, 1), none;
+    Scene<double> scene = scene_of(chain_of(ones, ones, none, 20, 1), 0.3, 0.01);
     scene.system.damping_matrix = matrix_of_chain(dashpots);
     const Solution in_double = answer(scene_source(scene)), by_reference = answer(scene_source(scene), 30);
     CHECK(by_reference.digits_reached);
