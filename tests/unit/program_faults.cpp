@@ -85,6 +85,7 @@ TEST_CASE("a bad scene gives one line that names quantity and rule, status 2 and
         2                                                     ! scene
     )",
            "{response --json|response|motion|boundary --json|functions --json}");
+    expect("0 response < unequal");
 }
 
 TEST_CASE("a file that cannot be read is named", "[program][input]") {
