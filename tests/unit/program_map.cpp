@@ -255,6 +255,8 @@ TEST_CASE("levels of a load that a scene does not have are refused", "[program][
          {std::tuple("--frequency 1:2:2 --force 1:2:2", turning, "vary unbalance"),
           {"--frequency 1:2:2 --unbalance 1:2:2", forced, "unbalance must be given in the scene"},
           {"--frequency 1:2:2 --force 0:2:2", forced, "force must be positive"},
+          {"--frequency 1:2:2 --boundaries --unbalance 1:2:2", turning, "must not be given together with boundaries"},
+          {"--frequency 1:2:2 --boundaries --phases", forced, "must not be given together with boundaries"},
           {"--frequency 1:2:2 --force 1:2:2 --friction 0:1:2", forced, "must not be given together with friction"},
           {"--frequency 1:2:2 --frequency-hz 1:2:2 --force 1:2:2", forced, "must not be given together"},
           {"--r 1:2:2 --force 1:2:2", forced, "must not be given together with r and beta"},
@@ -274,4 +276,10 @@ TEST_CASE("levels of a load that a scene does not have are refused", "[program][
         CHECK(run.output.empty());
         CHECK(run.error.find(says) != std::string::npos);
     }
+    // The frequency of the scene is not used, and need not be given.
+    const std::string levels = "map - --frequency 1:2:2 --unbalance 1:2:2";
+    const Run with = run_program(levels, turning),
+              without = run_program(levels, rest + R"("load": 1, "unbalance": 1, "friction": 0.5})");
+    CHECK(without.status == 0);
+    CHECK(without.output == with.output);
 }

@@ -113,6 +113,35 @@ template <class T>
     return exp(-zeta * tau / R) * (cos(w * tau / R) - zeta / w * sin(w * tau / R)) / R;
 }
 
+/// @brief The braces of (40), from the free motions at an instant.
+/// \f[ 1 - (1+g_i)\,d_i - u_{di}R_i\,q_i \f]
+/// @eq{40,A.15}  @derivation{paper/a15_modal_displacement}  @domain{R > 0}
+/// @param d_i   free motion from unit displacement, Eq. (A.8); dimensionless
+/// @param q_i   free motion from unit velocity over R, Eq. (A.8); dimensionless
+/// @param R     modal frequency ratio, Eq. (22); dimensionless
+/// @param u     first damping function of the mode, Eq. (28); dimensionless
+/// @param g     second damping function of the mode, Eq. (29); dimensionless
+/// @return      the braces; dimensionless
+template <class T>
+[[nodiscard]] T braces(const T& d_i, const T& q_i, const T& R, const T& u, const T& g) {
+    return 1 - (1 + g) * d_i - u * R * q_i;
+}
+
+/// @brief Rate of `braces`.
+/// \f[ (1+g_i)\,\frac{q_i}{R_i} - u_{di}R_i\,q_i', \qquad R_i\,q_i' = d_i - 2\zeta_i q_i \f]
+/// @eq{40}  @derivation{paper/a15_modal_displacement}  @domain{R > 0}
+/// @param d_i   free motion from unit displacement, Eq. (A.8); dimensionless
+/// @param q_i   free motion from unit velocity over R, Eq. (A.8); dimensionless
+/// @param R     modal frequency ratio, Eq. (22); dimensionless
+/// @param zeta  modal damping ratio; dimensionless
+/// @param u     first damping function of the mode, Eq. (28); dimensionless
+/// @param g     second damping function of the mode, Eq. (29); dimensionless
+/// @return      derivative of the braces with respect to tau; dimensionless
+template <class T>
+[[nodiscard]] T braces_prime(const T& d_i, const T& q_i, const T& R, const T& zeta, const T& u, const T& g) {
+    return (1 + g) * q_i / R - u * (d_i - 2 * zeta * q_i);
+}
+
 /// @brief Cosine of the argument of \f$ v_{di} \f$: \f$ |v_{di}|(1-R_i^2) \f$.
 /// @eq{61}  @derivation{paper/section_2_6_domain_of_validity}  @domain{R > 0, 0 <= zeta < 1}
 /// @param v     complex response function of the mode, Eq. (23)

@@ -86,6 +86,14 @@ static_assert(sizeof(Ball) == sizeof(arb_struct), "an entry of a matrix is a bal
     return r;
 }
 
+/// @brief A matrix rounded to the bits of the moment.
+[[nodiscard]] inline BallMatrix rounded(const BallMatrix& A) {
+    BallMatrix r(A.rows(), A.columns());
+    for (slong i = 0; i < A.rows(); ++i)
+        for (slong k = 0; k < A.columns(); ++k) arb_set_round(r(i, k).a, A(i, k).a, ball_bits);
+    return r;
+}
+
 /// @brief The midpoints, exact.
 [[nodiscard]] inline BallMatrix middle(const BallMatrix& x) {
     BallMatrix r(x.rows(), x.columns());

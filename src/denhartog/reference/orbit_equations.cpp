@@ -69,12 +69,6 @@ BallMatrix ContactMechanics::phase(int direction) const {
     return A;
 }
 
-BallMatrix ContactMechanics::propagator(int direction, const Ball& h) const {
-    if (sliding && direction != 0) return sliding->after(unit_matrix(n()), h, direction);
-    QuestionEffort::pay(cost_of_ball_products(20 * static_cast<double>(n() * n() * n())));
-    return exp_of_sparse(rounded(phase(direction)) * h);
-}
-
 BallMatrix ContactMechanics::place() const { return row_of(w, 0, n()); }
 
 BallMatrix ContactMechanics::speed() const { return row_of(w, N, n()); }
@@ -84,13 +78,6 @@ BallMatrix ContactMechanics::ending(int before, int after) const {
     BallMatrix row = load;
     row(0, n() - 1) -= Ball(after) * holds;
     return row;
-}
-
-BallMatrix rounded(const BallMatrix& A) {
-    BallMatrix r(A.rows(), A.columns());
-    for (slong i = 0; i < A.rows(); ++i)
-        for (slong k = 0; k < A.columns(); ++k) arb_set_round(r(i, k).a, A(i, k).a, ball_bits);
-    return r;
 }
 
 BallMatrix with_width(BallMatrix E, double part) {

@@ -60,9 +60,6 @@ struct ContactMechanics {
     [[nodiscard]] BallMatrix ending(int before, int after) const;
 };
 
-/// @brief A matrix rounded to the bits of the moment.
-[[nodiscard]] BallMatrix rounded(const BallMatrix& A);
-
 /// @brief A matrix whose entries are off by no more than a part of the largest of their column.
 [[nodiscard]] BallMatrix with_width(BallMatrix E, double part);
 

@@ -5,6 +5,7 @@
 
 #include "denhartog/formulas/modal_coordinate.hpp"
 #include "denhartog/number/effort.hpp"
+#include "denhartog/number/sparse_balls.hpp"
 #include "denhartog/reference/orbit_equations.hpp"
 
 namespace denhartog::reference {
@@ -18,10 +19,10 @@ BallMatrix rows_of(const BallMatrix& Z, slong first, slong count) {
 }
 
 // The harmonic part of a modal coordinate, and its rate, where the force has this cosine and sine.
-struct HarmonicPart {
+struct ForcedCoordinate {
     Ball x, v;
 
-    HarmonicPart(const Complex<Ball>& f, const Ball& cosine, const Ball& sine)
+    ForcedCoordinate(const Complex<Ball>& f, const Ball& cosine, const Ball& sine)
         : x(f.re * cosine - f.im * sine), v(-(f.re * sine + f.im * cosine)) {}
 };
 
@@ -54,7 +55,7 @@ BallMatrix SlidingPhases::after(const BallMatrix& Z, const Ball& length, int dir
         const Ball d = paper::d(length, R, zeta), q = paper::q(length, R, zeta), of_rate = R * q; // (A.8), (A.9)
         const Ball d_prime = -q / R, q_prime = d - 2 * zeta * q;
         for (slong c = 0; c < columns; ++c) { // (21): what is not forced moves freely
-            const HarmonicPart before(forced, Z(2 * N, c), Z(2 * N + 1, c)), then(forced, later(2 * N, c), later(2 * N + 1, c));
+            const ForcedCoordinate before(forced, Z(2 * N, c), Z(2 * N + 1, c)), then(forced, later(2 * N, c), later(2 * N + 1, c));
             const Ball rest = held * Z(2 * N + 2, c), from = x(i, c) - before.x - rest, rate = v(i, c) - before.v;
             x(i, c) = then.x + rest + d * from + of_rate * rate;
             v(i, c) = then.v + d_prime * from + q_prime * rate;
@@ -77,6 +78,12 @@ std::optional<SlidingPhases> sliding_phases(const SceneInBalls& s, const Ball& s
         if (!responds(i)) return {}; // a pole
     if (!modes.clusters.empty()) return {};
     return SlidingPhases(s, std::move(modes), sigma);
+}
+
+BallMatrix ContactMechanics::propagator(int direction, const Ball& h) const {
+    if (sliding && direction != 0) return sliding->after(unit_matrix(n()), h, direction);
+    QuestionEffort::pay(cost_of_ball_products(20 * static_cast<double>(n() * n() * n())));
+    return exp_of_sparse(rounded(phase(direction)) * h);
 }
 
 } // namespace denhartog::reference

@@ -107,7 +107,8 @@ FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, cons
     });
     FoundPlaces found =
         wanted.is == AmplitudeIs::value ? search.value(wanted.value) : search.extreme(wanted.is == AmplitudeIs::largest);
-    if (found.places.empty() && inadmissible) throw InputError(*inadmissible);
+    if (found.places.empty() && inadmissible && found.unanswered.size() >= static_cast<std::size_t>(samples))
+        throw InputError(*inadmissible); // all are
     found.questions = questions;
     if (found.places.empty() && !found.unanswered.empty())
         throw PrecisionError("no place was found, and the amplitude is not known at " + std::to_string(found.unanswered.size()) +

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "denhartog/map/map_in_units.hpp"
@@ -66,9 +67,16 @@ void show_columns(std::size_t done, std::size_t columns) {
     std::fprintf(stderr, "\r%3zu %% of %zu columns%s", percent, columns, done == columns ? "\n" : "");
 }
 
-Scene<double> scene_of(const std::string& path, const std::string& damping) {
+// A scene whose force depends on a frequency that it lacks gets one of the map, which takes its place anyhow.
+Scene<double> scene_of(const std::string& path, const std::string& damping, const MapAxis& columns) {
     const std::string text = read_input(path);
-    const SceneOrError<double> read = read_scene<double>(only_scene(text));
+    SceneOrError<double> read = read_scene<double>(only_scene(text));
+    if (read.error && read.error->quantity == "frequency" && columns.name != "r") {
+        nlohmann::json completed = nlohmann::json::parse(text);
+        completed[columns.name] = columns.values.front();
+        const std::string again = completed.dump();
+        read = read_scene<double>(SceneText{again});
+    }
     if (read.error) throw InputError(*read.error);
     Scene<double> scene = *read.scene;
     if (damping != as_given) scene.system.damping_tolerance = largest_damping_tolerance;
@@ -118,9 +126,10 @@ GivenAxis columns_of(const MapOptions& options) {
                 : InputError("r", "must be given as FROM:TO:COUNT (or frequency_hz in its place)", "");
 }
 
-void answer_boundaries(const MapOptions& options, const Scene<double>& scene, bool units, bool npy) {
-    const GivenAxis given = columns_of(options);
-    const MapAxis axis{given.name, grid_values(given.name, *given.text)};
+void answer_boundaries(const MapOptions& options, const MapAxis& axis, const Scene<double>& scene, bool units, bool npy) {
+    for (const auto& [name, given] : {std::pair("force", !options.force.empty()), std::pair("unbalance", !options.unbalance.empty()),
+                                      std::pair("phases", options.phases), std::pair("from-ground", options.from_ground)})
+        if (given) throw InputError(name, "must not be given together with boundaries", "");
     const std::vector<BoundaryPoint> curves =
         units ? curves_in_units(scene, frequencies_in_units(scene, axis.name, axis.values)) : boundary_curves(scene, axis.values);
     write_output(options.output, npy ? curves_npy(axis, curves) : curves_csv(axis, curves));
@@ -130,9 +139,9 @@ void answer(const MapOptions& options, ExitStatus& status) {
     const bool npy = as_npy(options.output);
     const GivenAxis columns = columns_of(options);
     const bool units = columns.text != &options.r;
-    const Scene<double> scene = scene_of(options.scene, options.damping);
-    if (options.boundaries) return answer_boundaries(options, scene, units, npy);
     MapGrid grid{{columns.name, grid_values(columns.name, *columns.text)}, {}, {}};
+    const Scene<double> scene = scene_of(options.scene, options.damping, grid.frequency);
+    if (options.boundaries) return answer_boundaries(options, grid.frequency, scene, units, npy);
     const std::vector<GivenAxis> ways{
         {"friction", &options.friction}, {"force", &options.force}, {"unbalance", &options.unbalance}};
     const GivenAxis in_ratio{"beta", &options.beta};
