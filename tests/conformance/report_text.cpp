@@ -37,7 +37,7 @@ TEST_CASE("many wrong answers are told in groups", "[conformance][program]") {
     const Run r = graded("nan", "3");
     INFO(r.output << r.error);
     CHECK(r.status == 1);
-    CHECK(contains(r.output, "Worst answers, 10 of 12:\n"));
+    CHECK(contains(r.output, "Wrong answers, 2 of 12:\n"));
     CHECK(contains(r.output, "  5 not finite, overdamped, continuous\n"));
     CHECK(contains(r.output, "  7 wrong, continuous\n"));
 }
