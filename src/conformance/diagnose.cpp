@@ -212,7 +212,8 @@ std::vector<Finding> findings_of(std::span<Judged> judged, std::span<const Mista
         Finding& finding = best->weighed.finding;
         const ProtocolQuestion& example = finding.example->vector->question;
         const std::optional<Value> alone = mistake.answer(example);
-        const bool is_of_one = alone && agrees(*finding.example->vector, finding.example->given, *alone, best->evidence->agreement);
+        const bool is_of_one =
+            alone && agrees(*finding.example->vector, finding.example->given, *alone, best->evidence->agreement);
         finding.mistaken = (is_of_one ? alone : answer_with_several(best->evidence->with, example)).value_or(Value{});
         std::erase_if(left, [&](std::size_t n) {
             if (best->evidence->says(n) != Says::agrees) return false;

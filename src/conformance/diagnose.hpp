@@ -37,12 +37,12 @@ namespace denhartog::conformance {
 
 /// @brief What a mistake must reach to be named. docs/diagnosis.md shows what happens without each threshold.
 struct Thresholds {
-    double consistency = 0.95; ///< explained answers over the sum of those and the ones that contradict it
-    double of_solvers = 0.9;   ///< the same for a mistake of solvers, whose answers agree with it in a few digits only
-    double of_its_own = 0.5;   ///< explained answers over all answers, to any quantity, that it would have made wrong
-    double of_the_wrong = 0.5; ///< explained answers over the wrong ones, to the quantities of its core or to those that it explains
-    double agreement = 0;      ///< the agreement asked of a mistake is at least this, which the program's method can reach
-    std::size_t words = 17;    ///< words and counts, if it explains nothing else: 2^-17 times the mistakes is below 1/1000
+    double consistency = 0.95;  ///< explained answers over the sum of those and the ones that contradict it
+    double of_solvers = 0.9;    ///< the same for a mistake of solvers, whose answers agree with it in a few digits only
+    double of_its_own = 0.5;    ///< explained answers over all answers that it would have made wrong
+    double of_the_wrong = 0.75; ///< explained answers over the wrong ones to the quantities of its core, or that it explains
+    double agreement = 0;       ///< the agreement asked of a mistake is at least this, which the program's method can reach
+    std::size_t words = 17;     ///< words and counts, if it explains nothing else: 2^-17 times the mistakes is below 1/1000
 };
 
 /// @brief A known mistake that was found, or a guess, which has a name and a sentence alone and does not say where to look.
@@ -74,13 +74,13 @@ struct Link {
 
 /// @brief The diagnosis of an implementation.
 struct Diagnosis {
-    std::size_t wrong = 0;                       ///< number of answers that are wrong or inaccurate
-    std::vector<Finding> findings;               ///< the mistakes that were found, the strongest evidence first
-    std::vector<const Judged*> unexplained;      ///< wrong answers that no mistake found explains
-    std::vector<Link> chain;                     ///< the chain of quantities with the unexplained answers in each link
-    std::vector<Finding> simple;                 ///< guesses at the unexplained answers, the best first
-    std::vector<InCommon> by_quantity;           ///< the unexplained answers by quantity; `asked` counts all answers to it
-    std::vector<InCommon> in_common; ///< properties that those in the first wrong link have more often than right answers
+    std::size_t wrong = 0;                  ///< number of answers that are wrong or inaccurate
+    std::vector<Finding> findings;          ///< the mistakes that were found, the strongest evidence first
+    std::vector<const Judged*> unexplained; ///< wrong answers that no mistake found explains
+    std::vector<Link> chain;                ///< the chain of quantities with the unexplained answers in each link
+    std::vector<Finding> simple;            ///< guesses at the unexplained answers, the best first
+    std::vector<InCommon> by_quantity;      ///< the unexplained answers by quantity; `asked` counts all answers to it
+    std::vector<InCommon> in_common;        ///< properties that those in the first wrong link have more often than right answers
     std::map<std::string, std::size_t> accepted; ///< rules broken by questions that were answered, and how many questions
 };
 

@@ -21,7 +21,8 @@ const std::vector<Vector>& some_vectors() {
         std::map<std::string, int> seen;
         for (const Vector& v : tests::vectors()) {
             const int one_in = v.question.quantity == "beta_lim_exact" ? 1 : 4; // (68) shows in few answers
-            if (is_of_the_paper(v.question) && v.reject.empty() && v.tier != "stress" && seen[v.question.quantity]++ % one_in == 0)
+            if (is_of_the_paper(v.question) && v.reject.empty() && v.tier != "stress" &&
+                seen[v.question.quantity]++ % one_in == 0)
                 kept.push_back(v);
         }
         return kept;

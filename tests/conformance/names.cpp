@@ -96,7 +96,9 @@ Program program(std::string rule, std::string told, std::vector<std::string> all
     }
     std::vector<Mistake> remembered(mistakes().begin(), mistakes().end());
     for (Mistake& mistake : remembered)
-        mistake.answer.alone = [&of_one = known_answers().at(mistake.name)](const ProtocolQuestion& q) { return of_one.at(q.id); };
+        mistake.answer.alone = [&of_one = known_answers().at(mistake.name)](const ProtocolQuestion& q) {
+            return of_one.at(q.id);
+        };
     p.known = fitted_to(p.judged, std::move(remembered));
     return p;
 }

@@ -81,7 +81,8 @@ TEST_CASE("quantities are chosen by their names", "[conformance][program]") {
 TEST_CASE("a program that keeps something from question to question is told of", "[conformance][program]") {
     const std::string keeping = script("keeping.sh", "read -r greeting\necho 'denhartog-conform 1 plain Keeps'\nn=0\n"
                                                      "while read -r id rest; do n=$((n + 1)); echo \"$id value $n\"; done\n");
-    CHECK(contains(run("--quantity amplitude,phase", keeping).output, "\n  The program keeps something from question to question: "));
+    CHECK(contains(run("--quantity amplitude,phase", keeping).output,
+                   "\n  The program keeps something from question to question: "));
     const std::string wrong = table_program("wrong", replaced(right_answers, "amplitude-1 value 0.25", "amplitude-1 value 0.5"));
     CHECK_FALSE(contains(run("", wrong).output, "The program keeps something"));
 }

@@ -108,7 +108,7 @@ TEST_CASE("the vectors are enough, of every group, tier and number of masses, wi
     std::map<std::string, int> tiers, places, asked;
     std::set<std::size_t> masses;
     std::map<std::string, std::map<std::string, int>> kinds; // of systems beyond the paper, by regime
-    std::set<double> stops; // that every solver of motions with stops must count
+    std::set<double> stops;                                  // that every solver of motions with stops must count
     std::map<std::string, int> flags;
     bool mu = false, rejected_enough = false;
     for (const Vector& v : vectors()) {

@@ -33,9 +33,9 @@ namespace denhartog::conformance {
 // corrected (57): either way the answer depends on the instants. If a program reads off a motion before it has settled, the
 // answer depends on the period. Such a number counts as found if `least_agreeing` answers or more show the same one.
 struct Fitted {
-    std::string name;         // of the mistake
-    std::string number;       // in words: `read off in period 7 from rest`
-    Answering answer;         // the answer of the mistake with this number
+    std::string name;                      // of the mistake
+    std::string number;                    // in words: `read off in period 7 from rest`
+    Answering answer;                      // the answer of the mistake with this number
     std::vector<std::string> besides = {}; // names of other mistakes that the answers show as well
 };
 

@@ -251,8 +251,8 @@ std::vector<Grid> coarse_grids() {
 }
 
 Answering answer_of(const WayOfSearch& search) {
-    return where_modes_vibrate(by_formulas_of(
-        {"S_j", "beta_lim_exact", "beta_lim_paper", "regime"}, [search](Choices& c, const ProtocolQuestion& q) {
+    return where_modes_vibrate(
+        by_formulas_of({"S_j", "beta_lim_exact", "beta_lim_paper", "regime"}, [search](Choices& c, const ProtocolQuestion& q) {
             const Choices of_search = choices_of(search, plain_modes(q, {}));
             c.demand_as_printed = of_search.demand_as_printed;
             c.instants = of_search.instants;
@@ -286,8 +286,8 @@ std::optional<Fitted> fitted_instants(std::span<const Judged> judged) {
     std::optional<WayOfSearch> search = best_of(all, true, grids_shown(all));
     if (!search) search = best_of(all, false, coarse_grids());
     if (!search) return std::nullopt;
-    return Fitted{search->as_printed ? "57-as-printed" : "coarse-grid-of-tau", told(*search),
-                  answer_of(*search), named_besides(*search)};
+    return Fitted{search->as_printed ? "57-as-printed" : "coarse-grid-of-tau", told(*search), answer_of(*search),
+                  named_besides(*search)};
 }
 
 } // namespace denhartog::conformance

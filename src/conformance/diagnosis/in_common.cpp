@@ -57,9 +57,8 @@ bool larger_share_of_wrong(const InCommon& a, const InCommon& b) {
 
 // Whether each number of an answer has so few decimal digits.
 bool has_digits(const Judged& one, int digits) {
-    return !one.given.numbers.empty() && std::ranges::all_of(one.given.numbers, [&](double x) {
-        return finite_number(number_in_digits(x, digits)) == x;
-    });
+    return !one.given.numbers.empty() &&
+           std::ranges::all_of(one.given.numbers, [&](double x) { return finite_number(number_in_digits(x, digits)) == x; });
 }
 
 bool is_too_small(const Judged& one) {

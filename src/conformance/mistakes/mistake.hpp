@@ -26,16 +26,16 @@ struct Answering {
     /// The answer of a program that makes this mistake alone; none if the mistake does not touch the question, or if its answer
     /// cannot be computed.
     std::function<std::optional<Value>(const ProtocolQuestion&)> alone;
-    std::function<bool(const ProtocolQuestion&)> touches;                  ///< whether it changes an answer; empty: see `alone`
-    std::function<void(ProtocolQuestion&)> read;                           ///< changes the question that is read
-    std::function<void(Choices&, const ProtocolQuestion&)> choose;         ///< changes the formulas
-    std::function<void(Value&, const ProtocolQuestion&)> change;           ///< changes the answer
+    std::function<bool(const ProtocolQuestion&)> touches;          ///< whether it changes an answer; empty: see `alone`
+    std::function<void(ProtocolQuestion&)> read;                   ///< changes the question that is read
+    std::function<void(Choices&, const ProtocolQuestion&)> choose; ///< changes the formulas
+    std::function<void(Value&, const ProtocolQuestion&)> change;   ///< changes the answer
 
     Answering() = default;
     /// @brief A mistake that is not made together with others. @param answer its answer
     template <class Answer>
-        requires std::is_invocable_v<Answer, const ProtocolQuestion&>
-    Answering(Answer answer) : alone(std::move(answer)) {} // NOLINT: a function stands for what it answers
+    requires std::is_invocable_v<Answer, const ProtocolQuestion&> Answering(Answer answer)
+        : alone(std::move(answer)) {} // NOLINT: a function stands for what it answers
 
     /// @brief The answer of a program that makes this mistake alone. @param q the question @return the answer, or none
     [[nodiscard]] std::optional<Value> operator()(const ProtocolQuestion& q) const { return alone(q); }
@@ -60,8 +60,8 @@ struct Mistake {
     /// The quantities of its own equation, by which alone the mistake is weighed: a program that has (44) as printed may take the
     /// motion from (46), or have that as printed as well. Empty if it is weighed by all quantities that it affects.
     std::vector<std::string> core = {};
-    bool as_printed = false; ///< whether the code follows the equation as the paper prints it
-    std::string number = {}; ///< the number of its own that answers show, in words; empty if they show none
+    bool as_printed = false;               ///< whether the code follows the equation as the paper prints it
+    std::string number = {};               ///< the number of its own that answers show, in words; empty if they show none
     std::vector<std::string> besides = {}; ///< names of other mistakes that the answers show as well
 };
 

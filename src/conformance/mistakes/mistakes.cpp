@@ -57,8 +57,7 @@ Answering by_formulas_of(Names touched, std::function<void(Choices&, const Proto
 }
 
 Answering by_formulas(Names touched, std::function<void(Choices&)> choose) {
-    return by_formulas_of(std::move(touched),
-                          [choose = std::move(choose)](Choices& c, const ProtocolQuestion&) { choose(c); });
+    return by_formulas_of(std::move(touched), [choose = std::move(choose)](Choices& c, const ProtocolQuestion&) { choose(c); });
 }
 
 Answering changed(Names touched, std::function<void(Value& value, const ProtocolQuestion& q)> change) {

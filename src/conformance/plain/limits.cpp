@@ -151,8 +151,7 @@ double plain_sticking_limit_by_sub_matrices(const ProtocolQuestion& q) {
         }
         for (std::size_t b = 0; b < n; ++b) { // r C = r^3 M psi diag(2 zeta_i r_ni) psi^T M, with psi of (17)
             double sum = 0;
-            for (std::size_t i = 0; i < m.R.size(); ++i)
-                sum += m.psi[mass][i] * m.psi[first + b][i] * 2 * m.zeta[i] * m.r_n[i];
+            for (std::size_t i = 0; i < m.R.size(); ++i) sum += m.psi[mass][i] * m.psi[first + b][i] * 2 * m.zeta[i] * m.r_n[i];
             add(a, b, 0, q.r * (q.r * q.r) * q.mass_ratios[mass] * q.mass_ratios[first + b] * sum);
         }
     }

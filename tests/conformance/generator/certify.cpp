@@ -249,7 +249,8 @@ Certified certify(const Case& with_part, const std::set<std::string>& only) {
             if (with_friction && !*from_rest) throw Undecided("the motion from rest is another");
             if (regimes) v.regime = name(regime);
             if (with_friction) v.margin = margin_of(*regimes, beta);
-            if (with_friction && regime == Regime::stick_slip && v.question.quantity != "regime") look_at_motion(v, routes->seen());
+            if (with_friction && regime == Regime::stick_slip && v.question.quantity != "regime")
+                look_at_motion(v, routes->seen());
             v.routes = routes->names(v.question);
             if (v.question.quantity == "regime") {
                 certify_regime(v, *routes, all);

@@ -21,8 +21,8 @@ class PhaseProblem : public Route<T> {
 public:
     PhaseProblem(const ProtocolQuestion& q, const OrbitSeen& seen)
         : p_(problem_of<T>(q)), w_(contact_vector(p_)), N_(p_.M.rows()), j_(static_cast<Index>(p_.contact.index)),
-          mu_beta_(T(q.mu) * p_.beta), A_{system_of_phase(p_, -1), system_of_phase(p_, 0), system_of_phase(p_, 1)}, sign_(seen.sign()),
-          span_(seen.halves * pi<T>()) {
+          mu_beta_(T(q.mu) * p_.beta), A_{system_of_phase(p_, -1), system_of_phase(p_, 0), system_of_phase(p_, 1)},
+          sign_(seen.sign()), span_(seen.halves * pi<T>()) {
         for (const Phase& phase : seen.phases) {
             directions_.push_back(phase.direction);
             starts_.push_back(T(phase.start));
@@ -67,8 +67,8 @@ private:
     Index N_, j_; ///< a mass that it moves is j
     T mu_beta_;
     std::array<Matrix<T>, 3> A_; ///< matrices of sliding down, of rest, of sliding up
-    int sign_; ///< -1 where the stretch mirrors itself
-    T span_;   ///< the length of the stretch
+    int sign_;                   ///< -1 where the stretch mirrors itself
+    T span_;                     ///< the length of the stretch
     std::vector<int> directions_;
     std::vector<T> starts_;
     Vector<T> x_;
@@ -84,7 +84,8 @@ private:
     }
 
     StateRow<T> event(std::size_t n) const {
-        return end_of_phase(p_, mu_beta_, directions_[n], n + 1 < directions_.size() ? directions_[n + 1] : sign_ * directions_.front());
+        return end_of_phase(p_, mu_beta_, directions_[n],
+                            n + 1 < directions_.size() ? directions_[n + 1] : sign_ * directions_.front());
     }
 
     T correct() {

@@ -73,7 +73,8 @@ std::string diagnosis_rows(const conformance::Diagnosis& d) {
     for (const conformance::Finding& f : d.simple)
         text += said("  - A guess is: ", markdown_cell(f.mistake.told), ". It explains ", f.explained, " of them.\n");
     for (const conformance::InCommon& one : d.in_common)
-        text += said("  - Of the first wrong quantity they have in common: ", markdown_cell(one.property), ", in ", one.wrong, " of ", one.all_wrong, ".\n");
+        text += said("  - Of the first wrong quantity they have in common: ", markdown_cell(one.property), ", in ", one.wrong,
+                     " of ", one.all_wrong, ".\n");
     return text;
 }
 

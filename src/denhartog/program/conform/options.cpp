@@ -132,8 +132,8 @@ std::vector<const conformance::Vector*> selected(const SelectionOptions& options
             throw InputError("group", "must be one of the vectors' (`denhartog conform list --summary` has them)", group);
     std::vector<const conformance::Vector*> chosen;
     for (const conformance::Vector& v : all)
-        if (is_wanted(options.tiers, v.tier) && is_wanted(options.asked, v.question.quantity) && is_wanted(options, v) && !(options.skip_must_fail && !v.reject.empty()) &&
-            matches(v.question.id, filter, options.filter))
+        if (is_wanted(options.tiers, v.tier) && is_wanted(options.asked, v.question.quantity) && is_wanted(options, v) &&
+            !(options.skip_must_fail && !v.reject.empty()) && matches(v.question.id, filter, options.filter))
             chosen.push_back(&v);
     if (chosen.empty()) {
         const bool more =

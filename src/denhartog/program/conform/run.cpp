@@ -80,9 +80,9 @@ void finish(ConformReport& report, const ConformOptions& options, const std::opt
     report.conforms = report.cut_short.empty() && conformance::conforms(report.judged, needed_quantities(options));
     if (earlier) report.changes = compare(*earlier, report.judged);
     write_output(options.output, text_in_format(report, options.format));
-    const std::string not_kept = !report.cut_short.empty()                           ? "not every question was asked"
+    const std::string not_kept = !report.cut_short.empty()                          ? "not every question was asked"
                                  : report.changes && !report.changes->worse.empty() ? "something got worse"
-                                                                                     : "";
+                                                                                    : "";
     if (!options.track.empty() && not_kept.empty())
         write_file(options.track, tracked_text(earlier.value_or(Verdicts{}), report.judged));
     if (!options.track.empty() && !not_kept.empty())
@@ -107,8 +107,9 @@ void note_what_is_kept(ConformReport& report, conformance::RunSettings settings)
             const conformance::Conversation again = conformance::converse(settings, {&question, 1}, [](std::size_t) {});
             const Judged alone = conformance::judge(*one.vector, again.exchanges.at(0));
             if (!alone.answered || (alone.given.numbers == one.given.numbers && alone.given.word == one.given.word)) continue;
-            report.notes.push_back("The program keeps something from question to question: asked alone, as --repro asks, it answers " +
-                                   question->id + " otherwise.");
+            report.notes.push_back(
+                "The program keeps something from question to question: asked alone, as --repro asks, it answers " +
+                question->id + " otherwise.");
             return;
         } catch (const conformance::BrokenProgram&) { // it is asked no more
             return;
@@ -253,10 +254,9 @@ void conform_smoke(const ConformOptions& options, ExitStatus& status) {
         good = good && check.good;
         kept = kept && (check.good || check.of_input);
     }
-    write_standard_output(aligned(rows) +
-                          (good   ? "\nThe protocol is kept. No number was checked.\n"
-                           : kept ? "\nThe protocol is kept, but a question that breaks a rule was answered.\n"
-                                  : "\nThe protocol is not kept.\n"));
+    write_standard_output(aligned(rows) + (good   ? "\nThe protocol is kept. No number was checked.\n"
+                                           : kept ? "\nThe protocol is kept, but a question that breaks a rule was answered.\n"
+                                                  : "\nThe protocol is not kept.\n"));
     status.broken = found.broken;
     status.failed = !good;
 }
