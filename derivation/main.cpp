@@ -28,8 +28,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string pictures = "build/verify/figures"; // from the source tree, where `./verify figures` draws them
-
 void write(const fs::path& file, const std::string& content) {
     const fs::path part = file.string() + ".part";
     {
@@ -177,7 +175,7 @@ int main(int argc, char** argv) {
             const std::string text = read(readme), text_of_figures = read(of_figures), text_of_findings = read(of_findings);
             bool fresh = refresh(readme, text, refreshed_readme(text, folder), check);
             fresh = refresh(of_findings, text_of_findings, refreshed_page(text_of_findings, folder, records), check) && fresh;
-            const std::string now = with_block(text_of_figures, "figures", figures_markdown(records, "../" + pictures));
+            const std::string now = with_block(text_of_figures, "figures", figures_markdown(records));
             return refresh(of_figures, text_of_figures, now, check) && fresh ? 0 : 1;
         }
         if (*kernel_command) {

@@ -39,7 +39,7 @@ set arrow from 70.3, 12 to 64.5, 12 lw 2.2 lc rgb colour[2] size 1.2, 20 filled
 # masses, displacements, springs' names
 do for [n=1:4] {
     set object rectangle from mass[n], 14 to mass[n] + 10, 27 fc rgb colour[1] fs solid 0.12 border lc rgb ink
-    set label sprintf('{/:Italic m_{%s}}', index[n]) at mass[n] + 5, 20.5 center font sprintf(',%g', (format eq 'svg' ? 1.2 : 0.9) * type)
+    set label sprintf('{/:Italic m_{%s}}', index[n]) at mass[n] + 5, 20.5 center font sprintf(',%g', sized(1.2))
     set arrow from mass[n] + 5, 28.5 to mass[n] + 5, 32 nohead lw 1 lc rgb ink
     set arrow from mass[n] + 5, 30.5 to mass[n] + 10, 30.5 lw 1.2 lc rgb ink size 0.9, 20 filled
     set label sprintf('{/:Italic x_{%s}}', index[n]) at mass[n] + 10.6, 30.8 left

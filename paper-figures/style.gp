@@ -5,13 +5,18 @@ if (!exists("height")) height = 560
 # A page shows a figure about 700 pixels wide: type is at least 10 of them high, lines one wide. `small` is the type of the least
 # labels.
 if (!exists("type")) type = width > 980 ? ceil(width / 70.0) : 14
-small = sprintf(',%g', format eq 'svg' ? type : 0.75 * type) # PNG counts in points
+# SVG counts in pixels, PNG in points; a PDF is 170 mm wide, a page's text, and its type is as high beside the drawing.
+in_pdf = 170 / 25.4 * 72 / width # points a pixel
+sized(k) = k * type * (format eq 'svg' ? 1 : format eq 'pdf' ? in_pdf : 0.75)
+small = sprintf(',%g', sized(1))
 face = 'DejaVu Sans'.small
 if (format eq 'svg') {
     set terminal svg size width, height dynamic enhanced font face linewidth (type > 14 ? 1.3 : 1) background 'white'
+} else { if (format eq 'pdf') {
+    set terminal pdfcairo size 17 cm, 17.0 * height / width cm enhanced font face linewidth 0.7 background 'white'
 } else {
     set terminal pngcairo size width, height enhanced font face linewidth (type > 14 ? 1.3 : 1) background 'white'
-}
+} }
 set output folder.'/'.name.'.'.format
 data = folder.'/'.name.'.dat'
 set encoding utf8

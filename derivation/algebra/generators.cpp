@@ -313,6 +313,12 @@ ex Generators::replace(const ex& e) {
     return e;
 }
 
+void Generators::note_divisions(const ex& rational) {
+    if (GiNaC::is_a<GiNaC::power>(rational) && rational.op(1).info(GiNaC::info_flags::negative))
+        note_denominator(rational.op(0).normal().numer());
+    for (const ex& part : rational) note_divisions(part);
+}
+
 void Generators::note_denominator(const ex& d) {
     if (GiNaC::is_a<numeric>(d)) return;
     if (reduced(d, relations_).is_zero()) throw std::domain_error("a denominator that is zero everywhere");

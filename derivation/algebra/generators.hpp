@@ -59,8 +59,9 @@ public:
     /// @return          the remainder
     GiNaC::ex reduced_numerator(const GiNaC::ex& rational);
 
-    /// @brief Keeps what one side of a comparison divides by; it may cancel in the difference. @param rational a side
-    void note_divisions(const GiNaC::ex& rational) { note_denominator(rational.normal().denom()); }
+    /// @brief Keeps what one side of a comparison divides by, divisor by divisor as they stand, before anything cancels.
+    /// @param rational  a side, in generators
+    void note_divisions(const GiNaC::ex& rational);
 
     /// @return the generators that have a square, each with it in older generators; newest last
     [[nodiscard]] const std::vector<SquareRelation>& relations() const { return relations_; }

@@ -270,8 +270,7 @@ Decision decide_equal(const ex& left, const ex& right, const std::vector<Range>&
         zero = true;
         for (const ex& c : coefficients(l - r, free)) zero = zero && generators.reduced_numerator(c).is_zero();
         if (zero)
-            for (const ex& side : {l, r})
-                for (const ex& c : coefficients(side, free)) generators.note_divisions(c);
+            for (const ex& side : {l, r}) generators.note_divisions(side);
         decision.denominators = generators.denominators;
         decision.generators = generators.names;
         decision.roots = generators.roots;

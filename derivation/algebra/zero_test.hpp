@@ -12,9 +12,11 @@
 /// A polynomial of symbols that stand in no generator is zero where each of its coefficients is, so that these are tried one by
 /// one: a sum over modes falls apart into its modes. Each is brought over one denominator and its numerator reduced by the
 /// relations. Remainder zero proves that the expression is zero wherever the denominators are not, and these are reported with
-/// the proof. A remainder that is not zero proves nothing: the expression is then evaluated with 50 digits at points of the
-/// declared domain, and a value that is clearly not zero refutes it, with that point as witness. What is neither is unknown.
-/// Points where the second expression has no real value lie outside the domain and are passed over.
+/// the proof: every divisor of either side as it stands, also one that cancels. What GiNaC itself cancels when an expression is
+/// written, as in \f$ \sin^2\alpha/\sin\alpha \f$, is no divisor here. A remainder that is not zero proves nothing: the expression
+/// is then evaluated with 50 digits at points of the declared domain, and a value that is clearly not zero refutes it, with that
+/// point as witness. What is neither is unknown. Points where the second expression has no real value lie outside the domain and
+/// are passed over.
 ///
 /// Signs of roots are the one thing that the relations do not carry. A root is therefore taken apart, as the quotient of two or
 /// as a product, only where bounds make the signs certain on all of the domain (`signs.hpp`). The radicand of a root of the first

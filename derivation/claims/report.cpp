@@ -269,10 +269,12 @@ std::string found_markdown(const ReportParts& p) {
         << " do not hold as printed, and " << p.summary.at("illegible").size()
         << " more are illegible in the text at hand. One of them:\n\n";
     const json& scene = example.at("scene");
-    out << "| (86) as printed | corrected, and proved | on a scene with mu = 2 |\n|---|---|---|\n| $"
+    const json system = json::parse(scene.at("scene").get<std::string>());
+    out << "| (86) as printed | corrected, and proved | mu = " << three_digits(system.at("mu")) << ", r = "
+        << three_digits(system.at("r")) << " |\n|---|---|---|\n| $"
         << example.at("statement").get<std::string>() << "$ | $" << example.at("correction").get<std::string>() << "$ | "
-        << three_digits(scene.at("printed")) << " in place of " << three_digits(scene.at("holds")) << ": off by "
-        << percent(loss_of(example)) << " |\n\nThe costliest on actual systems:";
+        << three_digits(scene.at("printed")) << " as printed; the boundary (69) is at " << three_digits(scene.at("holds"))
+        << " there: off by " << percent(loss_of(example)) << " |\n\nThe costliest on actual systems:";
     for (std::size_t n = 0; n < std::min<std::size_t>(5, refuted.size()); ++n)
         out << (n == 0 ? " " : ", ") << "(" << refuted[n].at("equation").get<std::string>() << ") "
             << percent(loss_of(refuted[n]));

@@ -208,15 +208,55 @@ Proof.
   rewrite velocity, sin_0 by exact P2. destruct D_ends as [D0 _]. rewrite D0. ring.
 Qed.
 
+(* The load on a contact at rest, in the modes *)
+Lemma holding_by_modes c y y1 : mobility s * holding_load s c y y1 =
+  Sum N (fun i => psi j i * (2 * zeta i / R_ i * modal s y1 i + / R_ i ^ 2 * modal s y i - psi l i * c)).
+Proof.
+  pose proof mobility_pos as Mp. set (e := fun i => 2 * zeta i / R_ i * modal s y1 i + / R_ i ^ 2 * modal s y i - psi l i * c).
+  assert (Ro : forall a, (a < N)%nat -> Sum N (fun b => C a b * y1 b + K a b * y b) - delta a l * c = Sum N (fun i => MP s a i *
+    e i)).
+  { intros a Ha. rewrite <- (complete_1 s Hs a l Ha (Hl s Hs)), <- Sum_scal_r.
+    rewrite (Sum_ext N (fun b => C a b * y1 b + K a b * y b) (fun b => M a b * Sum N (fun i => psi b i * 0)
+      + C a b * Sum N (fun i => psi b i * modal s y1 i) + K a b * Sum N (fun i => psi b i * modal s y i))).
+    - rewrite (row s Hs a (fun _ => 0)) by exact Ha. rewrite <- Sum_minus. apply Sum_ext. intros i _. unfold e. ring.
+    - intros b Hbn. rewrite <- !(physical s Hs _ b Hbn). rewrite (Sum_zero N (fun i => psi b i * 0)) by (intros; ring). ring. }
+  unfold holding_load. replace (mobility s * (Sum N _ / mobility s)) with (Sum N (fun a => Sum N (fun i => psi j i * psi a i)
+    * (Sum N (fun b => C a b * y1 b + K a b * y b) - delta a l * c))) by (field; lra).
+  rewrite (Sum_ext N _ (fun a => Sum N (fun i => Sum N (fun k => psi j k * (psi a k * (MP s a i * e i)))))).
+  - rewrite Sum_swap. apply Sum_ext. intros i Hi. rewrite Sum_swap. fold (e i).
+    rewrite (Sum_ext N _ (fun k => delta k i * (psi j k * e i))); [apply (Sum_delta N i (fun k => psi j k * e i) Hi)|].
+    intros k Hk. destruct Hs as [_ [_ [_ [_ [O _]]]]]. rewrite <- (O k i Hk Hi), <- Sum_scal_r. apply Sum_ext. intros a Ha. unfold
+      MP. ring.
+  - intros a Ha. rewrite Ro by exact Ha. rewrite <- Sum_scal. apply Sum_ext. intros i _. rewrite <- Sum_scal_r. apply Sum_ext.
+    intros; ring.
+Qed.
+
+Lemma acceleration_by_load c F y y1 y2 :
+  (forall a, (a < N)%nat -> Sum N (fun b => M a b * y2 b + C a b * y1 b + K a b * y b) + F * delta a j = delta a l * c) ->
+  y2 j = - mobility s * (F + holding_load s c y y1).
+Proof.
+  intros H. rewrite (physical s Hs y2 j (Hj s Hs)).
+  transitivity (- (mobility s * F + mobility s * holding_load s c y y1)); [|ring].
+  rewrite holding_by_modes. unfold mobility. rewrite <- Sum_scal_r, <- Sum_plus, <- Sum_opp. apply Sum_ext. intros i Hi.
+  assert (E : modal s y2 i + 2 * zeta i / R_ i * modal s y1 i + / R_ i ^ 2 * modal s y i = psi l i * c - psi j i * F).
+  { rewrite (modal_rows s Hs y2 y1 y (fun a => delta a l * c - F * delta a j)) by (try exact Hi; intros a Ha; rewrite <- (H a Ha);
+      ring).
+    rewrite (Sum_ext N _ (fun a => delta a l * (psi a i * c) - delta a j * (psi a i * F))) by (intros; ring).
+    rewrite Sum_minus, (Sum_delta N l (fun a => psi a i * c)), (Sum_delta N j (fun a => psi a i * F)) by (apply Hj || apply Hl;
+      exact Hs). reflexivity. }
+  replace (modal s y2 i) with (psi l i * c - psi j i * F - 2 * zeta i / R_ i * modal s y1 i - / R_ i ^ 2 * modal s y i) by lra.
+    ring.
+Qed.
+
 Lemma holding_ phi : is_phase s phi -> holding_friction s phi = (root s - beta * H_j s) / mobility s.
 Proof.
-  intros [P1 P2]. pose proof (acceleration_at_start phi P2) as A. rewrite P1 in A. unfold holding_friction. f_equal.
-  transitivity (beta * mobility s - x_second s phi j 0); [|lra].
-  unfold mobility, x_second. rewrite <- Sum_scal, <- Sum_minus. apply Sum_ext. intros i Hi.
-  pose proof (eta_equation (R_ i) (zeta i) (psi j i) (psi l i) beta phi 0 (Hadm s Hs i Hi)) as E. rewrite Rplus_0_l in E. pose
-    proof (Hratio s Hs i Hi).
-  set (e2 := eta_second _ _ _ _ _ _ _) in *. set (e1 := eta_prime _ _ _ _ _ _ _) in *. set (e0 := eta _ _ _ _ _ _ _) in *.
-  replace e0 with (R_ i ^ 2 * (psi j i * beta + psi l i * cos phi) - R_ i ^ 2 * e2 - 2 * zeta i * R_ i * e1) by lra. field; lra.
+  intros [P1 P2]. pose proof mobility_pos as Mp. pose proof (acceleration_at_start phi P2) as A. rewrite P1 in A.
+  pose proof (acceleration_by_load (cos phi) (- beta) (fun k => x s phi k 0) (fun k => x_prime s phi k 0) (fun k => x_second s
+    phi k
+    0)) as E. cbv beta in E. rewrite E in A.
+  - apply (Rmult_eq_reg_l (mobility s)); [|lra]. unfold holding_friction.
+    replace (mobility s * ((root s - beta * H_j s) / mobility s)) with (root s - beta * H_j s) by (field; lra). lra.
+  - intros a Ha. rewrite (x_equation s Hs phi a 0 Ha), Rplus_0_l. ring.
 Qed.
 
 Lemma mobility_alone : contact_inertia_alone s -> M j j * mobility s = 1.
@@ -227,26 +267,20 @@ Proof.
     assumption. ring.
 Qed.
 
-Lemma holding_is_load phi : contact_inertia_alone s -> holding_friction s phi = contact_load s phi.
+Lemma load_alone c y y1 : contact_inertia_alone s ->
+  holding_load s c y y1 = Sum N (fun k => C j k * y1 k + K j k * y k) - delta l j * c.
 Proof.
-  intros H. pose proof (mobility_alone H) as Mo. pose proof mobility_pos as Mp.
-  pose proof (x_equation s Hs phi j 0 (Hj s Hs)) as E. rewrite delta_same, Rplus_0_l in E.
-  rewrite (Sum_ext N _ (fun b => M j b * x_second s phi b 0 + (C j b * x_prime s phi b 0 + K j b * x s phi b 0))) in E by
-    (intros; ring).
-  rewrite Sum_plus, (Sum_single N j (fun b => M j b * x_second s phi b 0)) in E;
-    [| apply Hj, Hs | intros b Hb Hbj; rewrite H by assumption; ring].
-  unfold contact_load. rewrite (delta_sym l j).
-  assert (HH : holding_friction s phi = (beta * mobility s - x_second s phi j 0) / mobility s).
-  { unfold holding_friction. f_equal. unfold mobility, x_second. rewrite <- Sum_scal, <- Sum_minus. apply Sum_ext. intros i Hi.
-    pose proof (eta_equation (R_ i) (zeta i) (psi j i) (psi l i) beta phi 0 (Hadm s Hs i Hi)) as E1. rewrite Rplus_0_l in E1.
-      pose proof (Hratio s Hs i Hi).
-    set (e2 := eta_second _ _ _ _ _ _ _) in *. set (e1 := eta_prime _ _ _ _ _ _ _) in *. set (e0 := eta _ _ _ _ _ _ _) in *.
-    replace e0 with (R_ i ^ 2 * (psi j i * beta + psi l i * cos phi) - R_ i ^ 2 * e2 - 2 * zeta i * R_ i * e1) by lra. field;
-      lra. }
-  rewrite HH. replace (M j j) with (/ mobility s) in E by (apply (Rmult_eq_reg_r (mobility s)); [rewrite Mo; field; lra | lra]).
-  replace ((beta * mobility s - x_second s phi j 0) / mobility s) with (beta - / mobility s * x_second s phi j 0) by (field;
-    lra). lra.
+  intros H. pose proof (mobility_alone H) as Mo. pose proof mobility_pos as Mp. unfold holding_load.
+  rewrite (Sum_ext N _ (fun a => delta a j * (mobility s * (Sum N (fun b => C a b * y1 b + K a b * y b) - delta a l * c)))).
+  - rewrite (Sum_delta N j (fun a => mobility s * (Sum N (fun b => C a b * y1 b + K a b * y b) - delta a l * c)) (Hj s Hs)),
+      (delta_sym l j). field. lra.
+  - intros a Ha. rewrite <- Rmult_assoc. f_equal. rewrite (delta_sym a j), <- (complete_1 s Hs j a (Hj s Hs) Ha).
+    rewrite <- Sum_scal_r. apply Sum_ext. intros i Hi. unfold MP.
+    rewrite (Sum_single N j (fun c => M j c * psi c i)) by (try apply Hj, Hs; intros e He Hej; rewrite H by assumption; ring).
+    transitivity (psi j i * psi a i * (M j j * mobility s)); [rewrite Mo|]; ring.
 Qed.
+Lemma holding_is_load phi : contact_inertia_alone s -> holding_friction s phi = contact_load s phi.
+Proof. intros H. unfold holding_friction. rewrite load_alone by exact H. reflexivity. Qed.
 End Scene.
 
 Theorem eq_65 : forall s, Statements.eq_65 s.
@@ -256,7 +290,14 @@ Proof.
   apply (Rmult_eq_reg_l (mass s (contact s) (contact s))); [|assumption]. rewrite H0. field. assumption.
 Qed.
 Theorem holding_friction_is_the_load : forall s, Statements.holding_friction_is_the_load s.
-Proof. intros s Hs H phi. apply holding_is_load; assumption. Qed.
+Proof. intros s Hs H. split; [intros; apply load_alone | intros; apply holding_is_load]; assumption. Qed.
+Theorem holding_load_holds : forall s, Statements.holding_load_holds s.
+Proof.
+  intros s Hs c F y y1 y2 H. rewrite (acceleration_by_load s Hs c F y y1 y2 H). pose proof (mobility_pos s Hs). split; intros E;
+    [|
+    rewrite E; ring].
+  destruct (Rmult_integral _ _ E); lra.
+Qed.
 Theorem slides_iff : forall s, Statements.slides_iff s.
 Proof. intros s Hs _ phi P. rewrite root_of_sum. apply slides_iff_; assumption. Qed.
 Theorem eq_66 : forall s, Statements.eq_66 s.
@@ -323,10 +364,24 @@ Qed.
 Lemma static_demand_pos s mu : is_scene s -> 1 <= mu -> 0 < H_j s + mu * mobility s.
 Proof. intros Hs Hm. pose proof (start_demand_pos s Hs). pose proof (mobility_pos s Hs). nra. Qed.
 
+Lemma phase_responds s phi : 0 < V_abs s (contact s) -> is_phase s phi -> responds s.
+Proof.
+  intros V [P1 P2]. split; [exact V|]. apply Rnot_lt_le. intros H.
+  pose proof (V_abs_sq s (contact s)) as Vs. pose proof (pow2_abs (friction s * U s (contact s))) as A.
+  assert (Z : root s = 0) by (unfold root; apply sqrt_neg_0; nra).
+  pose proof (circle (V_re s (contact s)) (V_im s (contact s)) phi) as C. rewrite P1, P2, Z in C. nra.
+Qed.
+Lemma some_phase s : responds s -> exists phi, is_phase s phi.
+Proof. intros H. eexists. apply (proj1 (eq_39 s H)). Qed.
+Theorem phase_exists_iff : forall s, Statements.phase_exists_iff s.
+Proof. intros s V. split; [intros [phi P]; apply (phase_responds s phi V P) | apply some_phase]. Qed.
+
 Theorem eq_67 : forall s, Statements.eq_67 s.
 Proof.
-  intros s mu Hs Hm Hb HV phi P. rewrite (proj1 (holding_above s mu phi Hs P)).
-  rewrite (limit_of_beta s _ (static_demand_pos s mu Hs Hm) Hb). tauto.
+  intros s mu Hs Hm Hb HV. pose proof (limit_of_beta s _ (static_demand_pos s mu Hs Hm) Hb) as L. split.
+  - intros [phi [P H]]. apply L. split; [apply (phase_responds s phi HV P) | apply (holding_above s mu phi Hs P), H].
+  - intros H. destruct (proj2 L (conj HV H)) as [Re Ro]. destruct (some_phase s Re) as [phi P]. exists phi. split; [exact P|].
+    apply (holding_above s mu phi Hs P), Ro.
 Qed.
 
 Theorem eq_68 : forall s, Statements.eq_68 s.
@@ -414,9 +469,19 @@ Proof.
   destruct Q as [Q|[t [Ht E]]]; [left; lra | right; exists t; split; [exact Ht | lra]].
 Qed.
 
-Theorem eq_69 : forall s, Statements.eq_69 s.
+Theorem demand_has_a_supremum : forall s, Statements.demand_has_a_supremum s.
 Proof.
-  intros s mu S Hs Hm Hb HV L phi P. pose proof (static_demand_pos s mu Hs Hm) as SP. pose proof (mobility_pos s Hs) as Mp.
+  intros s Hs. destruct (largest_demand s Hs) as [B [HB _]].
+  destruct (completeness (fun y => exists t, 0 < t < PI /\ y = demand s t)) as [S L]; [| | exists S; exact L].
+  - exists B. intros y [t [Ht ->]]. apply HB, Ht.
+  - exists (demand s 1), 1. pose proof PI2_1. split; [lra | reflexivity].
+Qed.
+
+Lemma conditions_54 s mu S phi : is_scene s -> 1 <= mu -> 0 < friction s -> 0 < V_abs s (contact s) ->
+  supremum_of_demand s S -> is_phase s phi ->
+  (responds s /\ slides s phi /\ mu * friction s < Rabs (holding_friction s phi) <-> friction s < limit_69 s mu S).
+Proof.
+  intros Hs Hm Hb HV L P. unfold limit_69. pose proof (static_demand_pos s mu Hs Hm) as SP. pose proof (mobility_pos s Hs) as Mp.
   set (m := Rmax S (H_j s + mu * mobility s)). assert (Pm : 0 < m) by (pose proof (Rmax_r S (H_j s + mu * mobility s)); unfold
     m; lra).
   pose proof (limit_of_beta s m Pm Hb) as LB. destruct (holding_above s mu phi Hs P) as [A B].
@@ -436,4 +501,14 @@ Proof.
     + apply (slides_iff_ s Hs phi P). intros t Ht. destruct L as [Up _]. assert (demand s t <= S) by (apply Up; exists t; auto).
       assert (friction s * demand s t <= friction s * S) by (apply Rmult_le_compat_l; lra). lra.
     + apply Rlt_le_trans with (holding_friction s phi); [apply A; lra | apply Rle_abs].
+Qed.
+
+Theorem eq_69 : forall s, Statements.eq_69 s.
+Proof.
+  intros s mu S Hs Hm Hb HV L. split.
+  - intros [phi [P H]]. apply (conditions_54 s mu S phi Hs Hm Hb HV L P). split; [apply (phase_responds s phi HV P) | exact H].
+  - intros H. assert (Re : responds s).
+    { pose proof (Rmax_r S (H_j s + mu * mobility s)). pose proof (static_demand_pos s mu Hs Hm).
+      apply (limit_of_beta s (Rmax S (H_j s + mu * mobility s))); [lra | exact Hb | split; [exact HV | exact H]]. }
+    destruct (some_phase s Re) as [phi P]. exists phi. split; [exact P | apply (conditions_54 s mu S phi Hs Hm Hb HV L P), H].
 Qed.

@@ -1,8 +1,32 @@
 (* The closed form over a whole period is a motion of Coulomb's contact; steady motions for mu = 1 mirror themselves. *)
 Require Import Reals List Lra Lia Psatz PeanoNat.
 From Coquelicot Require Import Coquelicot.
-From Kernel Require Import Statements Modes SteadyMode Sums Masses OneVelocity.
+From Kernel Require Import Statements Modes SteadyMode Sums Masses Contact OneVelocity.
 Open Scope R_scope.
+
+(* The load of (75) depends on the state at its time only, and turns over with it. *)
+Lemma load_same s phi phi' (y y1 z z1 : nat -> R -> R) t t' : cos (t + phi) = cos (t' + phi') ->
+  (forall a, (a < masses s)%nat -> y a t = z a t' /\ y1 a t = z1 a t') -> load_at s phi y y1 t = load_at s phi' z z1 t'.
+Proof.
+  intros C E. unfold load_at, holding_load. f_equal. apply Sum_ext. intros a Ha. rewrite C. f_equal. f_equal.
+  apply Sum_ext. intros b Hb. destruct (E b Hb) as [-> ->]. reflexivity.
+Qed.
+Lemma load_opposite s phi (y y1 z z1 : nat -> R -> R) t t' : cos (t + phi) = - cos (t' + phi) ->
+  (forall a, (a < masses s)%nat -> y a t = - z a t' /\ y1 a t = - z1 a t') -> load_at s phi y y1 t = - load_at s phi z z1 t'.
+Proof.
+  intros C E. unfold load_at, holding_load. rewrite C. transitivity (- (Sum (masses s) (fun a => Sum (masses s) (fun i => shape s
+    (contact s) i * shape s a i) * (Sum (masses s) (fun b => damping s a b * z1 b t' + stiffness s a b * z b t') - delta a (loaded
+    s) * cos (t' + phi)))) / mobility s); [|unfold Rdiv; ring]. f_equal.
+  rewrite <- Sum_opp. apply Sum_ext. intros a Ha.
+  rewrite (Sum_ext _ (fun b => damping s a b * y1 b t + stiffness s a b * y b t) (fun b => - (damping s a b * z1 b t' +
+    stiffness s
+    a b * z b t'))) by (intros b Hb; destruct (E b Hb) as [-> ->]; ring). rewrite Sum_opp. ring.
+Qed.
+Lemma half_turn t phi : cos (t + phi) = - cos (t + PI + phi) /\ cos (t + phi) = - cos (t - PI + phi).
+Proof.
+  replace (t + PI + phi) with (t + phi + PI) by ring. rewrite neg_cos. split; [ring|].
+  replace (t + phi) with (t - PI + phi + PI) by ring. rewrite neg_cos. ring.
+Qed.
 
 (* A motion mirrored and moved by half a period *)
 Definition turned_over (f : nat -> R -> R) (a : nat) := joined PI (fun t => - f a (t + PI)) (fun t => - f a (t - PI)).
@@ -10,7 +34,7 @@ Definition turned_over (f : nat -> R -> R) (a : nat) := joined PI (fun t => - f 
 Lemma turned_over_is_a_motion s mu phi y y1 : is_scene s -> steady_contact_motion s mu phi (2 * PI) y y1 ->
   steady_contact_motion s mu phi (2 * PI) (turned_over y) (turned_over y1).
 Proof.
-  intros Hs [Cy [Py [L Ey]]]. pose proof PI_RGT_0 as P.
+  intros Hs [[Cy [[L Ey] St]] Py]. pose proof PI_RGT_0 as P.
   assert (Sh : forall (f : R -> R) c t, continuous f (t + c) -> continuous (fun t => - f (t + c)) t).
   { intros f c t Cf. apply (continuous_opp (V := R_NormedModule)). apply (continuous_comp (fun t => t + c) f); [|exact Cf].
     apply (continuous_plus (V := R_NormedModule)); [apply continuous_id | apply continuous_const]. }
@@ -21,10 +45,8 @@ Proof.
     - intros H. apply Sh, Cf. lra.
     - intros H. apply (Sh (f a) (- PI)), Cf. lra.
     - replace (PI + PI) with (2 * PI) by ring. replace (PI - PI) with 0 by ring. rewrite E. reflexivity. }
-  split; [|split].
+  split; [split; [|split]|].
   - intros a t Ha Ht. split; apply CJ; try assumption; try (apply Py, Ha); intros x Hx; apply Cy; assumption.
-  - intros a Ha. unfold turned_over. rewrite !(joined_after PI _ _ (2 * PI)), !(joined_before PI _ _ 0) by lra. rewrite
-    Rplus_0_l. replace (2 * PI - PI) with PI by ring. split; reflexivity.
   - exists (PI :: map (fun t => t - PI) L ++ map (fun t => t + PI) L)%list. intros t Ht NL.
     assert (NP : t <> PI) by (intro; apply NL; left; auto).
     assert (N1 : ~ In (t + PI) L) by (intro I; apply NL; right; apply in_or_app; left; apply in_map_iff; exists (t + PI); split;
@@ -63,33 +85,51 @@ Proof.
     + apply (Main (- PI)); [right; reflexivity | lra | exact N2 |]. exists (t - PI). split; [lra|]. intros f a x Hx. apply
       Rabs_lt_between in Hx.
       unfold turned_over. rewrite joined_after by lra. reflexivity.
+  - pose proof (Hj s Hs) as J. intros t Ht V0 HL. destruct (Rlt_dec t PI) as [B|B].
+    + assert (V : forall f a, turned_over f a t = - f a (t + PI)) by (intros; unfold turned_over; rewrite joined_before by lra;
+      reflexivity).
+      rewrite (load_opposite s phi _ _ y y1 t (t + PI)), Rabs_Ropp in HL by (try apply half_turn; intros; rewrite !V; split;
+        reflexivity).
+      rewrite V in V0. destruct (St (t + PI) ltac:(lra) ltac:(lra) HL) as [t' [Ht' Z]]. exists (t' - PI). split; [lra|].
+      intros x Hx. unfold turned_over. rewrite joined_before, Z by lra. ring.
+    + assert (V : forall f a x, (f = y \/ f = y1) -> (a < masses s)%nat -> PI <= x -> turned_over f a x = - f a (x - PI)).
+      { intros f a x Hf Ha Hx. unfold turned_over. destruct (Req_dec x PI) as [->|N]; [|rewrite joined_after by lra; reflexivity].
+        rewrite joined_before by lra. replace (PI + PI) with (2 * PI) by ring. replace (PI - PI) with 0 by ring.
+        destruct (Py a Ha) as [E1 E2]. destruct Hf as [-> | ->]; congruence. }
+      rewrite (load_opposite s phi _ _ y y1 t (t - PI)), Rabs_Ropp in HL by (try apply half_turn; intros; rewrite !V by (auto;
+        lra); split; reflexivity).
+      rewrite V in V0 by (auto; lra). destruct (St (t - PI) ltac:(lra) ltac:(lra) HL) as [t' [Ht' Z]].
+      exists (Rmin (t' + PI) (2 * PI)). pose proof (Rmin_l (t' + PI) (2 * PI)). split; [split; [apply Rmin_glb_lt; lra | apply
+        Rmin_r]|].
+      intros x Hx. rewrite V, Z by (auto; lra). ring.
+  - intros a Ha. unfold turned_over. rewrite !(joined_after PI _ _ (2 * PI)), !(joined_before PI _ _ 0) by lra. rewrite
+    Rplus_0_l. replace (2 * PI - PI) with PI by ring. split; reflexivity.
 Qed.
 
 Theorem steady_motion_is_symmetric : forall s, Statements.steady_motion_is_symmetric s.
 Proof.
-  intros s Hs Hz Hb phi y y1 H k t Hk Ht. pose proof PI_RGT_0.
-  pose proof (one_steady_velocity s Hs Hz Hb phi (2 * PI) _ _ _ _ ltac:(lra) H (turned_over_is_a_motion s 1 phi y y1 Hs H) k t
-    Hk ltac:(lra)) as E.
-  rewrite E. unfold turned_over. rewrite joined_before by lra. ring.
+  intros s Hs Hz Hb phi y y1 H. pose proof PI_RGT_0. pose proof (turned_over_is_a_motion s 1 phi y y1 Hs H) as H'.
+  split.
+  - intros k t Hk Ht. rewrite (one_steady_velocity s Hs Hz Hb phi (2 * PI) _ _ _ _ ltac:(lra) H H' k t Hk ltac:(lra)).
+    unfold turned_over. rewrite joined_before by lra. ring.
+  - intros Mv k t Hk Ht. rewrite (one_steady_motion s Hs Hz Hb phi (2 * PI) _ _ _ _ ltac:(lra) H H' Mv k t Hk ltac:(lra)).
+    unfold turned_over. rewrite joined_before by lra. ring.
 Qed.
 
 (* The closed form, continued by its mirror image *)
 Theorem closed_form_is_a_contact_motion : forall s, Statements.closed_form_is_a_contact_motion s.
 Proof.
-  intros s mu Hs Hmu Hr phi P SL. pose proof PI_RGT_0 as Pp.
+  intros s mu Hs Hmu Hr phi P SL HF. pose proof PI_RGT_0 as Pp.
   assert (XC : forall k t, continuous (x s phi k) t /\ continuous (x_prime s phi k) t)
     by (intros; split; eapply continuous_of_derive; [apply x_derive | apply x_prime_derive]; exact Hs).
   assert (Sh : forall (f : R -> R) t, continuous f (t - PI) -> continuous (fun t => - f (t - PI)) t).
   { intros f t Cf. apply (continuous_opp (V := R_NormedModule)). apply (continuous_comp (fun t => t - PI) f); [|exact Cf].
     apply (continuous_minus (V := R_NormedModule)); [apply continuous_id | apply continuous_const]. }
   assert (CJ : forall (f : nat -> R -> R) a, continued f a = joined PI (f a) (fun t => - f a (t - PI))) by reflexivity.
-  split; [|split].
+  split; [split; [|split]|].
   - intros a t Ha Ht. rewrite !CJ. destruct (x_mirrored s Hs phi a) as [M1 M2].
     split; apply joined_continuous; try (intros; apply XC); try (intros; apply Sh, XC); replace (PI - PI) with 0 by ring;
       assumption.
-  - intros a Ha. rewrite !CJ, !(joined_after PI _ _ (2 * PI)), !(joined_before PI _ _ 0) by lra. replace (2 * PI - PI) with PI
-    by ring.
-    destruct (x_mirrored s Hs phi a) as [M1 M2]. rewrite M1, M2. split; ring.
   - exists (PI :: nil). intros t Ht NL. assert (NP : t <> PI) by (intro; apply NL; left; auto).
     destruct (Rlt_dec t PI) as [B|B].
     + exists (fun a => x_second s phi a t), (-1).
@@ -118,4 +158,35 @@ Proof.
         stiffness s a b * x s phi b (t - PI)))) by (intros; rewrite !V; ring).
         rewrite Sum_opp, (x_equation s Hs phi a (t - PI) Ha). replace (cos (t + phi)) with (- cos (t - PI + phi)); [ring|].
         replace (t + phi) with (t - PI + phi + PI) by ring. rewrite neg_cos. ring.
+  - intros t Ht V0 HL. exfalso. destruct (Req_dec t 0) as [->|N0]; [|destruct (Rtotal_order t PI) as [L|[->|L]]].
+    + rewrite (load_same s phi phi _ _ (x s phi) (x_prime s phi) 0 0) in HL by (try reflexivity; intros; rewrite !CJ,
+        !joined_before by lra; split; reflexivity).
+      unfold load_at in HL. rewrite Rplus_0_l in HL. unfold holding_friction in HF. lra.
+    + rewrite CJ, joined_before in V0 by lra. pose proof (SL t ltac:(lra)). lra.
+    + rewrite (load_opposite s phi _ _ (x s phi) (x_prime s phi) PI 0), Rabs_Ropp in HL.
+      * unfold load_at in HL. rewrite Rplus_0_l in HL. unfold holding_friction in HF. lra.
+      * destruct (half_turn PI phi) as [_ ->]. replace (PI - PI) with 0 by ring. reflexivity.
+      * intros a _. rewrite !CJ, !joined_before by lra. apply (x_mirrored s Hs phi a).
+    + rewrite CJ, joined_after in V0 by lra. pose proof (SL (t - PI) ltac:(lra)). lra.
+  - intros a Ha. rewrite !CJ, !(joined_after PI _ _ (2 * PI)), !(joined_before PI _ _ 0) by lra. replace (2 * PI - PI) with PI
+    by ring.
+    destruct (x_mirrored s Hs phi a) as [M1 M2]. rewrite M1, M2. split; ring.
+Qed.
+
+(* Where static friction holds the turning point it would rest there for some time. *)
+Theorem closed_form_needs_54b : forall s, Statements.closed_form_needs_54b s.
+Proof.
+  intros s mu Hs phi P SL [[_ [_ St]] _]. pose proof PI_RGT_0 as Pp. apply Rnot_lt_le. intros L.
+  assert (CJ : forall (f : nat -> R -> R) a, continued f a = joined PI (f a) (fun t => - f a (t - PI))) by reflexivity.
+  assert (V0 : x_prime s phi (contact s) 0 = 0) by (destruct (x_initial s Hs phi (contact s) (Hj s Hs)), P; lra).
+  destruct (St 0) as [t' [Ht' Z]]; [lra | rewrite CJ, joined_before by lra; exact V0 | |].
+  - rewrite (load_same s phi phi _ _ (x s phi) (x_prime s phi) 0 0) by (try reflexivity; intros; rewrite !CJ, !joined_before by
+    lra;
+      split; reflexivity).
+    unfold load_at. rewrite Rplus_0_l. exact L.
+  - set (t := Rmin t' (PI / 2)). pose proof (Rmin_l t' (PI / 2)). pose proof (Rmin_r t' (PI / 2)).
+    assert (0 < t) by (apply Rmin_glb_lt; lra). specialize (Z t ltac:(unfold t in *; lra)). rewrite CJ, joined_before in Z by
+      (unfold
+      t in *; lra).
+    pose proof (SL t ltac:(unfold t in *; lra)). lra.
 Qed.

@@ -280,19 +280,25 @@ Proof.
   pose proof (pow2_ge_0 (shape s (contact s) i)). nra.
 Qed.
 
+Lemma supremum_at_start s : is_scene s -> (forall i, (i < masses s)%nat -> w (damping_ratio s i) <= 2 * ratio s i) ->
+  supremum_of_demand s (H_j s + mobility s).
+Proof.
+  intros Sc Low. pose proof (demand_largest_at_start s Sc Low) as Top. pose proof (mobility_pos s Sc) as Mp.
+  destruct (demand_limits s Sc) as [L0 _]. pose proof PI_RGT_0.
+  split; [intros y [t [Ht ->]]; apply Top, Ht|]. intros b Up. apply Rnot_lt_le. intros Above.
+  apply is_lim_spec in L0. destruct (L0 (mkposreal (H_j s + mobility s - b) ltac:(lra))) as [d Hd]. simpl in Hd.
+  pose proof (cond_pos d). set (a := Rmin (d / 2) 1). assert (Ia : 0 < a <= 1 /\ a < d).
+  { unfold a. pose proof (Rmin_l (d / 2) 1). pose proof (Rmin_r (d / 2) 1).
+    assert (0 < Rmin (d / 2) 1) by (apply Rmin_glb_lt; lra). lra. }
+  assert (P1 : 1 < PI) by (pose proof PI2_1; lra).
+  assert (B : Rabs (demand s a - (H_j s + mobility s)) < H_j s + mobility s - b).
+  { apply Hd; [|lra]. change (Rabs (a - 0) < d). rewrite Rminus_0_r, Rabs_right; lra. }
+  apply Rabs_lt_between in B. assert (demand s a <= b) by (apply Up; exists a; split; [lra | reflexivity]). lra.
+Qed.
+
 Theorem eq_67_is_the_limit : forall s, Statements.eq_67_is_the_limit s.
 Proof.
-  intros s mu Sc Low Hm Hb HV phi P. pose proof (demand_largest_at_start s Sc Low) as Top. pose proof (mobility_pos s Sc) as Mp.
-  destruct (demand_limits s Sc) as [L0 _]. pose proof PI_RGT_0.
-  assert (Lub : is_lub (fun y => exists t, 0 < t < PI /\ y = demand s t) (H_j s + mobility s)).
-  { split; [intros y [t [Ht ->]]; apply Top, Ht|]. intros b Up. apply Rnot_lt_le. intros Above.
-    apply is_lim_spec in L0. destruct (L0 (mkposreal (H_j s + mobility s - b) ltac:(lra))) as [d Hd]. simpl in Hd.
-    pose proof (cond_pos d). set (a := Rmin (d / 2) 1). assert (Ia : 0 < a <= 1 /\ a < d).
-    { unfold a. pose proof (Rmin_l (d / 2) 1). pose proof (Rmin_r (d / 2) 1).
-      assert (0 < Rmin (d / 2) 1) by (apply Rmin_glb_lt; lra). lra. }
-    assert (P1 : 1 < PI) by (pose proof PI2_1; lra).
-    assert (B : Rabs (demand s a - (H_j s + mobility s)) < H_j s + mobility s - b).
-    { apply Hd; [|lra]. change (Rabs (a - 0) < d). rewrite Rminus_0_r, Rabs_right; lra. }
-    apply Rabs_lt_between in B. assert (demand s a <= b) by (apply Up; exists a; split; [lra | reflexivity]). lra. }
-  pose proof (eq_69 s mu _ Sc Hm Hb HV Lub phi P) as E. rewrite Rmax_right in E; [exact E|]. nra.
+  intros s mu Sc Low Hm Hb HV. pose proof (mobility_pos s Sc) as Mp.
+  pose proof (eq_69 s mu _ Sc Hm Hb HV (supremum_at_start s Sc Low)) as E. unfold limit_69 in E. rewrite Rmax_right in E by nra.
+    exact E.
 Qed.

@@ -75,6 +75,76 @@ Proof.
   - replace (m * - (m * (2 * z * r))) with (- (m * m * (2 * z * r))) by ring. rewrite Hm. unfold v_im. fold D. field; lra.
 Qed.
 
+Theorem eq_60 : Statements.eq_60.
+Proof.
+  intros r z pj pl b f y y1 y2 A Hl Cy Ey M. pose proof A as [Hr [_ [_ Hv]]].
+  destruct (eq_26_27 r z pj pl b f y y1 y2 A Cy Ey M) as [C S]. unfold v_cos, v_sin in C, S. rewrite Rplus_0_l in C, S.
+  destruct (eq_61 r z Hv) as [C1 S1]. cbv zeta.
+  assert (N : v_re r z <> 0 \/ v_im r z <> 0).
+  { destruct (Req_dec (v_re r z) 0) as [Z|Z]; [right | left; exact Z]. intros Z'. destruct (eq_23 r z Hv) as [E _].
+    rewrite Z, Z' in E. lra. }
+  destruct (atan2_is_the_angle _ _ N) as [C2 S2]. change (sqrt (v_re r z ^ 2 + v_im r z ^ 2)) with (v_abs r z) in C2, S2.
+  assert (V : v_abs r z <> 0) by (intros Z; rewrite Z in C2, S2; lra).
+  rewrite cos_plus, sin_plus. set (c := cos (atan2 _ _)) in *. set (d := sin (atan2 _ _)) in *.
+  assert (Nz : pl * r ^ 2 * v_abs r z <> 0).
+  { repeat apply Rmult_integral_contrapositive_currified; try assumption; try lra. }
+  split; apply (Rmult_eq_reg_l (pl * r ^ 2 * v_abs r z)); try exact Nz.
+  - replace (pl * r ^ 2 * v_abs r z * ((y 0 + pj * r ^ 2 * g r z * b) / (pl * r ^ 2 * v_abs r z))) with (y 0 + pj * r ^ 2 * g r
+    z * b)
+      by (field; repeat split; try assumption; lra). rewrite <- C, <- C2, <- S2. ring.
+  - replace (pl * r ^ 2 * v_abs r z * - ((y1 0 + pj * r ^ 2 * u r z * b) / (pl * r ^ 2 * v_abs r z))) with (- (y1 0 + pj * r ^ 2
+    * u r
+      z * b)) by (field; repeat split; try assumption; lra). rewrite <- S, <- C2, <- S2. ring.
+Qed.
+
+(* A time between 0 and pi at which the cosine is 1 or -1 *)
+Lemma extreme_cosine f : exists t, 0 <= t <= PI /\ Rabs (cos (t - f)) = 1.
+Proof.
+  pose proof PI_RGT_0 as P. destruct (archimed (- (f / PI))) as [U1 U2]. set (n := up (- (f / PI))) in *.
+  exists (f + IZR n * PI). assert (F : f = f / PI * PI) by (field; lra). split; [split|].
+  - assert (0 < (f / PI + IZR n) * PI) by (apply Rmult_lt_0_compat; lra). lra.
+  - assert ((f / PI + IZR n) * PI <= 1 * PI) by (apply Rmult_le_compat_r; lra). lra.
+  - replace (f + IZR n * PI - f) with (IZR n * PI) by ring. pose proof (sin2_cos2 (IZR n * PI)) as Q.
+    rewrite (sin_eq_0_1 (IZR n * PI)) in Q by (exists n; reflexivity). unfold Rsqr in Q.
+    assert (D : (cos (IZR n * PI) - 1) * (cos (IZR n * PI) + 1) = 0) by lra. apply Rmult_integral in D. unfold Rabs.
+    destruct (Rcase_abs _); lra.
+Qed.
+Theorem eq_47 : Statements.eq_47.
+Proof.
+  intros X f pj tau HX Ht H phi_k. destruct (extreme_cosine f) as [t [Hit E]]. specialize (H t Hit).
+  rewrite !Rabs_mult, E in H. assert (A : 1 <= Rabs (cos (tau - f))) by (rewrite (Rabs_right X) in H by lra; nra).
+  pose proof (COS_bound (tau - f)) as B. pose proof (sin2_cos2 (tau - f)) as Q. unfold Rsqr in Q.
+  assert (S : sin (tau - f) = 0) by (unfold Rabs in A; destruct (Rcase_abs _); nra).
+  assert (T : forall c, pj + tau + c = pj + f + ((tau - f) + c)) by (intros; ring). unfold phi_k.
+  destruct (Rle_dec 0 (X * cos (tau - f))) as [P|P].
+  - assert (C : cos (tau - f) = 1) by (unfold Rabs in A; destruct (Rcase_abs _); nra).
+    replace (pj + tau) with (pj + f + (tau - f)) by ring. set (q := pj + f). rewrite (cos_plus q), (sin_plus q), C, S. split;
+      ring.
+  - assert (C : cos (tau - f) = -1) by (unfold Rabs in A; destruct (Rcase_abs _); nra).
+    rewrite (T PI). set (q := pj + f). rewrite (cos_plus q), (sin_plus q), neg_cos, neg_sin, C, S. split; ring.
+Qed.
+
+Theorem eq_1 : Statements.eq_1.
+Proof.
+  intros n k x a Ha. unfold chain_stiffness.
+  rewrite (Sum_ext n _ (fun b => delta b a * ((k a + spring_after n k a) * x b) - delta b (S a) * (spring_after n k a * x b) - k
+    a *
+    (delta a (S b) * x b))) by (intros; rewrite (delta_sym a i); ring).
+  rewrite !Sum_minus, Sum_scal, (Sum_delta n a (fun b => (k a + spring_after n k a) * x b) Ha).
+  assert (A : Sum n (fun b => delta b (S a) * (spring_after n k a * x b)) = spring_after n k a * x (S a)).
+  { destruct (Nat.ltb_spec (S a) n) as [L|L]; [apply (Sum_delta n (S a) (fun b => spring_after n k a * x b) L)|].
+    unfold spring_after. destruct (Nat.ltb_spec (S a) n); [lia|]. rewrite Rmult_0_l. apply Sum_zero. intros; ring. }
+  assert (B : Sum n (fun b => delta a (S b) * x b) = match a with O => 0 | S p => x p end).
+  { destruct a as [|p]; [apply Sum_zero; intros; rewrite delta_other by lia; ring|].
+    rewrite <- (Sum_delta n p x) by lia. apply Sum_ext. intros b _. f_equal. unfold delta.
+    destruct (Nat.eqb_spec (S p) (S b)), (Nat.eqb_spec b p); try reflexivity; lia. }
+  rewrite A, B. ring.
+Qed.
+Theorem eq_73 : Statements.eq_73.
+Proof.
+  intros n k k1 a b Hk. unfold chain_stiffness, spring_after. destruct (Nat.ltb (S a) n); field; lra.
+Qed.
+
 Section Scene.
 Variable s : scene.
 Local Notation N := (masses s).

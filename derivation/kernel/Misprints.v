@@ -96,9 +96,6 @@ Proof.
     simpl; unfold delta; simpl; field.
 Qed.
 
-Lemma some_phase s : responds s -> exists phi, is_phase s phi.
-Proof. intros H. eexists. apply (proj1 (eq_39 s H)). Qed.
-
 (* ---- (40), (41), (46), (49), (A.7) ---- *)
 Theorem eq_40_as_printed : Statements.eq_40_as_printed.
 Proof.
@@ -141,8 +138,6 @@ Proof.
     rewrite F in E'. rewrite P in E.
   rewrite E in E'. change (friction s) with 1 in *. lra.
 Qed.
-Theorem eq_49_as_printed : Statements.eq_49_as_printed.
-Proof. intros H. specialize (H 0 1 0 0 (PI / 2)). rewrite cos_PI2, sin_PI2 in H. lra. Qed.
 Theorem eq_A_7_as_printed : Statements.eq_A_7_as_printed.
 Proof.
   intros H. specialize (H 2 0 0 0 0 0 1 0 PI admissible_2). pose proof (from_start_rate 2 0 0 0 0 0 1 0 PI ltac:(lra)
@@ -224,6 +219,16 @@ Proof.
     cbv zeta in E'.
   change (contact s) with 0%nat in *.
   assert (Q : 0 < V_abs s 1 / V_abs s 0 * (root s * sin (V_arg s 1 - V_arg s 0)))
+    by (apply Rmult_lt_0_compat; [apply Rdiv_lt_0_compat | apply Rmult_lt_0_compat]; assumption).
+  lra.
+Qed.
+Theorem eq_49_as_printed : Statements.eq_49_as_printed.
+Proof.
+  intros H. destruct two_example as [b [phi [S [R [P [Rp [Fp [Bp Un]]]]]]]]. destruct (two_facts b) as [_ [_ [V0 [V1 [VL D]]]]].
+    set (s := two_masses b) in *.
+  pose proof (H s phi 1%nat 0 S R P ltac:(simpl; lia)) as E. cbv zeta in E. rewrite cos_0, sin_0 in E.
+  change (contact s) with 0%nat in *.
+  assert (Q : 0 < V_abs s 1 / V_abs s 0 * (friction s * U s 0 * sin (V_arg s 1 - V_arg s 0)))
     by (apply Rmult_lt_0_compat; [apply Rdiv_lt_0_compat | apply Rmult_lt_0_compat]; assumption).
   lra.
 Qed.
@@ -375,9 +380,6 @@ Proof.
   - intros t. pose proof (COS_bound t). assert (1 <= mu * b) by (apply (Rmult_le_compat_r mu) in H; lra). unfold Rabs. destruct
     (Rcase_abs (cos t)); lra.
 Qed.
-Theorem eq_88_as_printed : Statements.eq_88_as_printed.
-Proof. intros H. specialize (H 1 (1 / 2) ltac:(lra) ltac:(lra) ltac:(lra) 0). rewrite cos_0, Rabs_R1 in H. lra. Qed.
-
 (* With little friction a scene slides and breaks away. *)
 Lemma little_friction (f : R -> scene) V m : (forall b, is_scene (f b)) -> (forall b, friction (f b) = b) ->
   (forall b, V_abs (f b) (contact (f b)) = V) -> (forall b, U (f b) (contact (f b)) = U (f 0) (contact (f 0))) -> (forall b, H_j
@@ -449,8 +451,11 @@ Proof.
   set (mu := 5 / 4 / b). assert (MB : mu * b = 5 / 4) by (unfold mu; field; lra). assert (Mu : 1 < mu) by nra.
   exists s, mu, phi, (continued (x s phi)), (continued (x_prime s phi)), (fun _ _ => 0), (fun _ _ => 0).
   split; [exact S|]. split; [intros; simpl; lra|]. split; [simpl; lra|]. split; [exact Mu|].
+  assert (HB : mu * friction s < Rabs (holding_friction s phi)) by (change (friction s) with b; rewrite MB, Rabs_right; lra).
   split; [apply closed_form_is_a_contact_motion; try assumption; lra|]. split; [|split; [|split; [|split]]].
-  - split; [intros; split; apply continuous_const|]. split; [split; reflexivity|]. exists nil. intros t _ _.
+  - split; [|intros; split; reflexivity]. split; [intros; split; apply continuous_const|]. split; [|intros t Ht _ _; exists (2 *
+    PI);
+      split; [lra | reflexivity]]. exists nil. intros t _ _.
     exists (fun _ => 0), (cos (t + phi) / b). split.
     + split; [intros; lra|]. split; [intros; lra|]. intros _. pose proof (COS_bound (t + phi)).
       assert (E : cos (t + phi) / b * b = cos (t + phi)) by (field; lra). split; apply (Rmult_le_reg_r b); lra.
@@ -458,7 +463,7 @@ Proof.
       split; [apply (is_derive_const (K := R_AbsRing) (V := R_NormedModule))|]. split; [apply (is_derive_const (K := R_AbsRing)
         (V := R_NormedModule))|]. field; lra.
   - intros t Ht. unfold continued. destruct (Rle_dec t PI); [apply SL, Ht | lra].
-  - rewrite <- holding_is_load by assumption. change (friction s) with b. rewrite MB, Rabs_right; lra.
+  - rewrite <- holding_is_load by assumption. exact HB.
   - reflexivity.
   - reflexivity.
 Qed.

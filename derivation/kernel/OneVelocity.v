@@ -1,4 +1,4 @@
-(* For mu = 1 any two steady motions of a damped scene have the same velocities: the energy of their difference falls. *)
+(* For mu = 1 the energy of the difference of two motions falls; two steady motions of a damped scene have the same velocities. *)
 Require Import Reals List Lra Lia Psatz PeanoNat.
 From Coquelicot Require Import Coquelicot.
 From Kernel Require Import Statements Modes SteadyMode Sums Masses.
@@ -101,6 +101,8 @@ Proof.
     try (pose proof (A1 V)); try (pose proof (A2 V)); try (pose proof (A3 V));
     try (pose proof (B1 W)); try (pose proof (B2 W)); try (pose proof (B3 W)); subst; nra.
 Qed.
+Lemma coulomb_is_bounded v a : coulomb 1 v a -> -1 <= a <= 1.
+Proof. intros [P [M Z]]. destruct (Rtotal_order v 0) as [V|[V|V]]; [rewrite M | apply Z | rewrite P]; lra. Qed.
 Lemma coulomb_is_odd mu v a : coulomb mu v a -> coulomb mu (- v) (- a).
 Proof. intros [A1 [A2 A3]]. split; [|split]; intros H; [rewrite A2 | rewrite A1 |  assert (v = 0) by lra; specialize (A3 H0)];
   lra. Qed.
@@ -119,80 +121,109 @@ Local Notation l := (loaded s).
 Local Notation beta := (friction s).
 Hypothesis Hs : is_scene s.
 
-(* The energy of the difference of two motions falls, by the damping and by the friction. *)
-Lemma one_velocity phi T y y1 z z1 : (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta -> 0 < T ->
-  steady_contact_motion s 1 phi T y y1 -> steady_contact_motion s 1 phi T z z1 ->
-  forall i t, (i < N)%nat -> 0 < t < T -> modal s (fun a => y1 a t - z1 a t) i = 0.
+(* The difference of two motions in each mode, and its energy *)
+Definition gap (f h : nat -> R -> R) i t := modal s (fun a => f a t - h a t) i.
+Definition energy (y y1 z z1 : nat -> R -> R) t :=
+  Sum N (fun i => / 2 * (gap y1 z1 i t * gap y1 z1 i t + / R_ i ^ 2 * (gap y z i t * gap y z i t))).
+
+Section Pair.
+Variables (phi T : R) (y y1 z z1 : nat -> R -> R).
+Hypothesis Hz : forall i, (i < N)%nat -> 0 < zeta i.
+Hypothesis Hb : 0 <= beta.
+Hypothesis HY : contact_motion s 1 phi T y y1.
+Hypothesis HZ : contact_motion s 1 phi T z z1.
+Let p := gap y z.
+Let p1 := gap y1 z1.
+Let E := energy y y1 z z1.
+
+Lemma gap_continuous i t : 0 <= t <= T -> continuous (p i) t /\ continuous (p1 i) t.
 Proof.
-  intros Hz Hb HT [Cy [Py [Ly Ey]]] [Cz [Pz [Lz Ez]]].
-  set (p := fun i t => modal s (fun a => y a t - z a t) i). set (p1 := fun i t => modal s (fun a => y1 a t - z1 a t) i).
-  set (L := (Ly ++ Lz)%list).
-  assert (Cp : forall i t, 0 <= t <= T -> continuous (p i) t /\ continuous (p1 i) t).
-  { intros i t Ht. split; unfold p, p1; apply (modal_continuous s (fun a t => _ )); intros a Ha; destruct (Cy a t Ha Ht), (Cz a
-    t Ha Ht);
-      apply (continuous_minus (V := R_NormedModule)); assumption. }
-  assert (Eq : forall t, 0 < t < T -> ~ In t L -> exists p2 : nat -> R, exists f : R, 0 <= f * (y1 j t - z1 j t) /\
-     forall i, (i < N)%nat -> is_derive (p i) t (p1 i t) /\ is_derive (p1 i) t (p2 i) /\
-       p2 i + 2 * zeta i / R_ i * p1 i t + / R_ i ^ 2 * p i t = - (psi j i * (beta * f))).
-  { intros t Ht NL. assert (NY : ~ In t Ly) by (intro; apply NL, in_or_app; left; assumption). assert (NZ : ~ In t Lz) by
+  destruct HY as [Cy _], HZ as [Cz _]. intros Ht. split; unfold p, p1, gap; apply (modal_continuous s (fun a t => _ )); intros a
+    Ha; destruct (Cy a t Ha Ht), (Cz a t Ha Ht); apply (continuous_minus (V := R_NormedModule)); assumption.
+Qed.
+
+(* f is the difference of the two signs of friction. *)
+Lemma gap_equation : exists L, forall t, 0 < t < T -> ~ In t L -> exists (p2 : nat -> R) f,
+  0 <= f * (y1 j t - z1 j t) /\ Rabs f <= 2 /\ (0 < y1 j t * z1 j t -> f = 0) /\
+  forall i, (i < N)%nat -> is_derive (p i) t (p1 i t) /\ is_derive (p1 i) t (p2 i) /\
+    p2 i + 2 * zeta i / R_ i * p1 i t + / R_ i ^ 2 * p i t = - (psi j i * (beta * f)).
+Proof.
+  destruct HY as [_ [[Ly Ey] _]], HZ as [_ [[Lz Ez] _]]. exists (Ly ++ Lz)%list.
+  intros t Ht NL. assert (NY : ~ In t Ly) by (intro; apply NL, in_or_app; left; assumption). assert (NZ : ~ In t Lz) by
     (intro; apply NL, in_or_app; right; assumption).
-    destruct (Ey t Ht NY) as [y2 [a [Ca Ea]]]. destruct (Ez t Ht NZ) as [z2 [b [Cb Eb]]].
-    exists (modal s (fun k => y2 k - z2 k)), (a - b). split; [apply coulomb_is_monotone; assumption|]. intros i Hi. split;
-      [|split].
-    - apply (modal_derive s (fun a t => y a t - z a t) (fun a t => y1 a t - z1 a t)). intros k Hk. destruct (Ea k Hk) as [D _].
+  destruct (Ey t Ht NY) as [y2 [a [Ca Ea]]]. destruct (Ez t Ht NZ) as [z2 [b [Cb Eb]]].
+  exists (modal s (fun k => y2 k - z2 k)), (a - b). split; [apply coulomb_is_monotone; assumption|]. split; [|split].
+  - pose proof (coulomb_is_bounded _ _ Ca). pose proof (coulomb_is_bounded _ _ Cb). apply Rabs_le. lra.
+  - intros P. destruct Ca as [A1 [A2 _]], Cb as [B1 [B2 _]]. destruct (Rtotal_order (y1 j t) 0) as [V|[V|V]];
+      destruct (Rtotal_order (z1 j t) 0) as [W|[W|W]]; nra.
+  - intros i Hi. split; [|split].
+    + apply (modal_derive s (fun a t => y a t - z a t) (fun a t => y1 a t - z1 a t)). intros k Hk. destruct (Ea k Hk) as [D _].
       destruct (Eb k Hk) as [D' _].
       apply (is_derive_minus (V := R_NormedModule)); assumption.
-    - apply (modal_derive s (fun a t => y1 a t - z1 a t) (fun a t => y2 a - z2 a)). intros k Hk. destruct (Ea k Hk) as [_ [D
+    + apply (modal_derive s (fun a t => y1 a t - z1 a t) (fun a t => y2 a - z2 a)). intros k Hk. destruct (Ea k Hk) as [_ [D
       _]]. destruct (Eb k Hk) as [_ [D' _]].
       apply (is_derive_minus (V := R_NormedModule)); assumption.
-    - unfold p, p1. rewrite (modal_rows s Hs (fun k => y2 k - z2 k) (fun k => y1 k t - z1 k t) (fun k => y k t - z k t) (fun k
+    + unfold p, p1, gap. rewrite (modal_rows s Hs (fun k => y2 k - z2 k) (fun k => y1 k t - z1 k t) (fun k => y k t - z k t)
+      (fun k
       => - (beta * delta k j * (a - b)))); [| |exact Hi].
-      + rewrite (Sum_ext N _ (fun k => delta k j * - (psi k i * (beta * (a - b))))) by (intros; ring).
+      * rewrite (Sum_ext N _ (fun k => delta k j * - (psi k i * (beta * (a - b))))) by (intros; ring).
         apply (Sum_delta N j (fun k => - (psi k i * (beta * (a - b))))), Hj, Hs.
-      + intros k Hk. destruct (Ea k Hk) as [_ [_ Q]]. destruct (Eb k Hk) as [_ [_ Q']].
+      * intros k Hk. destruct (Ea k Hk) as [_ [_ Q]]. destruct (Eb k Hk) as [_ [_ Q']].
         rewrite (Sum_ext N _ (fun b => (M k b * y2 b + C k b * y1 b t + K k b * y b t) - (M k b * z2 b + C k b * z1 b t + K k b
           * z b t))) by (intros; ring).
-        rewrite Sum_minus. lra. }
-  set (E := fun t => Sum N (fun i => / 2 * (p1 i t * p1 i t + / R_ i ^ 2 * (p i t * p i t)))).
-  assert (CE : forall t, 0 <= t <= T -> continuous E t).
-  { intros t Ht. apply (continuous_Sum N (fun i t => / 2 * (p1 i t * p1 i t + / R_ i ^ 2 * (p i t * p i t)))). intros i Hi.
-    destruct (Cp i t Ht) as [A B].
-    apply continuous_scaled. apply (continuous_plus (V := R_NormedModule)); [|apply continuous_scaled]; apply (continuous_mult
-      (K := R_AbsRing)); assumption. }
-  assert (E' : forall t, 0 < t < T -> ~ In t L -> exists c, is_derive E t c /\ c <= - Sum N (fun i => 2 * zeta i / R_ i * (p1 i
-    t * p1 i t))).
-  { intros t Ht NL. destruct (Eq t Ht NL) as [p2 [f [Hf Q]]]. exists (Sum N (fun i => p1 i t * (p2 i + / R_ i ^ 2 * p i t))).
-    split.
-    - apply (is_derive_Sum N (fun i t => / 2 * (p1 i t * p1 i t + / R_ i ^ 2 * (p i t * p i t))) (fun i t => p1 i t * (p2 i + /
+        rewrite Sum_minus. lra.
+Qed.
+
+Lemma energy_continuous t : 0 <= t <= T -> continuous E t.
+Proof.
+  intros Ht. apply (continuous_Sum N (fun i t => / 2 * (p1 i t * p1 i t + / R_ i ^ 2 * (p i t * p i t)))). intros i Hi.
+  destruct (gap_continuous i t Ht) as [A B].
+  apply continuous_scaled. apply (continuous_plus (V := R_NormedModule)); [|apply continuous_scaled]; apply (continuous_mult
+    (K := R_AbsRing)); assumption.
+Qed.
+
+(* It falls, by the damping and by the friction. *)
+Lemma energy_rate : exists L, forall t, 0 < t < T -> ~ In t L ->
+  exists c, is_derive E t c /\ c <= - Sum N (fun i => 2 * zeta i / R_ i * (p1 i t * p1 i t)).
+Proof.
+  destruct gap_equation as [L Eq]. exists L.
+  intros t Ht NL. destruct (Eq t Ht NL) as [p2 [f [Hf [_ [_ Q]]]]]. exists (Sum N (fun i => p1 i t * (p2 i + / R_ i ^ 2 * p i
+    t))).
+  split.
+  - apply (is_derive_Sum N (fun i t => / 2 * (p1 i t * p1 i t + / R_ i ^ 2 * (p i t * p i t))) (fun i t => p1 i t * (p2 i + /
       R_ i ^ 2 * p i t))).
-      intros i Hi. destruct (Q i Hi) as [D1 [D2 _]].
-      evar_last.
-      { apply is_derive_scal. apply (is_derive_plus (V := R_NormedModule)); [|apply is_derive_scal].
-        - apply (is_derive_mult (K := R_AbsRing) (p1 i) (p1 i)); [exact D2 | exact D2 | intros; apply Rmult_comm].
-        - apply (is_derive_mult (K := R_AbsRing) (p i) (p i)); [exact D1 | exact D1 | intros; apply Rmult_comm]. }
-      unfold plus, mult; simpl. pose proof (Hratio s Hs i Hi). field; lra.
-    - rewrite (Sum_ext N _ (fun i => - (beta * f) * (psi j i * p1 i t) - 2 * zeta i / R_ i * (p1 i t * p1 i t))).
-      + rewrite Sum_minus, Sum_scal. unfold p1. rewrite <- (physical s Hs (fun a => y1 a t - z1 a t) j (Hj s Hs)).
-        assert (0 <= beta * (f * (y1 j t - z1 j t))) by (apply Rmult_le_pos; assumption). lra.
-      + intros i Hi. destruct (Q i Hi) as [_ [_ Q3]]. replace (/ R_ i ^ 2 * p i t) with (- (psi j i * (beta * f)) - p2 i - 2 *
-        zeta i / R_ i * p1 i t) by lra. ring. }
-  assert (Dpos : forall t i, (i < N)%nat -> 0 <= 2 * zeta i / R_ i * (p1 i t * p1 i t)).
-  { intros t i Hi. pose proof (Hz i Hi). pose proof (Hratio s Hs i Hi). apply Rmult_le_pos; [|nra].
-    apply Rmult_le_pos; [lra | apply Rlt_le, Rinv_0_lt_compat; assumption]. }
-  assert (Fall : forall a b, 0 <= a -> a <= b -> b <= T -> E b <= E a).
-  { intros a b H0 Hab H1. apply (not_growing L E a b Hab); [intros; apply CE; lra|]. intros t Ht NL. destruct (E' t ltac:(lra)
-    NL) as [c [D Q]].
-    exists c. split; [exact D|]. pose proof (Sum_nonneg N _ (Dpos t)). lra. }
-  assert (PE : E T = E 0).
-  { unfold E. apply Sum_ext. intros i Hi. unfold p, p1, modal.
-    rewrite (Sum_ext N (fun a => W s i a * (y1 a T - z1 a T)) (fun a => W s i a * (y1 a 0 - z1 a 0))) by (intros a Ha; destruct
-      (Py a Ha), (Pz a Ha); congruence).
-    rewrite (Sum_ext N (fun a => W s i a * (y a T - z a T)) (fun a => W s i a * (y a 0 - z a 0))) by (intros a Ha; destruct (Py
-      a Ha), (Pz a Ha); congruence).
-    reflexivity. }
-  assert (Const : forall t, 0 <= t <= T -> E t = E 0).
-  { intros t Ht. pose proof (Fall 0 t ltac:(lra) ltac:(lra) ltac:(lra)). pose proof (Fall t T ltac:(lra) ltac:(lra) ltac:(lra)).
-    lra. }
+    intros i Hi. destruct (Q i Hi) as [D1 [D2 _]].
+    evar_last.
+    { apply is_derive_scal. apply (is_derive_plus (V := R_NormedModule)); [|apply is_derive_scal].
+      - apply (is_derive_mult (K := R_AbsRing) (p1 i) (p1 i)); [exact D2 | exact D2 | intros; apply Rmult_comm].
+      - apply (is_derive_mult (K := R_AbsRing) (p i) (p i)); [exact D1 | exact D1 | intros; apply Rmult_comm]. }
+    unfold plus, mult; simpl. pose proof (Hratio s Hs i Hi). field; lra.
+  - rewrite (Sum_ext N _ (fun i => - (beta * f) * (psi j i * p1 i t) - 2 * zeta i / R_ i * (p1 i t * p1 i t))).
+    + rewrite Sum_minus, Sum_scal. unfold p1, gap. rewrite <- (physical s Hs (fun a => y1 a t - z1 a t) j (Hj s Hs)).
+      assert (0 <= beta * (f * (y1 j t - z1 j t))) by (apply Rmult_le_pos; assumption). lra.
+    + intros i Hi. destruct (Q i Hi) as [_ [_ Q3]]. replace (/ R_ i ^ 2 * p i t) with (- (psi j i * (beta * f)) - p2 i - 2 *
+        zeta i / R_ i * p1 i t) by lra. ring.
+Qed.
+
+Lemma loss_pos t i : (i < N)%nat -> 0 <= 2 * zeta i / R_ i * (p1 i t * p1 i t).
+Proof.
+  intros Hi. pose proof (Hz i Hi). pose proof (Hratio s Hs i Hi). apply Rmult_le_pos; [|nra].
+  apply Rmult_le_pos; [lra | apply Rlt_le, Rinv_0_lt_compat; assumption].
+Qed.
+Lemma energy_falls a b : 0 <= a -> a <= b -> b <= T -> E b <= E a.
+Proof.
+  intros H0 Hab H1. destruct energy_rate as [L E']. apply (not_growing L E a b Hab); [intros; apply energy_continuous; lra|].
+  intros t Ht NL. destruct (E' t ltac:(lra) NL) as [c [D Q]]. exists c. split; [exact D|]. pose proof (Sum_nonneg N _ (loss_pos
+    t)). lra.
+Qed.
+
+(* Where it does not fall, the velocities are the same. *)
+Lemma at_rest : 0 < T -> E T = E 0 -> forall i t, (i < N)%nat -> 0 < t < T -> p1 i t = 0.
+Proof.
+  intros HT PE. assert (Const : forall t, 0 <= t <= T -> E t = E 0).
+  { intros t Ht. pose proof (energy_falls 0 t ltac:(lra) ltac:(lra) ltac:(lra)). pose proof (energy_falls t T ltac:(lra)
+      ltac:(lra) ltac:(lra)). lra. }
+  destruct energy_rate as [L E'].
   assert (Rest : forall i t, (i < N)%nat -> 0 < t < T -> ~ In t L -> p1 i t = 0).
   { intros i t Hi Ht NL. destruct (E' t Ht NL) as [c [D Q]].
     assert (c = 0).
@@ -201,22 +232,83 @@ Proof.
         R_NormedModule))].
       intros x Hx. symmetry. apply Const. apply Rabs_lt_between in Hx. pose proof (Rmin_l t (T - t)). pose proof (Rmin_r t (T -
         t)). lra. }
-    pose proof (Sum_nonneg N _ (Dpos t)) as P. assert (Z : Sum N (fun i => 2 * zeta i / R_ i * (p1 i t * p1 i t)) = 0) by lra.
-    pose proof (Sum_nonneg_zero N _ (Dpos t) Z i Hi) as Z1. pose proof (Hz i Hi). pose proof (Hratio s Hs i Hi).
+    assert (Z : Sum N (fun i => 2 * zeta i / R_ i * (p1 i t * p1 i t)) = 0) by (pose proof (Sum_nonneg N _ (loss_pos t)); lra).
+    pose proof (Sum_nonneg_zero N _ (loss_pos t) Z i Hi) as Z1. pose proof (Hz i Hi). pose proof (Hratio s Hs i Hi).
     assert (0 < 2 * zeta i / R_ i) by (apply Rdiv_lt_0_compat; lra). simpl in Z1.
     destruct (Rmult_integral _ _ Z1) as [Z2|Z2]; [lra | destruct (Rmult_integral _ _ Z2); assumption]. }
   intros i t Hi Ht.
-  assert (Pc : forall x, 0 <= x <= T -> p i x = p i 0).
-  { intros x Hx. apply (steady_inside L (p i) 0 T); [lra | intros; apply Cp; assumption | | exact Hx].
-    intros u Hu NL. destruct (Eq u Hu NL) as [p2 [f [_ Q]]]. destruct (Q i Hi) as [D _]. rewrite (Rest i u Hi Hu NL) in D. exact
+  apply (zero_at L (p1 i) 0 T t); [exact Ht | apply gap_continuous; lra | intros x Hx NL; apply Rest; assumption].
+Qed.
+End Pair.
+
+(* Steady motions: the energy returns to its value. *)
+Lemma one_velocity phi T y y1 z z1 : (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta -> 0 < T ->
+  steady_contact_motion s 1 phi T y y1 -> steady_contact_motion s 1 phi T z z1 ->
+  forall i t, (i < N)%nat -> 0 < t < T -> gap y1 z1 i t = 0.
+Proof.
+  intros Hz Hb HT [HY Py] [HZ Pz]. apply (at_rest phi T y y1 z z1 Hz Hb HY HZ HT). unfold energy, gap, modal.
+  apply Sum_ext. intros i Hi.
+  rewrite (Sum_ext N (fun a => W s i a * (y1 a T - z1 a T)) (fun a => W s i a * (y1 a 0 - z1 a 0))) by (intros a Ha; destruct
+    (Py a Ha), (Pz a Ha); congruence).
+  rewrite (Sum_ext N (fun a => W s i a * (y a T - z a T)) (fun a => W s i a * (y a 0 - z a 0))) by (intros a Ha; destruct (Py
+    a Ha), (Pz a Ha); congruence).
+  reflexivity.
+Qed.
+
+Lemma nonzero_near (f : R -> R) t : continuous f t -> f t <> 0 -> exists e, 0 < e /\ forall x, Rabs (x - t) < e -> f x <> 0.
+Proof.
+  intros Cf N. assert (Nb : locally (f t) (fun v => v <> 0)) by (apply (open_neq 0), N).
+  destruct (Cf _ Nb) as [e He]. exists e. split; [apply cond_pos | exact He].
+Qed.
+
+(* Where the contact moves the difference of two steady motions vanishes with the difference of the two signs of friction. *)
+Lemma one_motion phi T y y1 z z1 : (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta -> 0 < T ->
+  steady_contact_motion s 1 phi T y y1 -> steady_contact_motion s 1 phi T z z1 ->
+  (exists t, 0 < t < T /\ y1 j t <> 0) -> forall i t, (i < N)%nat -> 0 <= t <= T -> gap y z i t = 0.
+Proof.
+  intros Hz Hb HT Sy Sz [tm [Htm Mv]] i.
+  assert (V := one_velocity phi T y y1 z z1 Hz Hb HT Sy Sz). destruct Sy as [HY _], Sz as [HZ _].
+  destruct (gap_equation phi T y y1 z z1 HY HZ) as [L Eq].
+  assert (Const : forall t, (i < N)%nat -> 0 <= t <= T -> gap y z i t = gap y z i 0).
+  { intros t Hi. apply (steady_inside L (gap y z i) 0 T); [lra | intros; apply (gap_continuous phi T y y1 z z1 HY HZ);
+    assumption|].
+    intros x Hx NL. destruct (Eq x Hx NL) as [p2 [f [_ [_ [_ Q]]]]]. destruct (Q i Hi) as [D _]. rewrite (V i x Hi Hx) in D. exact
       D. }
-  apply (zero_at L (p1 i) 0 T t); [exact Ht | apply Cp; [exact Hi || lra] | intros x Hx NL; apply Rest; assumption].
+  intros t Hi Ht. rewrite (Const t Hi Ht).
+  destruct (nonzero_near (y1 j) tm) as [e [He Ne]]; [apply HY; [apply Hj, Hs | lra] | exact Mv |].
+  destruct (time_left L tm (Rmin T (tm + e))) as [x [Hx NL]]; [apply Rmin_glb_lt; lra|].
+  pose proof (Rmin_l T (tm + e)). pose proof (Rmin_r T (tm + e)). assert (Hxx : 0 < x < T) by lra.
+  assert (Nx : y1 j x <> 0) by (apply Ne; rewrite Rabs_right; lra).
+  destruct (Eq x Hxx NL) as [p2 [f [_ [_ [F Q]]]]]. destruct (Q i Hi) as [_ [D2 Q3]].
+  assert (Same : y1 j x = z1 j x).
+  { apply Rminus_diag_uniq. rewrite (physical s Hs (fun a => y1 a x - z1 a x) j (Hj s Hs)). apply Sum_zero. intros k Hk.
+    change (psi j k * gap y1 z1 k x = 0). rewrite V by assumption. ring. }
+  assert (P2 : p2 i = 0).
+  { rewrite <- (is_derive_unique _ _ _ D2). apply is_derive_unique. apply (near_derive (fun _ => 0) (gap y1 z1 i) x 0 (Rmin x (T -
+      x))); [apply Rmin_glb_lt; lra | | apply (is_derive_const (K := R_AbsRing) (V := R_NormedModule))].
+    intros w Hw. apply Rabs_lt_between in Hw. pose proof (Rmin_l x (T - x)). pose proof (Rmin_r x (T - x)). rewrite V;
+      [reflexivity
+      | exact Hi | lra]. }
+  rewrite F in Q3 by (rewrite <- Same; assert (0 < Rsqr (y1 j x)) by (apply Rlt_0_sqr, Nx); unfold Rsqr in *; lra).
+  rewrite P2, (V i x Hi Hxx), (Const x Hi ltac:(lra)) in Q3. pose proof (Hratio s Hs i Hi).
+  assert (0 < / R_ i ^ 2) by (apply Rinv_0_lt_compat, pow_lt; assumption). apply (Rmult_eq_reg_l (/ R_ i ^ 2)); lra.
 Qed.
 End Scene.
 
+Lemma no_gap s (f h : nat -> R -> R) k t : is_scene s -> (k < masses s)%nat -> (forall i, (i < masses s)%nat -> gap s f h i t =
+  0) ->
+  f k t = h k t.
+Proof.
+  intros Hs Hk Z. apply Rminus_diag_uniq. rewrite (physical s Hs (fun a => f a t - h a t) k Hk). apply Sum_zero. intros i Hi.
+  change (shape s k i * gap s f h i t = 0). rewrite Z by exact Hi. ring.
+Qed.
 Theorem one_steady_velocity : forall s, Statements.one_steady_velocity s.
 Proof.
-  intros s Hs Hz Hb phi T y y1 z z1 HT Hy Hzz k t Hk Ht. apply Rminus_diag_uniq.
-  rewrite (physical s Hs (fun a => y1 a t - z1 a t) k Hk). apply Sum_zero. intros i Hi.
-  rewrite (one_velocity s Hs phi T y y1 z z1 Hz Hb HT Hy Hzz i t Hi Ht). ring.
+  intros s Hs Hz Hb phi T y y1 z z1 HT Hy Hzz k t Hk Ht. apply (no_gap s y1 z1 k t Hs Hk). intros i Hi.
+  apply (one_velocity s Hs phi T y y1 z z1 Hz Hb HT Hy Hzz i t Hi Ht).
+Qed.
+Theorem one_steady_motion : forall s, Statements.one_steady_motion s.
+Proof.
+  intros s Hs Hz Hb phi T y y1 z z1 HT Hy Hzz Mv k t Hk Ht. apply (no_gap s y z k t Hs Hk). intros i Hi.
+  apply (one_motion s Hs phi T y y1 z z1 Hz Hb HT Hy Hzz Mv i t Hi Ht).
 Qed.

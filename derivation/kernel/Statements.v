@@ -91,7 +91,9 @@ Definition eq_A_9 : Prop := forall R_i zeta t, 0 < R_i -> 0 <= zeta < 1 ->
 
 (* (20), (21), (A.1), (A.2): whatever A and B are, (21) solves (20) at every time. *)
 Definition eq_21_solves_eq_20 : Prop := forall R_i zeta psi_j psi_l beta phi A B, admissible R_i zeta ->
-  exists y1 y2, modal_equation R_i zeta psi_j psi_l beta phi (general_solution R_i zeta psi_j psi_l beta phi A B) y1 y2.
+  exists y1 y2, forall t, let y := general_solution R_i zeta psi_j psi_l beta phi A B in
+    is_derive y t (y1 t) /\ is_derive y1 t (y2 t) /\
+    R_i ^ 2 * y2 t + 2 * zeta * R_i * y1 t + y t = R_i ^ 2 * (psi_j * beta + psi_l * cos (t + phi)).
 
 (* (A.5), (A.6): (21) with the constants (A.5) is (A.6), and it starts with the displacement y0 and the velocity y10. *)
 Definition eq_A_5 : Prop := forall R_i zeta psi_j psi_l beta phi y0 y10 t, admissible R_i zeta ->
@@ -203,10 +205,35 @@ Definition atan2 (y x : R) : R :=
 Definition atan2_is_the_angle : Prop := forall x y, x <> 0 \/ y <> 0 ->
   sqrt (x ^ 2 + y ^ 2) * cos (atan2 y x) = x /\ sqrt (x ^ 2 + y ^ 2) * sin (atan2 y x) = y.
 
-(* (60), (61): the argument of v. *)
+(* (60): cosine and sine of the phase and the argument of v, by the initial values of a mode. *)
+Definition eq_60 : Prop := forall R_i zeta psi_j psi_l beta phi y y1 y2, admissible R_i zeta -> psi_l <> 0 ->
+  continuous_on_half_period y y1 -> modal_equation R_i zeta psi_j psi_l beta phi y y1 y2 -> mirrored y y1 ->
+  let angle := atan2 (v_im R_i zeta) (v_re R_i zeta) in
+  cos (phi + angle) = (y 0 + psi_j * R_i ^ 2 * g R_i zeta * beta) / (psi_l * R_i ^ 2 * v_abs R_i zeta) /\
+  sin (phi + angle) = - ((y1 0 + psi_j * R_i ^ 2 * u R_i zeta * beta) / (psi_l * R_i ^ 2 * v_abs R_i zeta)).
+(* (61): the argument of v. *)
 Definition eq_61 : Prop := forall R_i zeta, (1 - R_i * R_i) ^ 2 + (2 * zeta * R_i) ^ 2 <> 0 ->
   cos (atan2 (v_im R_i zeta) (v_re R_i zeta)) = v_abs R_i zeta * (1 - R_i ^ 2) /\
   sin (atan2 (v_im R_i zeta) (v_re R_i zeta)) = - (v_abs R_i zeta * (2 * zeta * R_i)).
+
+(* (47) for X cos(tau - f), with tau the time at which it is largest in modulus: the angle is phi_j + f. *)
+Definition eq_47 : Prop := forall X f phi_j tau, 0 < X -> 0 <= tau <= PI ->
+  (forall t, 0 <= t <= PI -> Rabs (X * cos (t - f)) <= Rabs (X * cos (tau - f))) ->
+  let phi_k := if Rle_dec 0 (X * cos (tau - f)) then phi_j + tau else phi_j + tau + PI in
+  cos phi_k = cos (phi_j + f) /\ sin phi_k = sin (phi_j + f).
+
+(* (1): the matrices of a chain of n masses, whose spring a stands before mass a *)
+Definition chain_mass (m : nat -> R) (a b : nat) := m a * delta a b.
+Definition spring_after (n : nat) (k : nat -> R) (a : nat) := if Nat.ltb (S a) n then k (S a) else 0.
+Definition chain_stiffness (n : nat) (k : nat -> R) (a b : nat) :=
+  (k a + spring_after n k a) * delta a b - spring_after n k a * delta b (S a) - k a * delta a (S b).
+(* Row a of K x is the force of its two springs: the first one ends at the wall, and after the last mass there is none. *)
+Definition eq_1 : Prop := forall n k x a, (a < n)%nat ->
+  Sum n (fun b => chain_stiffness n k a b * x b) =
+  k a * (x a - match a with O => 0 | S p => x p end) + spring_after n k a * (x a - x (S a)).
+(* (73): the scaled stiffness of the chain has the ratios of the springs for its springs. *)
+Definition eq_73 : Prop := forall n k k_1 a b, 0 < k_1 ->
+  / k_1 * chain_stiffness n k a b = chain_stiffness n (fun i => k i / k_1) a b.
 
 Section All_masses.
 Variable s : scene.
@@ -351,16 +378,23 @@ Definition H_j := Sum N (fun i => psi j i ^ 2 * (g (R_ i) (zeta i) + 2 * zeta i 
 Definition mobility := Sum N (fun i => psi j i ^ 2).
 (* no inertia couples the contact to another mass; so it is for the chain (1) *)
 Definition contact_inertia_alone := forall a, (a < N)%nat -> a <> j -> M j a = 0.
-(* The friction that would hold the contact at its turning point while the other masses move on, for any M. *)
-Definition holding_friction (phi : R) :=
-  Sum N (fun i => psi j i * (2 * zeta i / R_ i * eta_prime (R_ i) (zeta i) (psi j i) (psi l i) beta phi 0
-    + / (R_ i ^ 2) * eta (R_ i) (zeta i) (psi j i) (psi l i) beta phi 0 - psi l i * cos phi)) / mobility.
+(* (75) for any M: the load that friction has to balance if the contact is not to be accelerated, where the masses have the
+   displacements y and the velocities y1, and the load is c. The first sum is the entry ja of the inverse of M. *)
+Definition holding_load (c : R) (y y1 : nat -> R) :=
+  Sum N (fun a => Sum N (fun i => psi j i * psi a i) * (Sum N (fun b => C a b * y1 b + K a b * y b) - delta a l * c)) / mobility.
+(* the same at the turning point of the closed form *)
+Definition holding_friction (phi : R) := holding_load (cos phi) (fun k => x phi k 0) (fun k => x_prime phi k 0).
 
 (* (65): where the contact's inertia is alone, M_jj = gamma_j r^2, *)
 Definition eq_65 : Prop := is_scene -> contact_inertia_alone -> mobility = / M j j.
-(* and then the friction that would hold it is the load of (54b). *)
+(* and then the friction that would hold it balances the load of (54b), (75). *)
 Definition holding_friction_is_the_load : Prop := is_scene -> contact_inertia_alone ->
-  forall phi, holding_friction phi = contact_load phi.
+  (forall c y y1, holding_load c y y1 = Sum N (fun k => C j k * y1 k + K j k * y k) - delta l j * c) /\
+  (forall phi, holding_friction phi = contact_load phi).
+(* For any M: the contact is not accelerated if and only if the friction force F is opposite to this load. *)
+Definition holding_load_holds : Prop := is_scene -> forall c F (y y1 y2 : nat -> R),
+  (forall a, (a < N)%nat -> Sum N (fun b => M a b * y2 b + C a b * y1 b + K a b * y b) + F * delta a j = delta a l * c) ->
+  (y2 j = 0 <-> F = - holding_load c y y1).
 
 (* (55) with the sum under one maximum: the contact slides throughout if and only if beta times the demand stays below the
    root. *)
@@ -373,13 +407,17 @@ Definition eq_66 : Prop := is_scene -> responds -> forall phi, is_phase phi ->
 Definition demand_at_start : Prop := is_scene -> filterlim demand (at_right 0) (locally (H_j + mobility)) /\ 0 < mobility /\
   0 < H_j + mobility.
 
+(* A phase exists if and only if the root of (38) is real. *)
+Definition phase_exists_iff : Prop := 0 < V_abs j -> ((exists phi, is_phase phi) <-> responds).
+
 (* (58), (67): a condition "beta D below the root" as a limit of beta *)
 Definition as_a_limit_of_beta : Prop := forall D, 0 < D -> 0 < beta ->
   (responds /\ beta * D < root <-> 0 < V_abs j /\ beta < sqrt (V_abs j ^ 2 / (U j ^ 2 + D ^ 2))).
 
-(* (67): static friction does not hold the contact at its turning point. *)
-Definition eq_67 : Prop := forall mu, is_scene -> 1 <= mu -> 0 < beta -> 0 < V_abs j -> forall phi, is_phase phi ->
-  (responds /\ mu * beta < holding_friction phi <-> beta < sqrt (V_abs j ^ 2 / (U j ^ 2 + (H_j + mu * mobility) ^ 2))).
+(* (67): there is a closed form that static friction does not hold at its turning point. *)
+Definition eq_67 : Prop := forall mu, is_scene -> 1 <= mu -> 0 < beta -> 0 < V_abs j ->
+  ((exists phi, is_phase phi /\ mu * beta < holding_friction phi) <->
+   beta < sqrt (V_abs j ^ 2 / (U j ^ 2 + (H_j + mu * mobility) ^ 2))).
 (* (68) as corrected: only where H_j exceeds mu times the mobility can the load overcome friction in the other direction, *)
 Definition eq_68 : Prop := forall mu, is_scene -> 1 <= mu -> 0 < beta -> responds -> forall phi, is_phase phi ->
   (holding_friction phi < - (mu * beta) <->
@@ -388,17 +426,18 @@ Definition eq_68 : Prop := forall mu, is_scene -> 1 <= mu -> 0 < beta -> respond
 Definition eq_68_excludes_58 : Prop := forall mu, is_scene -> 1 <= mu -> 0 < beta -> responds -> forall phi, is_phase phi ->
   holding_friction phi < - (mu * beta) -> ~ slides phi.
 
-(* (69) with the supremum of the summed demand over the half-period: the two conditions (54) hold if and only if beta is
-   below the limit. *)
-Definition eq_69 : Prop := forall mu S, is_scene -> 1 <= mu -> 0 < beta -> 0 < V_abs j ->
-  is_lub (fun y => exists t, 0 < t < PI /\ y = demand t) S -> forall phi, is_phase phi ->
-  (responds /\ slides phi /\ mu * beta < Rabs (holding_friction phi) <->
-   beta < sqrt (V_abs j ^ 2 / (U j ^ 2 + Rmax S (H_j + mu * mobility) ^ 2))).
+(* (69) has the supremum of the summed demand over the half-period. There is one. *)
+Definition supremum_of_demand (S : R) := is_lub (fun y => exists t, 0 < t < PI /\ y = demand t) S.
+Definition demand_has_a_supremum : Prop := is_scene -> exists S, supremum_of_demand S.
+Definition limit_69 (mu S : R) := sqrt (V_abs j ^ 2 / (U j ^ 2 + Rmax S (H_j + mu * mobility) ^ 2)).
+(* (69): there is a closed form with both conditions (54) if and only if beta is below the limit. *)
+Definition eq_69 : Prop := forall mu S, is_scene -> 1 <= mu -> 0 < beta -> 0 < V_abs j -> supremum_of_demand S ->
+  ((exists phi, is_phase phi /\ slides phi /\ mu * beta < Rabs (holding_friction phi)) <-> beta < limit_69 mu S).
 
 (* Where 2 R_i >= w_i in every mode, the limit (69) is (67): the largest demand is that at the start. *)
 Definition eq_67_is_the_limit : Prop := forall mu, is_scene -> (forall i, (i < N)%nat -> w (zeta i) <= 2 * R_ i) -> 1 <= mu ->
-  0 < beta -> 0 < V_abs j -> forall phi, is_phase phi ->
-  (responds /\ slides phi /\ mu * beta < Rabs (holding_friction phi) <->
+  0 < beta -> 0 < V_abs j ->
+  ((exists phi, is_phase phi /\ slides phi /\ mu * beta < Rabs (holding_friction phi)) <->
    beta < sqrt (V_abs j ^ 2 / (U j ^ 2 + (H_j + mu * mobility) ^ 2))).
 
 (* (56): the sum of the modes' own maxima is sufficient. *)
@@ -411,30 +450,80 @@ Definition sum_of_maxima_is_sufficient : Prop := forall S : nat -> R, is_scene -
 (* (2), (3): the values that the sign of the velocity may take; at rest any between -mu and mu *)
 Definition coulomb (mu velocity sigma : R) :=
   (0 < velocity -> sigma = 1) /\ (velocity < 0 -> sigma = -1) /\ (velocity = 0 -> - mu <= sigma <= mu).
-(* (6) over one period T of a steady motion: displacements and velocities are continuous and return to their values; the
-   equation holds with a value that Coulomb's law allows at all times but a finite number: the times at which the contact
-   turns, stops or breaks away. *)
-Definition steady_contact_motion (mu phi T : R) (y y1 : nat -> R -> R) :=
+(* The load that static friction has to balance at the time t *)
+Definition load_at (phi : R) (y y1 : nat -> R -> R) t := holding_load (cos (t + phi)) (fun k => y k t) (fun k => y1 k t).
+(* (74): the contact is at rest, and static friction can hold it. *)
+Definition sticks (mu phi : R) (y y1 : nat -> R -> R) t := y1 j t = 0 /\ Rabs (load_at phi y y1 t) <= mu * beta.
+(* A motion of (6) from the time 0 to T, from any start: displacements and velocities are continuous; the equation holds with a
+   value that Coulomb's law allows at all times but a finite number, the times at which the contact turns, stops or breaks
+   away; and a contact at rest whose load is less than static friction can balance stays at rest for some time. *)
+Definition contact_motion (mu phi T : R) (y y1 : nat -> R -> R) :=
   (forall a t, (a < N)%nat -> 0 <= t <= T -> continuous (y a) t /\ continuous (y1 a) t) /\
-  (forall a, (a < N)%nat -> y a T = y a 0 /\ y1 a T = y1 a 0) /\
-  exists exceptions : list R, forall t, 0 < t < T -> ~ In t exceptions -> exists (y2 : nat -> R) sigma,
+  (exists exceptions : list R, forall t, 0 < t < T -> ~ In t exceptions -> exists (y2 : nat -> R) sigma,
     coulomb mu (y1 j t) sigma /\
     forall a, (a < N)%nat -> is_derive (y a) t (y1 a t) /\ is_derive (y1 a) t (y2 a) /\
-      Sum N (fun b => M a b * y2 b + C a b * y1 b t + K a b * y b t) + beta * delta a j * sigma = delta a l * cos (t + phi).
+      Sum N (fun b => M a b * y2 b + C a b * y1 b t + K a b * y b t) + beta * delta a j * sigma = delta a l * cos (t + phi)) /\
+  (forall t, 0 <= t < T -> y1 j t = 0 -> Rabs (load_at phi y y1 t) < mu * beta ->
+    exists t', t < t' <= T /\ forall x, t <= x <= t' -> y1 j x = 0).
+(* A steady motion returns to its values after the time T. *)
+Definition steady_contact_motion (mu phi T : R) (y y1 : nat -> R -> R) :=
+  contact_motion mu phi T y y1 /\ forall a, (a < N)%nat -> y a T = y a 0 /\ y1 a T = y1 a 0.
 (* the half-period motion, continued by its mirror image over the second half of the period *)
 Definition continued (f : nat -> R -> R) (a : nat) (t : R) := if Rle_dec t PI then f a t else - f a (t - PI).
 
-(* Below the limit the closed form is a steady motion of the contact with Coulomb's friction. *)
-Definition closed_form_is_a_contact_motion : Prop := forall mu, is_scene -> 0 <= mu -> responds -> forall phi, is_phase phi ->
-  slides phi -> steady_contact_motion mu phi (2 * PI) (continued (x phi)) (continued (x_prime phi)).
+(* Where (54) holds the closed form is a steady motion of the contact with Coulomb's friction, *)
+Definition closed_form_is_a_contact_motion : Prop := forall mu, is_scene -> 1 <= mu -> responds -> forall phi, is_phase phi ->
+  slides phi -> mu * beta < Rabs (holding_friction phi) ->
+  steady_contact_motion mu phi (2 * PI) (continued (x phi)) (continued (x_prime phi)).
+(* and where static friction can more than hold its turning point it is none. *)
+Definition closed_form_needs_54b : Prop := forall mu, is_scene -> forall phi, is_phase phi -> slides phi ->
+  steady_contact_motion mu phi (2 * PI) (continued (x phi)) (continued (x_prime phi)) ->
+  mu * beta <= Rabs (holding_friction phi).
 
-(* For mu = 1 and damping in all modes, any two steady motions have the same velocities. *)
+(* The contact reverses twice a period; time counts from a reversal to smaller x. *)
+Definition reverses_twice (y1 : nat -> R -> R) := y1 j 0 = 0 /\ exists b, 0 < b < 2 * PI /\
+  (forall t, 0 < t < b -> y1 j t < 0) /\ (forall t, b < t < 2 * PI -> 0 < y1 j t).
+(* (69) is the boundary of the regime: with damping in all modes there is a steady motion, of whatever form, that reverses twice
+   a period and never sticks, (74), if and only if beta is below the limit. From the limit on every steady motion has a stop or
+   reverses more often. *)
+Definition eq_69_is_the_boundary : Prop := forall mu S, is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 1 <= mu -> 0 < beta
+  ->
+  0 < V_abs j -> supremum_of_demand S ->
+  ((exists phi y y1, steady_contact_motion mu phi (2 * PI) y y1 /\ reverses_twice y1 /\
+     forall t, 0 <= t <= 2 * PI -> ~ sticks mu phi y y1 t) <-> beta < limit_69 mu S).
+
+(* Where the contact slides, X_j of (38) is its largest displacement. *)
+Definition X_j_is_the_largest : Prop := is_scene -> forall phi, is_phase phi -> slides phi ->
+  x phi j 0 = X_j /\ forall t, 0 <= t <= 2 * PI -> Rabs (continued (x phi) j t) <= X_j.
+
+(* For mu = 1 and damping in all modes, any two steady motions have the same velocities, *)
 Definition one_steady_velocity : Prop := is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta -> forall phi T y y1 z z1,
   0 < T -> steady_contact_motion 1 phi T y y1 -> steady_contact_motion 1 phi T z z1 ->
   forall k t, (k < N)%nat -> 0 < t < T -> y1 k t = z1 k t.
-(* Hence the assumption (25) is a theorem: the velocity of every mass half a period later is the opposite one. *)
+(* and, where the contact is not at rest at all times, the same displacements. *)
+Definition one_steady_motion : Prop := is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta -> forall phi T y y1 z z1,
+  0 < T -> steady_contact_motion 1 phi T y y1 -> steady_contact_motion 1 phi T z z1 ->
+  (exists t, 0 < t < T /\ y1 j t <> 0) -> forall k t, (k < N)%nat -> 0 <= t <= T -> y k t = z k t.
+(* Hence for mu = 1, damping in all modes, the period 2 pi and a finite number of exceptions in it, the assumption (25) is a
+   theorem for the velocities, and for the displacements where the contact is not at rest at all times. Where it is, it may
+   rest anywhere between two positions. *)
 Definition steady_motion_is_symmetric : Prop := is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta -> forall phi y y1,
-  steady_contact_motion 1 phi (2 * PI) y y1 -> forall k t, (k < N)%nat -> 0 < t < PI -> y1 k (t + PI) = - y1 k t.
+  steady_contact_motion 1 phi (2 * PI) y y1 ->
+  (forall k t, (k < N)%nat -> 0 < t < PI -> y1 k (t + PI) = - y1 k t) /\
+  ((exists t, 0 < t < 2 * PI /\ y1 j t <> 0) -> forall k t, (k < N)%nat -> 0 <= t <= PI -> y k (t + PI) = - y k t).
+
+(* Attraction, for mu = 1 and damping in all modes: the velocities of every motion, from any start, tend to those of the steady
+   motion, *)
+Definition velocities_are_attracted : Prop := is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta ->
+  forall phi y y1 z z1, (forall T, 0 < T -> contact_motion 1 phi T y y1) -> steady_contact_motion 1 phi (2 * PI) z z1 ->
+  forall eps, 0 < eps -> exists n0 : nat, forall n k t, (n0 <= n)%nat -> (k < N)%nat -> 0 <= t <= 2 * PI ->
+  Rabs (y1 k (t + 2 * PI * INR n) - z1 k t) < eps.
+(* and so do the displacements where the contact of the steady motion is not at rest at all times. *)
+Definition displacements_are_attracted : Prop := is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta ->
+  forall phi y y1 z z1, (forall T, 0 < T -> contact_motion 1 phi T y y1) -> steady_contact_motion 1 phi (2 * PI) z z1 ->
+  (exists t, 0 < t < 2 * PI /\ z1 j t <> 0) ->
+  forall eps, 0 < eps -> exists n0 : nat, forall n k t, (n0 <= n)%nat -> (k < N)%nat -> 0 <= t <= 2 * PI ->
+  Rabs (y k (t + 2 * PI * INR n) - z k t) < eps.
 End All_masses.
 
 (* ---- Two scenes for examples -------------------------------------------------------------------------------------- *)
@@ -485,9 +574,15 @@ Definition eq_45_as_printed : Prop := ~ forall s phi k, is_scene s -> responds s
   x_prime s phi k 0 = friction s * (V_abs s k / V_abs s (contact s) * U s (contact s) * cos (V_arg s k - V_arg s (contact s))
     - U s k).
 
-(* (49): with x_k0 = a + i b and x_k0' = c + i e, as (44) and (45) print them, the second expression has another real part
-   than the first. *)
-Definition eq_49_as_printed : Prop := ~ forall a b c e t, a * cos t + c * sin t = (a + e) * cos t - (b - c) * sin t.
+(* (49): with x_k0 = a + i b and x_k0' = c + i e as (44) and (45) print them, the second expression has another real part than
+   the first. *)
+Definition eq_49_as_printed : Prop := ~ forall s phi k t, is_scene s -> responds s -> is_phase s phi -> (k < masses s)%nat ->
+  let D := V_arg s k - V_arg s (contact s) in
+  let a := - friction s * G s k + V_abs s k / V_abs s (contact s) * root s * cos D in
+  let b := V_abs s k / V_abs s (contact s) * root s * sin D in
+  let c := friction s * (V_abs s k / V_abs s (contact s) * U s (contact s) * cos D - U s k) in
+  let e := friction s * (V_abs s k / V_abs s (contact s) * U s (contact s) * sin D) in
+  a * cos t + c * sin t = (a + e) * cos t - (b - c) * sin t.
 
 (* (50): the ratio |V_k| / |V_j| multiplies the first term only. *)
 Definition eq_50_as_printed : Prop := ~ forall s phi k, is_scene s -> responds s -> is_phase s phi -> (k < masses s)%nat ->
@@ -585,10 +680,8 @@ Definition eq_81_as_printed : Prop := ~ forall V_k V_j G_k U_k U_j beta sign, 0 
   = V_k ^ 2 + beta ^ 2 * (G_k ^ 2 + U_k ^ 2) - beta * (2 * V_k * Rabs G_k - Rabs U_j * Rabs U_k).
 
 (* (88), third line: a held contact under the load carries cos(tau) alone; static friction holds it for ever if and only if
-   beta is not below 1 / mu, and not, as printed, if it is. *)
+   beta is not below 1 / mu. *)
 Definition eq_88_third_line : Prop := forall mu beta, 0 < mu -> ((forall t, Rabs (cos t) <= mu * beta) <-> 1 / mu <= beta).
-Definition eq_88_as_printed : Prop := ~ forall mu beta, 1 <= mu -> 0 < beta -> beta < 1 / mu ->
-  forall t, Rabs (cos t) <= mu * beta.
 
 (* (A.7) as printed: the sign of the first term *)
 Definition eq_A_7_as_printed : Prop := ~ forall R_i zeta psi_j psi_l beta phi y0 y10 t, admissible R_i zeta ->
@@ -701,6 +794,46 @@ Definition eq_86_all_masses : Prop := forall n (a b rho zeta : nat -> R) mu, 0 <
   filterlim (fun r => limit_by_shares n a b (fun i => r * rho i) zeta mu) (Rbar_locally p_infty)
     (locally (Rabs (Sum n b) * (2 / sqrt (4 * mu ^ 2 + PI ^ 2)))).
 
+(* ---- One system at all frequencies --------------------------------------------------------------------------------- *)
+
+(* The scene s at r times its frequency: (7), (8), (22). The shapes of (17) and the modes' ratios scale with it. *)
+Definition at_frequency (s : scene) (r : R) : scene :=
+  Scene (masses s) (fun a b => r ^ 2 * mass s a b) (fun a b => r * damping s a b) (stiffness s) (fun k i => shape s k i / r)
+    (fun i => r * ratio s i) (damping_ratio s) (contact s) (loaded s) (friction s).
+Definition at_frequency_is_a_scene : Prop := forall s r, is_scene s -> 0 < r ->
+  (forall i, (i < masses s)%nat -> admissible (r * ratio s i) (damping_ratio s i)) -> is_scene (at_frequency s r).
+(* The shares of the modes in (65) are the same at all frequencies. *)
+Definition shares_are_constant : Prop := forall s r k i, is_scene s -> 0 < r ->
+  mobility (at_frequency s r) = mobility s / r ^ 2 /\
+  shape (at_frequency s r) (contact s) i * shape (at_frequency s r) k i / mobility (at_frequency s r) =
+  shape s (contact s) i * shape s k i / mobility s.
+(* L is the limit (69) of the system by its frequency. *)
+Definition is_limit_69 (s : scene) (mu : R) (L : R -> R) := forall r S, 0 < r -> is_scene (at_frequency s r) ->
+  supremum_of_demand (at_frequency s r) S -> L r = limit_69 (at_frequency s r) mu S.
+(* (86) as corrected, both lines: the limit of (69) for large frequencies. *)
+Definition eq_86_from_eq_69 : Prop := forall s mu L, is_scene s -> contact_inertia_alone s -> 1 <= mu -> is_limit_69 s mu L ->
+  (exists r0, forall r, r0 < r -> is_scene (at_frequency s r)) /\
+  filterlim L (Rbar_locally p_infty) (locally (delta (contact s) (loaded s) * (2 / sqrt (4 * mu ^ 2 + PI ^ 2)))).
+(* Amplitudes, (38) and (52), vanish for large frequencies. *)
+Definition amplitudes_vanish : Prop := forall s k e, is_scene s -> (k < masses s)%nat -> 0 < e ->
+  exists r0, forall r, r0 < r -> responds (at_frequency s r) -> X_k (at_frequency s r) k < e /\ Rabs (X_j (at_frequency s r)) < e.
+(* (67) for small frequencies, with damping in all modes: it tends to 0 as r^2 does, and y are the displacements under the load at
+   rest, (K^-1)_kl. *)
+Definition eq_67_low_frequency : Prop := forall s mu (y : nat -> R), is_scene s -> contact_inertia_alone s -> 1 <= mu ->
+  (forall i, (i < masses s)%nat -> 0 < damping_ratio s i) ->
+  (forall a, (a < masses s)%nat -> Sum (masses s) (fun b => stiffness s a b * y b) = delta a (loaded s)) ->
+  filterlim (fun r => let s' := at_frequency s r in
+    sqrt (V_abs s' (contact s) ^ 2 / (U s' (contact s) ^ 2 + (H_j s' + mu * mobility s') ^ 2)) / r ^ 2) (at_right 0)
+    (locally (Rabs (y (contact s)) * mass s (contact s) (contact s) / (1 + mu))).
+
+(* and so does the limit (69) itself, with the same factor. *)
+Definition eq_69_low_frequency : Prop := forall s mu L (y : nat -> R), is_scene s -> contact_inertia_alone s -> 1 <= mu ->
+  (forall i, (i < masses s)%nat -> 0 < damping_ratio s i) ->
+  (forall a, (a < masses s)%nat -> Sum (masses s) (fun b => stiffness s a b * y b) = delta a (loaded s)) ->
+  is_limit_69 s mu L ->
+  (exists r0, 0 < r0 /\ forall r, 0 < r < r0 -> is_scene (at_frequency s r)) /\
+  filterlim (fun r => L r / r ^ 2) (at_right 0) (locally (Rabs (y (contact s)) * mass s (contact s) (contact s) / (1 + mu))).
+
 (* ---- Invariant points, and a contact that is held: Section 4.3 ------------------------------------------------------ *)
 
 (* (87): without damping, the square of the amplitude (52); with friction it is what it is without where U_k = 0, and where (87)
@@ -741,12 +874,8 @@ Definition two_masses_held (beta : R) : scene :=
   Scene 2 (entry 1 0 0 1) (entry (16 / 25) (12 / 25) (12 / 25) (9 / 25)) (entry (52 / 25) (- (36 / 25)) (- (36 / 25)) (73 / 25))
     (entry (3 / 5) (4 / 5) (- (4 / 5)) (3 / 5)) (fun i => match i with O => 1 / 2 | _ => 1 end) (fun i => match i with O => 0 | _
       => 1 / 2 end) 1 0 beta.
-(* First line as printed: below the bound the contact is not held, *)
-Definition eq_88_first_line_as_printed : Prop := ~ forall s mu X_re X_im p, is_scene s -> contact_inertia_alone s ->
-  contact s = S p -> (loaded s < contact s)%nat -> 1 <= mu -> 0 < friction s -> held_motion s X_re X_im ->
-  (forall b, (contact s < b)%nat -> X_re b = 0 /\ X_im b = 0) ->
-  friction s < - stiffness s (contact s) p * sqrt (X_re p ^ 2 + X_im p ^ 2) / mu -> rests s mu X_re X_im.
-(* nor is it above the bound, where a damping force reaches it. *)
+(* (88), first line, read as (69): below the bound the contact slides, and from it on it is held. Where a damping force reaches
+   the contact it need not be. *)
 Definition eq_88_without_the_damping_force : Prop := ~ forall s mu X_re X_im p, is_scene s -> contact_inertia_alone s ->
   contact s = S p -> (loaded s < contact s)%nat -> 1 <= mu -> 0 < friction s -> held_motion s X_re X_im ->
   (forall b, (contact s < b)%nat -> X_re b = 0 /\ X_im b = 0) ->

@@ -287,7 +287,7 @@ Proof.
   intros r z pj pl b f A B H. pose proof H as [Hr [Hz _]]. pose proof (w_pos z Hz).
   set (y0 := A + pj * r ^ 2 * b + pl * r ^ 2 * v_cos r z f 0).
   set (y10 := w z / r * B - z / r * A - pl * r ^ 2 * v_sin r z f 0).
-  exists (from_start_prime r z pj pl b f y0 y10), (from_start_second r z pj pl b f y0 y10). intros t _.
+  exists (from_start_prime r z pj pl b f y0 y10), (from_start_second r z pj pl b f y0 y10). intros t. cbv zeta.
   split; [|split; [apply from_start_prime_rate; assumption|]].
   - apply (is_derive_ext (from_start r z pj pl b f y0 y10)); [|apply from_start_rate; assumption].
     intros s. rewrite <- constants by exact H. f_equal; unfold y0, y10; field; lra.

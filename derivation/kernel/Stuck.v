@@ -101,7 +101,8 @@ Proof.
   { split; intros Q; [replace L with (mu * (L / mu)) by (field; lra); apply Rmult_le_compat_l; lra|].
     apply (Rmult_le_reg_l mu); [exact Hm|]. replace (mu * (L / mu)) with L by (field; lra). exact Q. }
   rewrite Side. clear Side. destruct H as [Z1 [Z2 Rows]]. split.
-  - intros [_ [_ [exc E]]]. rewrite EL. destruct amplitude_is_reached as [t0 [Ht0 T0]]. rewrite <- T0. apply Rnot_lt_le. intros G.
+  - intros [[_ [[exc E] _]] _]. rewrite EL. destruct amplitude_is_reached as [t0 [Ht0 T0]]. rewrite <- T0. apply Rnot_lt_le.
+    intros G.
     assert (Cn : continuous (fun t => Rabs (A * cos t - B * sin t)) t0).
     { apply (continuous_comp (fun t => A * cos t - B * sin t) Rabs); [|apply continuous_Rabs].
       apply (ex_derive_continuous (K := R_AbsRing) (V := R_NormedModule)). auto_derive. trivial. }
@@ -127,13 +128,12 @@ Proof.
     assert (Rabs sg <= mu) by (apply Rabs_le; lra).
     assert (friction s * Rabs sg <= friction s * mu) by (apply Rmult_le_compat_l; lra).
     assert (Bt : ball t0 e t) by (change (Rabs (t - t0) < e); rewrite Rabs_right; lra). specialize (He Bt). lra.
-  - intros Q. split; [|split].
+  - intros Q. assert (V0 : forall t, - (X_re j * sin t + X_im j * cos t) = 0) by (intros; rewrite Z1, Z2; ring).
+    split; [split; [|split]|].
     + intros a t _ _. destruct (held_rates a t) as [D1 D2]. split; eapply continuous_of_derive; [exact D1 | exact D2].
-    + intros a _. rewrite sin_2PI, cos_2PI, sin_0, cos_0. split; ring.
     + exists nil. intros t Ht _. exists (fun b => y2 b t), (- (A * cos t - B * sin t) / friction s).
       pose proof (amplitude t) as Am. rewrite <- EL in Am. apply Rabs_le_between in Am. split.
-      * assert (V0 : - (X_re j * sin t + X_im j * cos t) = 0) by (rewrite Z1, Z2; ring).
-        split; [intros; lra|]. split; [intros; lra|]. intros _.
+      * specialize (V0 t). split; [intros; lra|]. split; [intros; lra|]. intros _.
         set (v := A * cos t - B * sin t) in *. assert (E : - v / friction s * friction s = - v) by (field; lra).
         split; apply (Rmult_le_reg_r (friction s)); lra.
       * intros a Ha. destruct (held_rates a t) as [D1 D2]. split; [exact D1|]. split; [exact D2|].
@@ -143,6 +143,8 @@ Proof.
         rewrite held_row, Rplus_0_r. destruct (Nat.eq_dec a j) as [->|Na].
         -- rewrite delta_same. unfold A, B. field. lra.
         -- destruct (Rows a Ha Na) as [-> ->]. rewrite (delta_other a j) by exact Na. field. lra.
+    + intros t Ht _ _. exists (2 * PI). split; [lra | intros; apply V0].
+    + intros a _. rewrite sin_2PI, cos_2PI, sin_0, cos_0. split; ring.
 Qed.
 End Held.
 
@@ -207,16 +209,6 @@ Lemma two_held_spring : - stiffness (two_masses_held 0) 1 0 * sqrt (held_re 0 ^ 
 Proof.
   simpl. replace (36 * 36 / 985) with ((36 / 25) ^ 2 * (125 / 197)) by field. rewrite sqrt_mult, sqrt_pow2 by lra.
   replace (135 / 197 * (135 / 197 * 1) + - (80 / 197) * (- (80 / 197) * 1)) with (125 / 197) by field. field.
-Qed.
-Theorem eq_88_first_line_as_printed : Statements.eq_88_first_line_as_printed.
-Proof.
-  intros H. apply (two_held_slips 1); [lra | lra|].
-  apply (H (two_masses_held 1) 1 held_re held_im 0%nat); [apply two_held_scene | apply two_held_alone | reflexivity | simpl;
-    lia | lra | simpl; lra
-    | apply two_held_motion | |].
-  - intros b Hb. simpl in Hb. destruct b; [lia|]. split; reflexivity.
-  - change (1 < - stiffness (two_masses_held 0) 1 0 * sqrt (held_re 0 ^ 2 + held_im 0 ^ 2) / 1). rewrite two_held_spring.
-    rewrite <- sqrt_1 at 1. apply sqrt_lt_1_alt. lra.
 Qed.
 Theorem eq_88_without_the_damping_force : Statements.eq_88_without_the_damping_force.
 Proof.

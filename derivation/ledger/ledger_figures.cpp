@@ -113,12 +113,11 @@ std::string figures_table(const std::vector<json>& records) {
     return paper + "\n" + beyond;
 }
 
-std::string figures_markdown(const std::vector<json>& records, const std::string& pictures) {
+std::string figures_markdown(const std::vector<json>& records) {
     std::string text;
     for (const json& record : records) {
         const std::string name = record.at("name");
-        text += "## " + name + "\n\n![" + record.at("title").get<std::string>() + "](" + pictures + "/" + name + ".svg)\n\n" +
-                record.at("title").get<std::string>() + ". Equations: " + equations(record) + ".\n\n";
+        text += "## " + name + "\n\n" + record.at("title").get<std::string>() + ". Equations: " + equations(record) + ".\n\n";
         text += list("From caption and text:\n", record.at("given")) + list("Chosen:\n", record.at("chosen"));
         if (!record.at("agreements").empty()) {
             text += "| markers against lines | points | median | worst | where |\n|---|---|---|---|---|\n";

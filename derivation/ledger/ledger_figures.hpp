@@ -24,8 +24,7 @@ namespace denhartog::derivation {
 /// @brief The figures in a table: name, markers against lines, statements borne out. @param records the records @return Markdown
 [[nodiscard]] std::string figures_table(const std::vector<nlohmann::json>& records);
 
-/// @brief All that the records say, a section a figure. @param records the records
-/// @param pictures  where the pictures are, as a link has it @return Markdown
-[[nodiscard]] std::string figures_markdown(const std::vector<nlohmann::json>& records, const std::string& pictures);
+/// @brief All that the records say, a section a figure. @param records the records @return Markdown
+[[nodiscard]] std::string figures_markdown(const std::vector<nlohmann::json>& records);
 
 } // namespace denhartog::derivation

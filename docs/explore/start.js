@@ -1,6 +1,7 @@
 // Starts the page that the script stands on. `explore.page` is what the tests drive.
 (() => {
     const { page } = document.currentScript.dataset;
+    if (window.parent !== window) document.documentElement.classList.add('embedded'); // within a page of the chapter
     const files = {
         machine: 'machine.js',
         plane: 'plane.js',

@@ -114,7 +114,7 @@ const meanings = symbols.map((each) => ({
 fs.writeFileSync(path.join(site, "symbols.js"), "window.siteSymbols = " + JSON.stringify(meanings) + ";\n");
 const shown = {};
 for (const [number, each] of Object.entries(statements))
-  shown[number] = {said: each.said, drawn: draw(each.latex, true, false, "(" + number + ")", "mathml")};
+  shown[number] = {said: draw_page(each.said, false, "(" + number + ")"), drawn: draw(each.latex, true, false, "(" + number + ")", "mathml")};
 fs.writeFileSync(path.join(site, "statements.js"), "window.siteStatements = " + JSON.stringify(shown) + ";\n");
 
 for (const fault of faults) console.error("draw-formulas: " + fault);

@@ -108,10 +108,16 @@ FNR == 1 {
     markdown = file ~ /^docs\/.*\.md$/
     shown_only = file ~ /\.cpp$/ || file ~ /^(docs|tests|paper-figures|derivation\/offers)\/.*\.hpp$/ || (file ~ /^src\// && /^\/\/ /)
 }
-shown_only {
-    brief = FNR == 1 && /^\/\/ / ? substr($0, 4) : ""
+shown_only { # the paragraph at the head of the source alone
+    if (FNR == 1) brief = ""
+    if (/^\/\/ / && (FNR == 1 || brief != "")) {
+        brief = brief (brief == "" ? "" : " ") substr($0, 4)
+        print ""
+        next
+    }
     gsub(/,/, "\\,", brief)
-    print (FNR > 1 ? "" : brief == "" ? "/// @file" : "/// @shown{" numbers(brief) "}")
+    print (brief != "" ? "/// @shown{" numbers(brief) "}" : FNR == 1 ? "/// @file" : "")
+    brief = ""
     next
 }
 
@@ -120,11 +126,15 @@ markdown {
     if (!code) {
         if (/^# / && !/\{#/ && !titled++ && page_label(FILENAME) != "index") $0 = $0 " {#" page_label(FILENAME) "}"
         gsub(/\]\(\.\.\/paper-figures\/README\.md\)/, "](@ref figures_page)")
-        if (match($0, /^!\[.*\]\(\.\.\/build\/verify\/figures\/[a-z_]+\.svg\)$/)) { # a picture, alone on its line
-            split(substr($0, 3, length($0) - 3), picture, /\]\(\.\.\/build\/verify\//)
-            $0 = "<p><a href=\"" picture[2] "\"><img src=\"" picture[2] "\" alt=\"" picture[1] "\"></a></p>"
+        if (/^<!-- figure [a-z_]+: .* -->$/) { # a picture that the run has drawn; the sources have none to show
+            at = index($0, ": ")
+            picture = "figures/" substr($0, 13, at - 13) ".svg"
+            $0 = "<p><a href=\"" picture "\"><img src=\"" picture "\" alt=\"" substr($0, at + 2, length($0) - at - 5) "\"></a></p>"
         }
-        $0 = sources(/^#/ ? formulas($0) : numbers(formulas($0)))
+        if (/^\$\$.*\$\$$/) # a formula, alone on its line
+            $0 = "\\f[ " substr($0, 3, length($0) - 4) " \\f]"
+        else
+            $0 = sources(/^#/ ? formulas($0) : numbers(formulas($0)))
     }
     print
     next

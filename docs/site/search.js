@@ -31,7 +31,7 @@
   }).map((each) => {
     const page = documents[+each.ref], text = (page.title + " " + page.text).toLowerCase().replace(/[-_]/g, " ");
     const all = terms.filter((term) => text.includes(term)).length / terms.length;
-    const named = page.title.toLowerCase().replace(/[-_()]/g, " ").trim() === whole;
+    const named = page.title.replace(/^(Equation \(.*?\)):.*/, "$1").toLowerCase().replace(/[-_()]/g, " ").trim() === whole;
     return {page, score: each.score * weight[page.kind] * all * all * (text.includes(whole) ? 2 : 1) + (named && (page.kind < 4 || /[_(:]/.test(words)) ? 1e6 : 0)};
   }).sort((a, b) => b.score - a.score);
 

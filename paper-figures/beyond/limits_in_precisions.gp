@@ -1,29 +1,26 @@
-width = 1250; height = 1400
+width = 1000; height = 820
 load '../style.gp'
 unset key
-set multiplot layout 4, 3 margins 0.07, 0.985, 0.13, 0.945 spacing 0.03, 0.1
-names = 'undamped resonance third low high critical'
-ends = '"ζ = x → 0, R = 3/4" "ζ = x → 0, R = 1" "R = (1 + x)/3, ζ = x → 0" "R = x → 0, ζ = 0.1" '.\
-       '"R = 1/x → ∞, ζ = 0.01" "ζ = 1 − x → 1, R = 3/4"'
+set multiplot layout 2, 2 margins 0.085, 0.985, 0.2, 0.92 spacing 0.04, 0.14
+# The four ways to the ends of the domain on which the printed forms lose digits: function, name of the data, and the way.
+functions = 'u u g g'
+names = 'resonance third resonance high'
+ends = '"ζ = x → 0, R = 1" "R = (1 + x)/3, ζ = x → 0" "ζ = x → 0, R = 1" "R = 1/x → ∞, ζ = 0.01"'
 types = 'double long 50'
 words = '"double" "long double" "50 digits"'
-functions = 'u g'
 set xrange [-41:0]
-set xtics ('' -40, '10^{−30}' -30, '' -20, '10^{−10}' -10, '' 0)
+set xtics ('10^{−40}' -40, '10^{−30}' -30, '10^{−20}' -20, '10^{−10}' -10, '1' 0)
 set yrange [-1:54]
 set ytics 10
-panel = 0
-do for [row = 1:2] {
-    f = word(functions, row)
-    do for [place = 1:6] {
-        panel = panel + 1
-        name = word(names, place)
-        set title sprintf("(%s)  %s\n%s", substr('abcdefghijkl', panel, panel), f, word(ends, place)) offset 0, -0.7
-        if (place % 3 == 1) { set ylabel 'decimal digits' offset 1.2; set format y '%g' } else { set ylabel; set format y '' }
-        if (row == 2 && place > 3) { set xlabel 'x' offset 0, 0.4 }
-        plot for [t = 1:3] data index name.' '.word(types, t).';' using (log10($1)):(column(3 + row)) with lines lt t lw 2.4, \
-         for [t = 1:3] '' index name.' '.word(types, t).';' using (log10($1)):(column(1 + row)) with lines lt t lw 1.6 dt (5,4)
-    }
+do for [panel = 1:4] {
+    f = word(functions, panel)
+    row = f eq 'u' ? 1 : 2
+    name = word(names, panel)
+    set title sprintf("(%s)  %s, %s", substr('abcd', panel, panel), f, word(ends, panel)) offset 0, -0.7
+    if (panel % 2 == 1) { set ylabel 'decimal digits' offset 0.5; set format y '%g' } else { set ylabel; set format y '' }
+    if (panel > 2) { set xlabel 'x' offset 0, 0.4 }
+    plot for [t = 1:3] data index name.' '.word(types, t).';' using (log10($1)):(column(3 + row)) with lines lt t lw 2.4, \
+     for [t = 1:3] '' index name.' '.word(types, t).';' using (log10($1)):(column(1 + row)) with lines lt t lw 1.6 dt (5,4)
 }
 # the key, below the panels
 set lmargin at screen 0

@@ -11,8 +11,10 @@ array titles[6] = ['(a)  (57), ζ = 0.1', '(b)  (56), j = 4', '(c)  (59), (63), 
 do for [n = 1:6] {
     panel = substr('abcdef', n, n)
     set label 1 titles[n] at graph 0.03, 1.05
-    if (n == 2) { set xrange [0.1:1]; set xtics 0.3; set yrange [0:0.3] } else { set xrange [0:2.5]; set xtics 0.5; set yrange [0:*] }
-    if (n == 6) { set logscale y; set yrange [*:*]; set format y '10^{%L}' }
+    # (56) and (88) are off in a part of the frequencies, which is what these panels show.
+    set xrange [0:2.5]; set xtics 0.5; set yrange [0:*]
+    if (n == 2) { set xrange [0.54:0.7]; set xtics 0.05; set yrange [0.03:0.15] }
+    if (n == 6) { set xrange [2:2.5]; set xtics 0.1; set logscale y; set yrange [0.002:0.1]; set format y '%g' }
     if (n == 1) {
         plot data index panel.';' using 1:2 with lines lt 1 title 'as corrected', \
              '' index panel.';' using 1:3 with lines lt 2 dt '-' title 'as printed (57: 99 instants)', \

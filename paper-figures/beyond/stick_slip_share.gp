@@ -12,7 +12,11 @@ set xrange [0.1:2]
 set yrange [0.05:2.5]
 set cbrange [0:1]
 set palette defined (0 '#F7FBFF', 0.5 '#6BAED6', 1 '#08306B')
+# No share of stick-slip has two reasons, and one colour.
+set label 1 'sticks for ever' at 0.875, 2.3 center front
+set label 2 'slides throughout' at 1.02, 0.2 center front
 plot data index 0 nonuniform matrix using 2:1:3 with image pixels
+unset label
 set title '(b)  amplitude of the contact, 5th to 95th percentile' offset 0, -0.6
 set ylabel 'amplitude X̄_2' offset 1
 set autoscale y

@@ -4,8 +4,8 @@
 #include <thread>
 
 #include "denhartog/answer/scene_source.hpp"
-#include "denhartog/solve/solve.hpp"
 #include "denhartog/solve/decision.hpp"
+#include "denhartog/solve/solve.hpp"
 
 namespace denhartog {
 
@@ -28,6 +28,13 @@ RegimeMap map(const Scene<double>& scene, const std::vector<double>& r, const st
 SampledSolution motion(const Scene<double>& scene, std::size_t samples) {
     check_samples("samples", samples, std::max<std::size_t>(number_of_masses(scene.system), 1));
     return sampled_solution(source_of_kept(scene), solve(scene), samples);
+}
+
+Energies energies(const Scene<double>& scene, std::optional<int> digits) {
+    const SceneSource source = source_of_kept(scene);
+    Question question;
+    question.digits = digits;
+    return energies(source, solve(source, question), digits);
 }
 
 } // namespace denhartog

@@ -69,4 +69,13 @@ namespace denhartog {
 /// @throws         InputError, DomainError and PrecisionError as `solve` does
 [[nodiscard]] SampledSolution motion(const Scene<double>& scene, std::size_t samples);
 
+/// @brief What the steady motion of a scene dissipates in a period of the force, friction as an equivalent dashpot, and the forces
+/// that it hands to wall and base. Every number is proved.
+/// @param scene   the scene; needs r > 0 and beta >= 0
+/// @param digits  significant digits, from 1 to `most_digits`; by default 6
+/// @return        energies and forces, in units of P^2 / k_1 and P
+/// @throws        InputError, DomainError and PrecisionError as `solve` does; PrecisionError if the library was built without the
+///                reference
+[[nodiscard]] Energies energies(const Scene<double>& scene, std::optional<int> digits = std::nullopt);
+
 } // namespace denhartog

@@ -9,6 +9,10 @@
 ///     solve                scene, r, beta, mu, digits, proved
 ///     motion               scene, r, beta, mu, samples
 ///     map                  scene, r, beta, mu, masses
+///     energies             scene, r, beta, mu, digits
+///     place_of_rest        scene
+///     free_decay           scene, r, beta, mu, x, v, until
+///     history              scene, r, beta, mu, x, v, cycles, last, samples, load
 ///     find                 scene, vary, between, so_that, samples
 ///
 /// Each but `version` returns a struct. Regimes and states of points are the numbers of the C interface.
@@ -324,6 +328,135 @@ static mxArray* find(const mxArray* const* arguments) {
     return result;
 }
 
+/// What the motion at a point dissipates, with the bounds of the errors.
+static mxArray* energies(size_t N, const mxArray* const* arguments) {
+    const double r = number(arguments[0], "r must be one number"), beta = number(arguments[1], "beta must be one number");
+    const double mu = number(arguments[2], "mu must be one number"), digits = number(arguments[3], "digits must be one number");
+    dh_energies found = {.size = sizeof found}, errors = {.size = sizeof errors};
+    mxArray* result = empty_struct();
+    size_t k;
+    (void)N;
+    if (!whole_number(digits, 0, 15)) fail("denhartog:input", "digits must be a whole number from 0 to 15");
+    need(dh_solve(held_system, r, beta, mu, 0, &held_solution));
+    need(dh_solution_energies(held_solution, (int)digits, &found, &errors));
+    const struct {
+        const char *name, *of_error;
+        double value, error;
+        int exists;
+    } all[] = {
+#define DH_NUMBER(member, exists) {#member, #member "_error", found.member, errors.member, exists}
+        DH_NUMBER(contact, 1),
+        DH_NUMBER(dampers, 1),
+        DH_NUMBER(friction, 1),
+        DH_NUMBER(on_base, 1),
+        DH_NUMBER(equivalent_damping, found.contact_moves),
+        DH_NUMBER(equivalent_damping_ratio, found.contact_moves),
+        DH_NUMBER(textbook_contact, found.contact_moves),
+        DH_NUMBER(textbook_contact_off, found.contact_moves),
+        DH_NUMBER(textbook_amplitude, found.textbook_amplitude_exists),
+        DH_NUMBER(textbook_amplitude_off, found.textbook_amplitude_exists),
+#undef DH_NUMBER
+    };
+    for (k = 0; k < sizeof all / sizeof all[0]; ++k) {
+        *doubles(result, all[k].name, 1, 1) = all[k].exists ? all[k].value : mxGetNaN();
+        *doubles(result, all[k].of_error, 1, 1) = all[k].exists ? all[k].error : mxGetNaN();
+    }
+    return result;
+}
+
+static mxArray* place_of_rest(size_t N, const mxArray* const* arguments) {
+    mxArray* result = empty_struct();
+    double* x = doubles(result, "x", 1, N);
+    (void)arguments;
+    need(dh_place_of_rest(held_system, N, x, doubles(result, "x_error", 1, N)));
+    return result;
+}
+
+/// A start: N numbers, or none for zeros.
+static const double* start_of(const mxArray* argument, size_t N, const char* fault) {
+    const Numbers found = numbers(argument, fault);
+    if (found.count != 0 && found.count != N) fail("denhartog:size", fault);
+    return found.count == 0 ? NULL : found.values;
+}
+
+/// A column of the first rows of an array, which is freed.
+static void column(mxArray* result, const char* name, double* values, size_t count) {
+    double* to = doubles(result, name, count, 1);
+    size_t n;
+    for (n = 0; n < count; ++n) to[n] = values[n];
+    mxFree(values);
+}
+
+static mxArray* free_decay(size_t N, const mxArray* const* arguments) {
+    enum { room = 100000, columns = 10 };
+    static const char* const names[columns] = {"turn", "turn_error", "turn_x", "turn_x_error", "stop_start",
+                                               "stop_start_error", "stop_end", "stop_end_error", "stop_x", "stop_x_error"};
+    dh_decay_request request = {.size = sizeof request};
+    dh_decay decay = {.size = sizeof decay, .room = room};
+    double** const to[columns] = {&decay.turn, &decay.turn_error, &decay.turn_x, &decay.turn_x_error, &decay.start,
+                                  &decay.start_error, &decay.end, &decay.end_error, &decay.stop_x, &decay.stop_x_error};
+    double rest[2], rest_error[2];
+    mxArray* result = empty_struct();
+    size_t k;
+    request.r = number(arguments[0], "r must be one number");
+    request.beta = number(arguments[1], "beta must be one number");
+    request.mu = number(arguments[2], "mu must be one number");
+    request.x = start_of(arguments[3], N, "x must be real, of class double, one number for each mass");
+    request.x_prime = start_of(arguments[4], N, "v must be real, of class double, one number for each mass");
+    request.until = number(arguments[5], "until must be one number");
+    for (k = 0; k < columns; ++k) *to[k] = (double*)mxCalloc(room, sizeof(double));
+    decay.rest = rest;
+    decay.rest_error = rest_error;
+    decay.masses = doubles(result, "masses", 1, N);
+    decay.masses_error = doubles(result, "masses_error", 1, N);
+    need(dh_free_decay(held_system, &request, &decay));
+    for (k = 0; k < columns; ++k) column(result, names[k], *to[k], k < 4 ? decay.turns : decay.stops);
+    *doubles(result, "rest_from", 1, 1) = decay.at_rest ? rest[0] : mxGetNaN();
+    *doubles(result, "rest_at", 1, 1) = decay.at_rest ? rest[1] : mxGetNaN();
+    *doubles(result, "rest_from_error", 1, 1) = decay.at_rest ? rest_error[0] : mxGetNaN();
+    *doubles(result, "rest_at_error", 1, 1) = decay.at_rest ? rest_error[1] : mxGetNaN();
+    for (k = 0; k < N && !decay.at_rest; ++k) decay.masses[k] = decay.masses_error[k] = mxGetNaN();
+    *doubles(result, "others", 1, 1) = decay.others;
+    mxSetFieldByNumber(result, 0, mxAddField(result, "at_rest"), mxCreateLogicalScalar(decay.at_rest != 0));
+    mxSetFieldByNumber(result, 0, mxAddField(result, "on_limit"), mxCreateLogicalScalar(decay.on_limit != 0));
+    return result;
+}
+
+static mxArray* history(size_t N, const mxArray* const* arguments) {
+    dh_history_request request = {.size = sizeof request};
+    dh_history found = {.size = sizeof found};
+    const double cycles = number(arguments[5], "cycles must be one number"), last = number(arguments[6], "last must be one number"),
+                 samples = number(arguments[7], "samples must be one number");
+    mxArray* result = empty_struct();
+    request.r = number(arguments[0], "r must be one number");
+    request.beta = number(arguments[1], "beta must be one number");
+    request.mu = number(arguments[2], "mu must be one number");
+    request.x = start_of(arguments[3], N, "x must be real, of class double, one number for each mass");
+    request.x_prime = start_of(arguments[4], N, "v must be real, of class double, one number for each mass");
+    request.without_load = number(arguments[8], "load must be one number") == 0;
+    if (!whole_number(cycles, 1, 1000000) || !whole_number(last, 0, cycles) || !whole_number(samples, 0, DH_MOST_SAMPLES) ||
+        cycles * samples * (double)N > DH_MOST_DISPLACEMENTS)
+        fail("denhartog:size", "cycles, last and samples must be whole numbers, cycles from 1 to 1000000 and last up to it, and "
+                               "cycles times samples times masses at most 100000000");
+    request.cycles = (int)cycles;
+    request.last = (int)last;
+    request.samples = (int)samples;
+    found.sample_room = (size_t)((last > 0 ? last : cycles) * samples);
+    found.stop_room = 1000 + 100 * (size_t)(last > 0 ? last : cycles);
+    found.start = (double*)mxCalloc(found.stop_room, sizeof(double));
+    found.end = (double*)mxCalloc(found.stop_room, sizeof(double));
+    found.stop_x = (double*)mxCalloc(found.stop_room, sizeof(double));
+    found.tau = doubles(result, "tau", found.sample_room, 1);
+    found.x = doubles(result, "x", N, found.sample_room);
+    found.x_prime = doubles(result, "v", N, found.sample_room);
+    found.direction = (signed char*)field(result, "direction", mxINT8_CLASS, found.sample_room, 1);
+    need(dh_follow(held_system, &request, &found));
+    column(result, "stop_start", found.start, found.stops);
+    column(result, "stop_end", found.end, found.stops);
+    column(result, "stop_x", found.stop_x, found.stops);
+    return result;
+}
+
 typedef struct Command {
     const char* name;
     int arguments; // after the command
@@ -335,6 +468,10 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
                                        {"boundary", 3, boundary},
                                        {"solve", 6, solve},
                                        {"motion", 5, motion},
+                                       {"energies", 5, energies},
+                                       {"place_of_rest", 1, place_of_rest},
+                                       {"free_decay", 7, free_decay},
+                                       {"history", 10, history},
                                        {"map", 5, map}};
     char name[32] = "";
     size_t n;
@@ -357,6 +494,6 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
             release();
             return;
         }
-    fail("denhartog:input", "the first argument must be version, natural_frequencies, boundary, solve, motion, map or find, "
-                            "and as many arguments must follow as it takes");
+    fail("denhartog:input", "the first argument must be version, natural_frequencies, boundary, solve, motion, energies, "
+                            "place_of_rest, free_decay, history, map or find, and as many arguments must follow as it takes");
 }

@@ -219,6 +219,16 @@ TEST_CASE("structs are refused where they are null or too small, and filled wher
         f.fails(dh_boundaries_proved(s, 1.125, 1, &right, &other), DH_ERROR_SIZE, "errors->size");
         CHECK(right.exact == untouched);
     }
+    if (has_reference())
+        check_struct<dh_energies>(
+            f, [&](auto* result) { return dh_solution_energies(x, 0, result, nullptr); },
+            [&](auto* result) { return dh_solution_energies(x, 16, result, nullptr); }, DH_ERROR_INPUT);
+    dh_energies small{};
+    dh_energies right_size{};
+    right_size.size = sizeof right_size;
+    f.fails(dh_solution_energies(x, 0, &right_size, &small), DH_ERROR_SIZE, "errors->size");
+    CHECK(dh_solution_energies(nullptr, 0, &right_size, nullptr) == DH_ERROR_NULL);
+    CHECK(dh_solution_energies(x, 0, nullptr, nullptr) == DH_ERROR_NULL);
     CHECK(dh_boundaries(nullptr, 1, 1, nullptr) == DH_ERROR_NULL);
     CHECK(dh_boundaries_proved(nullptr, 1, 1, nullptr, nullptr) == DH_ERROR_NULL);
     CHECK(dh_sliding_motion(nullptr, 1, 0, 1, 1, nullptr) == DH_ERROR_NULL);
@@ -230,6 +240,87 @@ TEST_CASE("structs are refused where they are null or too small, and filled wher
     from_ground.size = sizeof from_ground;
     CHECK(dh_solution_from_ground(x, 3, &from_ground, nullptr, nullptr) == DH_ERROR_INPUT);
     CHECK(dh_solution_from_ground(x, 1, &from_ground, nullptr, nullptr) == DH_ERROR_DOMAIN); // nothing moves
+}
+
+TEST_CASE("a motion from a start refuses what is wrong and has room for what is right", "[c_interface][faults]") {
+    const std::string text = R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": 0, "contact": 1, "load": 1})";
+    dh_system* s = nullptr;
+    REQUIRE(dh_system_from_json(text.data(), text.size(), &s) == DH_OK);
+    const double x = 1;
+    double turn[8], turn_x[8], rest[2], masses[1], masses_error[1];
+    dh_decay_request request{sizeof request, 1, 0.125, 1, &x, nullptr, 0};
+    dh_decay decay{};
+    decay.size = sizeof decay;
+    decay.room = 8;
+    decay.turn = turn;
+    decay.turn_x = turn_x;
+    decay.rest = rest;
+    REQUIRE(dh_free_decay(s, &request, &decay) == DH_OK);
+    REQUIRE(decay.turns == 4); // every half-period takes 2 F / k
+    for (int n = 0; n < 4; ++n) {
+        CHECK(turn[n] == Approx((n + 1) * 3.141592653589793).epsilon(1e-14));
+        CHECK(std::abs(turn_x[n]) == Approx(0.75 - 0.25 * n).margin(1e-14));
+    }
+    CHECK(decay.at_rest == 1);
+    CHECK(decay.others == DH_NOT_KNOWN);
+    const auto decays_with = [&](auto change) {
+        dh_decay_request changed = request;
+        dh_decay room = decay;
+        room.turns = 77;
+        change(changed, room);
+        const int status = dh_free_decay(s, &changed, &room);
+        CHECK(room.turns == 77);
+        return status;
+    };
+    CHECK(decays_with([](auto& q, auto&) { q.beta = -1; }) == DH_ERROR_INPUT);
+    CHECK(decays_with([](auto& q, auto&) { q.beta = 0; }) == DH_ERROR_INPUT);
+    CHECK(decays_with([](auto& q, auto&) { q.r = 0; }) == DH_ERROR_INPUT);
+    CHECK(decays_with([](auto& q, auto&) { q.mu = 0.5; }) == DH_ERROR_INPUT);
+    CHECK(decays_with([](auto& q, auto&) { q.until = -1; }) == DH_ERROR_INPUT);
+    CHECK(decays_with([](auto& q, auto&) { q.until = no_number; }) == DH_ERROR_INPUT);
+    CHECK(decays_with([](auto& q, auto&) { q.x = &no_number; }) == DH_ERROR_INPUT);
+    CHECK(decays_with([](auto& q, auto&) { q.size = 8; }) == DH_ERROR_SIZE);
+    CHECK(decays_with([](auto&, auto& room) { room.room = 3; }) == DH_ERROR_SIZE);
+    CHECK(dh_free_decay(nullptr, &request, &decay) == DH_ERROR_NULL);
+    CHECK(dh_free_decay(s, nullptr, &decay) == DH_ERROR_NULL);
+    CHECK(dh_free_decay(s, &request, nullptr) == DH_ERROR_NULL);
+    CHECK(dh_place_of_rest(s, 1, masses, masses_error) == DH_OK);
+    CHECK(masses[0] == 0);
+    CHECK(dh_place_of_rest(s, 2, masses, nullptr) == DH_ERROR_SIZE);
+    CHECK(dh_place_of_rest(s, 1, nullptr, nullptr) == DH_ERROR_NULL);
+    CHECK(dh_place_of_rest(nullptr, 1, masses, nullptr) == DH_ERROR_NULL);
+    double tau[8], states[8];
+    signed char direction[8];
+    dh_history_request over{sizeof over, 1, 0.125, 1, &x, nullptr, 2, 0, 4, 1};
+    dh_history history{};
+    history.size = sizeof history;
+    history.stop_room = history.sample_room = 8;
+    history.tau = tau;
+    history.x = states;
+    history.direction = direction;
+    REQUIRE(dh_follow(s, &over, &history) == DH_OK);
+    CHECK(history.samples == 8);
+    CHECK(states[2] == Approx(-0.75).epsilon(1e-12)); // half a period later
+    CHECK(direction[1] == -1);
+    const auto follows_with = [&](auto change) {
+        dh_history_request changed = over;
+        dh_history room = history;
+        room.samples = 77;
+        change(changed, room);
+        const int status = dh_follow(s, &changed, &room);
+        CHECK(room.samples == 77);
+        return status;
+    };
+    CHECK(follows_with([](auto& q, auto&) { q.cycles = 0; }) == DH_ERROR_INPUT);
+    CHECK(follows_with([](auto& q, auto&) { q.last = 3; }) == DH_ERROR_INPUT);
+    CHECK(follows_with([](auto& q, auto&) { q.samples = -1; }) == DH_ERROR_INPUT);
+    CHECK(follows_with([](auto& q, auto&) { q.beta = no_number; }) == DH_ERROR_INPUT);
+    CHECK(follows_with([](auto& q, auto&) { q.x_prime = &no_number; }) == DH_ERROR_INPUT);
+    CHECK(follows_with([](auto& q, auto&) { q.size = 8; }) == DH_ERROR_SIZE);
+    CHECK(follows_with([](auto&, auto& room) { room.sample_room = 7; }) == DH_ERROR_SIZE);
+    CHECK(dh_follow(s, nullptr, &history) == DH_ERROR_NULL);
+    CHECK(dh_follow(s, &over, nullptr) == DH_ERROR_NULL);
+    dh_system_destroy(s);
 }
 
 TEST_CASE("numbers outside their rules, among them those that are none, are refused by every function", "[c_interface][faults]") {

@@ -27,9 +27,7 @@ inline std::vector<Scene<double>> c_scenes() {
     const System<double> one = chain_of({1}, {1}, {0.0625}, 1, 1);
     const System<double> two = chain_of({1, 2.5}, {1, 0.625}, {0.0625, 0.125}, 2, 1);
     const System<double> three = chain_of({1, 0.5, 2}, {1, 1.5, 0.75}, {0.03125, 1.5, 0.25}, 1, 3);
-    const auto at = [](const System<double>& s, double mu, double r, double beta) {
-        return Scene<double>{s, mu, r, beta, {}, {}};
-    };
+    const auto at = [](const System<double>& s, double mu, double r, double beta) { return scene_of(s, r, beta, mu); };
     return {at(two, 1.25, 1.125, 0.125),  at(one, 1.0, 0.75, 0.5),  at(one, 1.0, 0.25, 0.8125), at(one, 1.5, 0.75, 1.0),
             at(three, 1.0, 0.625, 0.125), at(two, 1.0, 0.25, 0.25), at(two, 1.25, 0.5, 2.0),    at(three, 1.5, 1.5, 0.03125)};
 }

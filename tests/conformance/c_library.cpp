@@ -45,12 +45,15 @@ std::vector<std::string> motion_of_page() {
 TEST_CASE("the shared library exports the names of its list and no other", "[c_interface][symbols]") {
     std::istringstream names(
         "dh_abi_version dh_boundaries dh_boundaries_proved dh_boundary_errors dh_displacement dh_displacement_errors "
-        "dh_find dh_high_frequency_limit dh_high_frequency_limit_error dh_last_message dh_map dh_modal_function_errors "
+        "dh_find dh_follow dh_free_decay dh_high_frequency_limit dh_high_frequency_limit_error dh_last_message dh_map "
+        "dh_modal_function_errors "
         "dh_modal_functions dh_mode_shape_errors dh_mode_shapes dh_natural_frequency_ratio_errors "
-        "dh_natural_frequency_ratios dh_quantity dh_quantity_errors dh_set_effort dh_sliding_motion "
-        "dh_sliding_motion_errors dh_solution_contact dh_solution_destroy dh_solution_from_ground dh_solution_is_from_rest "
+        "dh_natural_frequency_ratios dh_place_of_rest dh_quantity dh_quantity_errors dh_set_effort dh_sliding_motion "
+        "dh_sliding_motion_errors dh_solution_contact dh_solution_destroy dh_solution_energies dh_solution_from_ground "
+        "dh_solution_is_from_rest "
         "dh_solution_is_proved "
-        "dh_solution_mass dh_solution_motion dh_solution_stop_errors dh_solution_stops dh_solution_summary dh_solve dh_solve_points "
+        "dh_solution_mass dh_solution_motion dh_solution_stop_errors dh_solution_stops dh_solution_summary dh_solve "
+        "dh_solve_points "
         "dh_solve_proved dh_solve_systems dh_status_text dh_sum_errors dh_sums dh_system_destroy dh_system_from_json "
         "dh_system_from_ratios dh_system_masses dh_version");
     const std::vector<std::string> list{std::istream_iterator<std::string>(names), {}};

@@ -95,7 +95,7 @@ std::vector<Scene<double>> scenes() {
     std::vector<Scene<double>> all = c_scenes();
     const System<double> two = chain_of({1, 2.5}, {1, 0.625}, {1, 0}, 1, 2), one = chain_of({1}, {1}, {0}, 1, 1);
     const System<double> critical = chain_of({1, 1.5, 0.75}, {1, 0.5, 2}, {1, 1, 1}, 2, 1);
-    const auto add = [&](const System<double>& s, double mu, double r, double beta) { all.push_back({s, mu, r, beta, {}, {}}); };
+    const auto add = [&](const System<double>& s, double mu, double r, double beta) { all.push_back(scene_of(s, r, beta, mu)); };
     add(one, 1, 0.33325, 0.0625);
     add(one, 1, 8, 0.25);
     add(two, 1, 0.75, 0.03125);

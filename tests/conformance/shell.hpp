@@ -17,11 +17,4 @@ inline Run run_shell(const std::string& command, const std::string& input = "") 
 /// @brief Whether a command is there. @param name its name @return whether the shell finds it
 inline bool has_command(const std::string& name) { return run_shell("command -v " + name).status == 0; }
 
-/// @brief A file of the sources, quoted for a shell. @param path from the top @return its name
-inline std::string source_file(const std::string& path) {
-    const char* top = std::getenv("DENHARTOG_SOURCE_DIR");
-    if (top == nullptr) throw std::runtime_error("DENHARTOG_SOURCE_DIR must name the sources: run the tests by ctest");
-    return std::string(top) + "/" + path;
-}
-
 } // namespace denhartog::tests

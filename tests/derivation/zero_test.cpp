@@ -51,6 +51,24 @@ TEST_CASE("a polynomial is zero where its coefficients are, and they are divided
                           [&](const ex& d) { return d.subs(R == pole).is_zero(); }));
 }
 
+TEST_CASE("a divisor that cancels is reported with the proof", "[zero_test]") {
+    const Symbols& s = symbols();
+    const ex R = s.R, a = s.tau;
+    const auto divides = [](const ex& left, const ex& right, const GiNaC::exmap& pole) {
+        const Decision decision = decide_equal(left, right, domain_of({left, right}));
+        CHECK(decision.verdict == Verdict::proved);
+        const GiNaC::exmap meanings(decision.generators.begin(), decision.generators.end());
+        return std::any_of(decision.denominators.begin(), decision.denominators.end(),
+                           [&](const ex& d) { return d.subs(meanings).subs(pole).is_zero(); });
+    };
+    const ex quotient = (R * R - 1) / (R - 1);
+    CHECK(divides(quotient, R + 1, {{R, 1}}));
+    CHECK(divides(quotient, quotient, {{R, 1}}));
+    CHECK(divides(1 / (1 / (R - 1) + 1), (R - 1) / R, {{R, 1}}));
+    CHECK(divides((1 - pow(cos(a), 2)) / sin(a), sin(a), {{a, 0}}));
+    CHECK_FALSE(divides(quotient, R + 1, {{R, 2}}));
+}
+
 TEST_CASE("near identities are refuted with a witness", "[zero_test]") {
     const Symbols& s = symbols();
     const ex a = s.tau, tiny = numeric("1/1000000000000000000000000");

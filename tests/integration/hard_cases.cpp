@@ -8,24 +8,17 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/paper_systems.hpp"
 #include "tests/support/plain_response.hpp"
 #include "tests/support/sample_scenes.hpp"
+#include "tests/support/scene_builder.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;
 
 namespace {
-
-Scene<double> scene_of(const System<double>& system, double r, double beta, double mu = 1) {
-    Scene<double> scene;
-    scene.system = system;
-    scene.r = r;
-    scene.beta = beta;
-    scene.mu = mu;
-    return scene;
-}
 
 PeriodicOrbit orbit_of(const Scene<double>& scene, int most_periods = 2000) {
     const ContactSystem system = contact_system(scene.system);

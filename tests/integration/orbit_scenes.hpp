@@ -12,6 +12,7 @@
 #include "tests/catch.hpp"
 #include "tests/support/plain_response.hpp"
 #include "tests/support/sample_scenes.hpp"
+#include "tests/support/scene_builder.hpp"
 
 namespace denhartog::tests {
 
@@ -27,15 +28,7 @@ struct Prepared {
 inline Prepared prepared_chain(const std::vector<double>& gamma, const std::vector<double>& kappa,
                                const std::vector<double>& zeta, std::size_t j, std::size_t l, double r, double beta,
                                double mu = 1) {
-    Scene<double> scene;
-    scene.system.mass_ratios = gamma;
-    scene.system.stiffness_ratios = kappa;
-    scene.system.damping_ratios = zeta;
-    scene.system.contact = Mass{j - 1};
-    scene.system.load = Mass{l - 1};
-    scene.mu = mu;
-    scene.r = r;
-    scene.beta = beta;
+    const Scene<double> scene = scene_of(chain_of(gamma, kappa, zeta, j, l), r, beta, mu);
     return {"", contact_system(scene.system), {r, beta, mu}, scene};
 }
 

@@ -14,12 +14,7 @@ using namespace denhartog;
 namespace {
 
 Scene<double> small_scene() {
-    Scene<double> scene;
-    scene.system = chain_of({1, 2.5, 0.75}, {1, 0.625, 1.875}, {0.03125, 0.0625, 0.09375}, 2);
-    scene.mu = 1.375;
-    scene.r = 1.125;
-    scene.beta = 0.015625;
-    return scene;
+    return scene_of(chain_of({1, 2.5, 0.75}, {1, 0.625, 1.875}, {0.03125, 0.0625, 0.09375}, 2), 1.125, 0.015625, 1.375);
 }
 
 } // namespace

@@ -73,6 +73,21 @@ typedef struct dh_mass {
     double phase_error;
     int moves;
 } dh_mass;
+typedef struct dh_energies {
+    size_t size;
+    double contact;
+    double dampers;
+    double friction;
+    double on_base;
+    double equivalent_damping;
+    double equivalent_damping_ratio;
+    double textbook_contact;
+    double textbook_contact_off;
+    double textbook_amplitude;
+    double textbook_amplitude_off;
+    int contact_moves;
+    int textbook_amplitude_exists;
+} dh_energies;
 DH_EXPORT const char* dh_version(void) DH_NOEXCEPT;
 DH_EXPORT int dh_abi_version(void) DH_NOEXCEPT;
 DH_EXPORT const char* dh_status_text(int status) DH_NOEXCEPT;
@@ -121,6 +136,8 @@ DH_EXPORT int dh_solution_is_from_rest(const dh_solution* solution, int* from_re
 DH_EXPORT int dh_solution_mass(const dh_solution* solution, size_t mass, dh_mass* result) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_from_ground(const dh_solution* solution, size_t mass, dh_mass* result, double* transmissibility,
                                       double* transmissibility_error) DH_NOEXCEPT;
+DH_EXPORT int dh_solution_energies(const dh_solution* solution, int digits, dh_energies* energies,
+                                   dh_energies* errors) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_contact(const dh_solution* solution, dh_mass* result) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_stops(const dh_solution* solution, size_t count, double* start, double* end) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_stop_errors(const dh_solution* solution, size_t count, double* start_error,
@@ -177,6 +194,7 @@ typedef struct dh_points_request {
     unsigned threads;
     dh_progress progress;
     void* context;
+    int from_ground;
 } dh_points_request;
 typedef struct dh_points {
     size_t size;
@@ -210,6 +228,7 @@ typedef struct dh_systems_request {
     unsigned threads;
     dh_progress progress;
     void* context;
+    int from_ground;
 } dh_systems_request;
 DH_EXPORT int dh_solve_systems(const dh_systems_request* request, const dh_points* points) DH_NOEXCEPT;
 enum dh_place_kind {
@@ -242,6 +261,73 @@ typedef struct dh_places {
     size_t unanswered;
 } dh_places;
 DH_EXPORT int dh_find(const dh_find_request* request, dh_places* places) DH_NOEXCEPT;
+DH_EXPORT int dh_place_of_rest(const dh_system* system, size_t count, double* x, double* x_error) DH_NOEXCEPT;
+enum dh_others {
+    DH_COME_TO_REST = 0,
+    DH_VIBRATE = 1,
+    DH_NOT_KNOWN = 2
+};
+typedef struct dh_decay_request {
+    size_t size;
+    double r;
+    double beta;
+    double mu;
+    const double* x;
+    const double* x_prime;
+    double until;
+} dh_decay_request;
+typedef struct dh_decay {
+    size_t size;
+    size_t room;
+    double* turn;
+    double* turn_error;
+    double* turn_x;
+    double* turn_x_error;
+    double* start;
+    double* start_error;
+    double* end;
+    double* end_error;
+    double* stop_x;
+    double* stop_x_error;
+    double* masses;
+    double* masses_error;
+    double* rest;
+    double* rest_error;
+    size_t turns;
+    size_t stops;
+    int at_rest;
+    int others;
+    int on_limit;
+} dh_decay;
+DH_EXPORT int dh_free_decay(const dh_system* system, const dh_decay_request* request, dh_decay* decay) DH_NOEXCEPT;
+typedef struct dh_history_request {
+    size_t size;
+    double r;
+    double beta;
+    double mu;
+    const double* x;
+    const double* x_prime;
+    int cycles;
+    int last;
+    int samples;
+    int without_load;
+} dh_history_request;
+typedef struct dh_history {
+    size_t size;
+    size_t stop_room;
+    size_t sample_room;
+    double* start;
+    double* end;
+    double* stop_x;
+    double* tau;
+    double* x;
+    double* x_prime;
+    signed char* direction;
+    size_t stops;
+    size_t samples;
+    double from;
+} dh_history;
+DH_EXPORT int dh_follow(const dh_system* system, const dh_history_request* request, dh_history* history) DH_NOEXCEPT;
 DH_EXPORT int dh_quantity(const dh_system* system, const char* name, double r, double beta, double mu, size_t mass, double tau,
                           size_t size, double* values, size_t* count) DH_NOEXCEPT;
 DH_EXPORT int dh_quantity_errors(const dh_system* system, const char* name, double r, double beta, double mu, size_t mass,

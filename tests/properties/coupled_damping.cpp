@@ -1,14 +1,10 @@
-// Damping that couples the modes, against routes that know no modes: the half-period by the exponential of the state in more
-// digits, and the paper's Runge-Kutta.
+// Damping that couples the modes, beside damping that leaves them by themselves.
 #include "denhartog/answer/modes_in_double.hpp"
 #include "tests/properties/against_witness.hpp"
-#include "tests/support/coupled_scenes.hpp"
 
 using namespace denhartog;
 
 namespace {
-
-constexpr std::uint64_t seed_of_dashpots = 20262;
 
 // A chain with dashpots 20, 0, 60: the figure error_of_neglected_coupling says how far it is off where the coupling is left out.
 Scene<double> chain_with_dashpots(double beta, double tolerance = 0) {
@@ -41,27 +37,6 @@ std::pair<Scene<double>, Scene<double>> proportional(std::size_t contact, std::s
 }
 
 } // namespace
-
-TEST_CASE("sliding with damping that couples the modes agrees with the second witness to 12 digits",
-          "[eq:33][eq:34][eq:35][eq:38][eq:46][coupled-damping][witness]") {
-    check_by_witness<double>(random_coupled_scenes(seed_of_dashpots), 7, 12, 60);
-}
-
-TEST_CASE("sliding with damping that couples the modes agrees with the second witness to 45 digits",
-          "[eq:33][eq:38][coupled-damping][witness]") {
-    std::vector<RandomScene<double>> scenes = random_coupled_scenes(seed_of_dashpots + 1);
-    scenes.resize(80);
-    check_by_witness<Real50>(scenes, 20, 45, 3);
-}
-
-TEST_CASE("every scene with damping that couples the modes agrees with the second witness",
-          "[.][sweep][coupled-damping][witness]") {
-    for (const std::uint64_t seed : {seed_of_dashpots, seed_of_dashpots + 1}) survey_by_witness(random_coupled_scenes(seed));
-}
-
-TEST_CASE("stick-slip with damping that couples the modes is the paper's algorithm's", "[eq:74][eq:75][coupled-damping]") {
-    CHECK(compare_stick_slip_with_paper(random_coupled_scenes(seed_of_dashpots + 2), 3, 40) == 40);
-}
 
 TEST_CASE("damping of proportions, one coefficient changed in its last place, is nearly that of its ratios",
           "[eq:18][coupled-damping]") {
@@ -137,10 +112,6 @@ TEST_CASE("a tolerance of the damping matrix takes the ratios of its diagonal", 
         CHECK(std::abs(taken_in.masses[k].amplitude.value - left_out.masses[k].amplitude.value) >
               1e-3 * taken_in.masses[k].amplitude.value);
     }
-}
-
-TEST_CASE("the map of a system whose damping couples the modes is that of solve", "[coupled-damping]") {
-    CHECK(check_map_by_solve(chain_with_dashpots(0), {0.3, 0.5, 1.5}, {0.01, 0.3, 0.9, 4}) > 0);
 }
 
 TEST_CASE("dashpots that leave a motion undamped but for the rounding of their sums are answered to any digits",

@@ -113,19 +113,7 @@ const std::string phased_chain = R"({"mass_ratios": [1, 2, 1.5], "stiffness_rati
 
 } // namespace
 
-TEST_CASE("the closed form of forces out of phase agrees with the second witness to 12 digits",
-          "[eq:33][eq:38][eq:39][eq:46][phases][witness]") {
-    check_by_witness<double>(random_phased_scenes(seed_of_phases), 9, 12, 45);
-}
-
-TEST_CASE("the closed form of forces out of phase agrees with the second witness to 45 digits", "[eq:33][phases][witness]") {
-    std::vector<RandomScene<double>> scenes = random_phased_scenes(seed_of_phases + 1);
-    scenes.resize(120);
-    check_by_witness<Real50>(scenes, 24, 45, 4);
-}
-
-TEST_CASE("every scene with forces out of phase agrees with the second witness", "[.][sweep][phases][witness]") {
-    survey_by_witness(random_phased_scenes(seed_of_phases));
+TEST_CASE("every stop and every rest under forces out of phase is found by other routes", "[.][sweep][phases][witness]") {
     CHECK(compare_with_events(random_phased_scenes(seed_of_phases + 2), 1, 200) >= 100);
     CHECK(compare_stuck(random_phased_scenes(seed_of_phases + 3), 1) > 400);
 }
@@ -134,18 +122,8 @@ TEST_CASE("stick-slip under forces out of phase is what an event-driven integrat
     CHECK(compare_with_events(random_phased_scenes(seed_of_phases + 2), 3, 20) == 20);
 }
 
-TEST_CASE("stick-slip under forces out of phase is the paper's algorithm's", "[eq:74][eq:75][phases]") {
-    CHECK(compare_stick_slip_with_paper(random_phased_scenes(seed_of_phases + 2), 4, 20) == 20);
-}
-
 TEST_CASE("the stuck response to forces out of phase solves (6) with the contact held", "[eq:88][phases][witness]") {
     CHECK(compare_stuck(random_phased_scenes(seed_of_phases + 3), 9) >= 40);
-}
-
-TEST_CASE("map and motion under forces out of phase are those of solve", "[phases]") {
-    const Scene<double> at =
-        scene(phased_chain + R"([0.05, 0.04, 0.06], "load": [1, 0.5, 0.25], "load_phases": [0, 1.25, -2], "beta": 0.0625})");
-    CHECK(check_map_by_solve(at, {0.5, 0.75, 1.5}, {0.0625, 0.5, 4}) > 0);
 }
 
 TEST_CASE("forces that all lead by one angle are forces in phase, that much earlier", "[phases]") {

@@ -112,28 +112,12 @@ std::array<double, 2> integrated(const std::array<double, 2>& m, const std::arra
 
 } // namespace
 
-TEST_CASE("the closed form on moving bases and walls agrees with the second witness to 12 digits",
-          "[eq:33][eq:38][base][witness]") {
-    check_by_witness<double>(random_base_scenes(seed_of_bases), 18, 12, 20);
-}
-
-TEST_CASE("the closed form on moving bases and walls agrees with the second witness to 45 digits", "[eq:33][base][witness]") {
-    std::vector<RandomScene<double>> scenes = random_base_scenes(seed_of_bases + 1);
-    scenes.resize(110);
-    check_by_witness<Real50>(scenes, 22, 45, 4);
-}
-
-TEST_CASE("every scene on a moving base or wall agrees with the second witness", "[.][sweep][base][witness]") {
-    survey_by_witness(random_base_scenes(seed_of_bases));
+TEST_CASE("absolute displacements of every second scene agree with the second witness", "[.][sweep][base][witness]") {
     CHECK(compare_from_ground(random_base_scenes(seed_of_bases + 2), 2, 1024) > 150);
 }
 
 TEST_CASE("absolute displacements, transmissibilities and phases agree with the second witness", "[base][witness]") {
     CHECK(compare_from_ground(random_base_scenes(seed_of_bases + 2), 17, 1024) >= 20);
-}
-
-TEST_CASE("stick-slip on moving bases and walls is the paper's algorithm's", "[eq:74][eq:75][base]") {
-    CHECK(compare_stick_slip_with_paper(random_base_scenes(seed_of_bases + 3), 4, 15) == 15);
 }
 
 TEST_CASE("a base, a wall and both that move are what an integration in absolute displacements gives", "[base]") {
@@ -180,17 +164,6 @@ TEST_CASE("absolute displacements in double lie within their bounds of those tha
                           a.phase->error + b.phase->error);
             }
         }
-}
-
-TEST_CASE("a map over r has at each the load of the base there", "[base]") {
-    for (const char* base : {"alone", "wall"}) {
-        const Scene<double> at = scene(
-            std::string(R"({"mass_ratios": [1, 2, 1.5], "stiffness_ratios": [1, 0.75, 1.25], "damping_ratios": [0.05, 0.04, 0.06],
-                "contact": 2, "r": 0.75, "beta": 0.1, "base_motion": ")") +
-            base + "\"}");
-        INFO(base);
-        CHECK(check_map_by_solve(at, {0.5, 0.75, 1.5}, {0.0625, 0.5, 4}) > 0);
-    }
 }
 
 TEST_CASE("a map of absolute amplitudes has those of solve", "[base]") {

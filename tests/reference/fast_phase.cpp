@@ -22,6 +22,10 @@ constexpr const char* scenes[] = {
         "r": 0.2, "beta": 0.1})",
     R"({"mass_ratios": 1, "stiffness_ratios": 1, "damping_ratios": 1.5, "contact": 1, "load": 1, "r": 0.01, "beta": 0.1})"};
 
+constexpr const char* out_of_phase =
+    R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 2], "damping_ratios": 0.05, "contact": 1, "load": [1, 0.5],
+        "load_phases": [0, 1.25], "r": 0.6, "beta": 0.2})";
+
 ContactMechanics mechanics_of(const char* text) {
     SceneInBalls s = matrices_of_text(text);
     if (!s.zeta.empty()) s.C = damping_matrix_in_balls(s, modes_in_balls(s));
@@ -96,6 +100,45 @@ TEST_CASE("a number over a phase has the rates of its matrix, at every instant o
                 if (which == 2 * s.N) CHECK(apart(number(Ball(0.5)).rate(0), number(Ball(0.5 + 1e-9)).rate(0)) > 0);
             }
         }
+}
+
+TEST_CASE("a phase of sliding by its modes is the phase by the exponential of its matrix", "[reference][fast_phase][eq:20][eq:21]") {
+    const Bits enough(256);
+    int compared = 0;
+    for (const char* text : {scenes[0], scenes[1], out_of_phase})
+        for (const int direction : {1, -1}) {
+            const ContactMechanics s = mechanics_of(text);
+            REQUIRE(s.sliding);
+            for (const double length : {0.0, 0.03, 1.75}) {
+                INFO(text << ", direction " << direction << ", length " << length);
+                const BallMatrix expected = by_exponential(s, direction, Ball(length)),
+                                 found = s.sliding->after(some_state(s), Ball(length), direction),
+                                 by_matrix = s.propagator(direction, Ball(length)) * some_state(s),
+                                 other = s.sliding->after(some_state(s), Ball(length), -direction);
+                bool differs = length == 0;
+                for (slong k = 0; k < s.n(); ++k, ++compared) {
+                    CHECK(apart(found(k), expected(k)) == 0);
+                    CHECK(apart(by_matrix(k), expected(k)) == 0);
+                    CHECK(found(k).radius() < 1e-40);
+                    differs = differs || apart(other(k), expected(k)) > 0;
+                }
+                CHECK(differs); // the test would tell
+            }
+        }
+    CHECK(compared > 100);
+}
+
+TEST_CASE("sliding is not followed by modes that are damped critically, at a pole or not told apart, or that a damping matrix couples",
+          "[reference][fast_phase]") {
+    const Bits enough(128);
+    CHECK(!mechanics_of(scenes[2]).sliding);
+    CHECK(!mechanics_of(scenes[3]).sliding);
+    CHECK(!mechanics_of(R"({"mass_ratios": 1, "stiffness_ratios": 1, "damping_ratios": 0, "contact": 1, "load": 1, "r": 1,
+                            "beta": 0.1})")
+               .sliding);
+    CHECK(!mechanics_of(R"({"mass_matrix": [[1, 0], [0, 1]], "stiffness_matrix": [[1, 0], [0, 1]], "damping_ratios": 0.1,
+                            "contact": 1, "load": [1, 1], "r": 0.5, "beta": 0.1})")
+               .sliding);
 }
 
 TEST_CASE("free motions that coincide, and a resonance without damping, are not followed", "[reference][fast_phase]") {

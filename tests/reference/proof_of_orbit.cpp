@@ -1,6 +1,7 @@
 /// @file
 /// @brief Every demand of friction on a motion is checked: a motion that breaks one of them is refused.
 #include <algorithm>
+#include <random>
 #include <string>
 
 #include "denhartog/orbit/floquet.hpp"
@@ -262,6 +263,7 @@ TEST_CASE("vectors in double belong to their eigenvalues, real or not", "[refere
         const Eigen::VectorXcd v = found.vectors.col(c), left = A.cast<std::complex<double>>() * v - found.values(c) * v;
         CHECK((v.norm() >= 0.5 && left.norm() < 1e-12 * A.norm() * v.norm()));
     }
+    CHECK((found.inverse * found.vectors - Matrix<std::complex<double>>::Identity(n, n)).norm() < 1e-12);
     CHECK((pairs > 0 && 2 * pairs < n));
 }
 
@@ -278,6 +280,82 @@ TEST_CASE("multipliers that double hardly tells apart are known all the same", "
         CHECK(are_narrow(sizes));
         CHECK((sizes.at(0) - Ball(0.5) - more).may_vanish());
         CHECK((sizes.at(1) - Ball(0.5)).may_vanish());
+    }
+}
+
+TEST_CASE("balls about multipliers hold those of every map in the balls of its entries, and hardly more", "[reference][proof]") {
+    constexpr slong n = 7;
+    constexpr double off = 1e-10;
+    const Bits all(192);
+    MapOfDeviations map{BallMatrix(n, n), false}, wide{BallMatrix(n, n), false}, moved = map;
+    for (slong i = 0; i < n; ++i)
+        for (slong k = i; k < n; ++k) {
+            map.A(i, k) = i == k ? Ball(0.9) - Ball(i) / 8 : Ball((7 * i + 5 * k) % 11 - 5) / 16; // the eigenvalues are the diagonal
+            wide.A(i, k) = widened(map.A(i, k), Ball(off));
+            moved.A(i, k) = map.A(i, k) + (i == k ? Ball(off) : Ball(0));
+        }
+    const std::vector<Ball> of_map = multipliers_over_period(map, false), of_wide = multipliers_over_period(wide, false);
+    REQUIRE(of_map.size() == n);
+    for (slong i = 0; i < n; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const Ball truth = Ball(0.9) - Ball(i) / 8;
+        CHECK((of_map[k] - truth).may_vanish());
+        CHECK(of_map[k].radius() < 1e-12);
+        CHECK((arb_contains(of_wide[k].a, (truth - Ball(off)).a) != 0 && arb_contains(of_wide[k].a, (truth + Ball(off)).a) != 0));
+        CHECK(of_wide[k].radius() < 1000 * off); // the vectors are not orthogonal
+    }
+    CHECK(!(multipliers_over_period(moved, false).front() - Ball(0.9)).may_vanish()); // the test would tell
+    for (slong i = 0; i < n; ++i)
+        for (slong k = 0; k < n; ++k) wide.A(i, k) = widened(i == k ? map.A(i, k) : Ball(0), Ball(off));
+    const Ball of_first = multipliers_over_period(wide, false).front(), tenth = widened(middle(of_first), Ball(of_first.radius() / 10));
+    CHECK(arb_contains(tenth.a, (Ball(0.9) + Ball(off)).a) == 0); // a tenth of the bound would be none
+}
+
+TEST_CASE("multipliers that may meet are held also where they do", "[reference][proof]") {
+    const Bits all(192);
+    MapOfDeviations map{BallMatrix(2, 2), false}; // with -1e-10 below the diagonal both are 1/2 + 5e-10
+    map.A(0, 0) = Ball(0.5);
+    map.A(0, 1) = Ball(25) / Ball(10'000'000'000);
+    map.A(1, 0) = widened(Ball(0), Ball(1) / Ball(10'000'000'000));
+    map.A(1, 1) = Ball(0.5) + Ball(1) / Ball(1'000'000'000);
+    for (const Ball& size : multipliers_over_period(map, false))
+        CHECK((size - Ball(0.5) - Ball(1) / Ball(2'000'000'000)).may_vanish());
+}
+
+TEST_CASE("balls about multipliers hold what double rounds off", "[reference][proof]") {
+    const Bits all(192);
+    std::mt19937 random(11);
+    std::uniform_int_distribution<int> some(-9, 9);
+    double tightest = 1; // distance of the truth from the middle, in units of the radius: the bound is no excuse
+    for (int n = 0; n < 300; ++n) {
+        BallMatrix D(3, 3), T = unit_matrix(3), inverse = unit_matrix(3); // T has whole numbers, and so has its inverse
+        for (slong i = 0; i < 3; ++i) D(i, i) = Ball(3 * i + 1) / Ball(10);
+        for (int turn = 0; turn < 4; ++turn) {
+            BallMatrix E = unit_matrix(3), back = E;
+            const slong row = turn % 3;
+            E(row, (row + 1) % 3) = Ball(some(random));
+            back(row, (row + 1) % 3) = -E(row, (row + 1) % 3);
+            T = T * E;
+            inverse = back * inverse;
+        }
+        const std::vector<Ball> sizes = multipliers_over_period({T * D * inverse, false}, false);
+        for (slong i = 0; i < 3; ++i) {
+            const Ball off = sizes[static_cast<std::size_t>(2 - i)] - D(i, i);
+            CHECK(off.may_vanish());
+            CHECK(off.radius() < 1e-9);
+            tightest = std::min(tightest, 1 - std::abs(static_cast<double>(off)) / off.radius());
+        }
+    }
+    CHECK(tightest < 0.9);
+    for (const double e : {1e-9, 3e-9, 0x1p-28, 5e-9}) { // in double the eigenvalues are 1 and 1/2
+        MapOfDeviations map{BallMatrix(2, 2), false};
+        map.A(0, 0) = Ball(1);
+        map.A(0, 1) = map.A(1, 0) = Ball(e);
+        map.A(1, 1) = Ball(0.5);
+        const Ball root = sqrt(Ball(0.0625) + Ball(e) * Ball(e));
+        const std::vector<Ball> sizes = multipliers_over_period(map, false);
+        CHECK((sizes.front() - Ball(0.75) - root).may_vanish());
+        CHECK((sizes.back() - Ball(0.75) + root).may_vanish());
     }
 }
 

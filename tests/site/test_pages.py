@@ -25,6 +25,7 @@ except ImportError as missing:
 from pages import finish, site, text
 from pages.check import faults_of_pages
 from pages.code import code_of
+from pages.conclusions import conclusions_view
 from pages.doxygen import class_page, text_of_html, trim
 from pages.equations import equation_view
 from pages.graph import layout
@@ -57,7 +58,8 @@ class SmallRun:
         ledger = [entry("37", used_by=["38"]), refuted]
         self.run = SimpleNamespace(ledger=ledger, entries={each["equation"]: each for each in ledger}, claims={}, symbols={},
                                    certificates={}, theorems="", figures=[], accuracy=[], chart="", batch="", conformance={},
-                                   departures={}, notation=[], places={}, formulas={}, questions={}, excess_of_67=36.4,
+                                   departures={}, notation=[], places={}, statements=[], in_words={}, stand_for=[],
+                                   names={number: "A name" for number in EQUATIONS}, formulas={}, questions={}, excess_of_67=36.4,
                                    motion=[[0.0] * 3] * 4, audit="All.\n\n| equation |\n|---|\n",
                                    run={"agreement": [{"group": "a", "scenes": 1} | dict.fromkeys(
                                        ("double", "50 digits"), {"worst": 1e-15, "scene": "b"})], "stand_ins": [{"name": "sinc", "header": "evaluation/special.hpp",
@@ -129,13 +131,17 @@ class Words(Case):
                 ("sin(2) is no equation, nor (2022), (0)", "sin(2) is no equation, nor (2022), (0)"),
                 ("zeta_i <= 1 -> R_i", r"\f$\zeta_{i}\f$ ≤ 1 → \f$R_{i}\f$"),
                 ("mode_functions.hpp, beta.hpp", r"mode\_functions.hpp, beta.hpp"),
+                ("off by 1.8e+02 %, at 0.10000000000000001", r"off by 180 \%, at 0.1"), ("1.2e-07 and R2e5", r"\f$1.2\cdot10^{-7}\f$ and R2e5"),
+                ("SDOF zeta=0.10000000000000001", r"SDOF \f$\zeta=0.1\f$"),
                 ("SDOF zeta=0.001 r=0.95.", r"SDOF \f$\zeta=0.001\f$ \f$r=0.95\f$."),
                 ("x_j'/sin(tau)", r"\f$\bar{x}_{j}'\f$/\f$\sin(\tau)\f$"),
                 ("zeta_i > 0 or 1/R_i not odd", r"\f$\zeta_{i}\f$ &gt; 0 or 1/\f$R_{i}\f$ not odd"),
                 ("tests/limits/R_i", r"tests/limits/R\_i"), ("zeta/r_n,i", r"\f$\zeta\f$/\f$r_{n,i}\f$")):
             self.assertEqual(prose(said), shown)
+        self.assertEqual(text.raw(prose("(46) and zeta_i, a_b_c")), r"(46) and \(\zeta_{i}\), a_b_c")
         for value, shown in (("-329/333", r"\f$-\tfrac{329}{333}\f$"), ("0.25", "0.25"),
-                             ("0.105313493022638536325369615526715714", "0.10531349302263853632…")):
+                             ("0.105313493022638536325369615526715714", "0.105313"),
+                             ("0.40000000000000002", "0.4"), ("-7.816875436426E-4", "-0.0007816875436426")):
             self.assertEqual(witness_value(value), shown)
 
     def test_tables(self):
@@ -224,20 +230,25 @@ class Checks(Case):
 
     def test_departures(self):
         """A departure is said in words, with the difference marked, and what it says must fit what is printed."""
-        departure = SimpleNamespace(said="The sign of $b$ is wrong, see (37).", printed=r"a_{38}=\misprint{b}", holds=r"a=\mended{-b}")
+        departure = SimpleNamespace(said="The sign of $b$ is wrong, see (37).", printed=r"a_{38}=\misprint{b}", holds=r"a=\mended{-b}",
+                                    why="At $\\tau=0$ it is $$c$$ and not $b$.")
         departures = self.small.run.departures = {"38": departure}
         page = self.small.page("38")
         self.assertHas(page, r'The sign of \f$b\f$ is wrong, see \ref eq_37 "(37)".', r"\f[ a_{38}=\misprint{b} \f]")
-        self.assertLess(page.index("mended"), page.index("The proof"))
+        self.assertHas(page, r"<p>At \f$\tau=0\f$ it is </p>", r"\f[ c \f]", r"<p> and not \f$b\f$.</p>")
+        self.assertLess(page.index("mended"), page.index("Why it is wrong"))
+        self.assertLess(page.index("Why it is wrong"), page.index("The proof"))
         self.assertLess(page.index("The proof"), page.index("The function"))
         faults = lambda departures: faults_of_departures(departures, self.small.run.ledger)
         self.assertEqual(faults(departures), [])
         self.assertTells(faults({}), "has no sentence")
-        self.assertTells(faults({"37": SimpleNamespace(said="x", printed="", holds="")}), "does not depart")
+        self.assertTells(faults({"37": SimpleNamespace(said="x", printed="", holds="", why="y")}), "does not depart")
         departure.printed = r"a_{38}=\misprint{c}"
         self.assertTells(faults(departures), "is not the printed formula")
         departure.printed, departure.holds = "a_{38}=b", "a=-b"
         self.assertTells(faults(departures), "shows no difference")
+        departure.why = ""
+        self.assertTells(faults(departures), "does not say why")
 
 
 class Pages(Case):
@@ -254,6 +265,22 @@ class Pages(Case):
         """A snippet has the lines of the source from its template head to its closing brace."""
         snippet = Sources(self.small.folder).snippet(self.small.entry["functions"][0])
         self.assertEqual((snippet.first, len(snippet.lines), snippet.lines[-1], snippet.signature), (4, 4, "}", 2))
+
+    def test_brief(self):
+        """A function behind an equation has the sentence that tells it apart."""
+        self.assertEqual(Sources(self.small.folder).snippet(self.small.entry["functions"][0]).brief, "X.")
+        lines = ["/// @brief Of \\f$ u \\f$, where", "/// it is small.", "/// \\f[ x \\f]", "/// @eq{38}", "int f();"]
+        self.assertEqual(Sources.brief(lines, 4), r"Of \f$ u \f$, where it is small.")
+        self.assertEqual(Sources.brief(["", "int f();"], 1), "")
+
+    def test_numbers_of_masses(self):
+        """Of a claim for several numbers of masses one stands on the page of the equation, the others behind it."""
+        for n in (1, 2):
+            self.small.add_claim(self.small.entry, f"38/sum/N={n}")
+        self.small.write("derivation/d.cpp", 'const char* id = "38/sum/";\n')
+        view = equation_view(self.small.run, Sources(self.small.folder), self.small.entry)
+        self.assertEqual([claim["id"] for claim in view["own"]], ["38/amplitude", "38/sum/N=1"])
+        self.assertEqual([claim["id"] for claim in view["others"]], ["38/sum/N=2"])
 
     def test_what_is_missing(self):
         """A function that is not at its line, a claim without source or record, a test or a figure that is nowhere: no page."""
@@ -275,11 +302,62 @@ class Pages(Case):
         self.assertEqual(faults, [])
         self.assertHas(page, r'By \ref eq_37 "(37)", \f$a<b\f$ in <code>code</code>.', r"\f[ a=c\tag{38} \f]", r"\f[ x^2=y \f]", "37/sine")
 
+    def test_chapter_with_pictures(self):
+        """What is misprinted is said where it stands, and a chapter shows figures, pages to explore and links."""
+        run = self.small.run
+        run.departures["38"] = SimpleNamespace(said="The sign is wrong.", printed="", holds="", why="y")
+        run.places["38"] = "plane.html#r=1&b=2"
+        run.figures.append(SimpleNamespace(name="f", label="figure_f", full_title="F", caption="It falls"))
+        (page,), faults = self.small.chapter("# All\n\nSee [this page](page:one_mass), (37).\n\n{{equation 38}}\n\n{{figure f}}\n\n{{explore 38}}\n\n"
+                                             "{{claims 37}}\n\n{{claims 38}}\n")
+        self.assertEqual(faults, [])
+        self.assertHas(page, '<a href="one_mass.html">this page</a>, \\ref eq_37', "The print differs: The sign is wrong.", "eq_38_why",
+                       'src="figures/f.svg"', 'src="explore/plane.html#r=1&amp;b=2"')
+
+    def test_conclusions(self):
+        """A statement of the text has its verdict, and the sentence on its claim the numbers of the run."""
+        run = self.small.run
+        record = run.claims["38/amplitude"]
+        record |= {"witness": [{"name": "system", "value": "2DOF j=2 l=1 zeta=0.1"}, {"name": "r", "value": "0.29999999999999999"},
+                               {"name": "beta", "value": "0.5"}, {"name": "cases", "value": "41"}, {"name": "error", "value": "0.1234"}],
+                   "thresholds": [{"what": "error", "taken": 0.01, "turns": 1234567.0, "empty": 1, "decides": True}]}
+        claims = [{"id": "38/amplitude", "verdict": "refuted"}]
+        run.statements = [{"section": "Abstract", "statement": "It is small", "verdict": "refuted", "claims": claims, "remark": ""}]
+        words = run.in_words["38/amplitude"] = {"verdict": "refuted", "words": "{system}: at $r={r}$ by {error:%} in {cases} cases."}
+        page = lambda: self.small.render("conclusions", **conclusions_view(run))
+        self.assertHas(page(), "1 statement,", '<strong>It is small.</strong> <span class="verdict refuted">false</span>',
+                       r"Two masses, contact on mass 2, load on mass 1, \f$\zeta=0.1\f$: at \f$r=0.3\f$ by 12 \% in 41 cases.",
+                       r"Error: we took 0.01; it would hold with \f$1.2\cdot10^{6}\f$.", "machine.html#N=2&amp;g=1&amp;k=1&amp;z=0.161803,0.0618034",
+                       r"\ref claim_38_amplitude")
+        words["words"] = "{nothing}"
+        with self.assertRaisesRegex(Fault, "has no value {nothing}"):
+            page()
+        words |= {"words": "x", "verdict": "measured"}
+        with self.assertRaisesRegex(Fault, "is refuted, its sentence is for measured"):
+            page()
+        del run.in_words["38/amplitude"]
+        with self.assertRaisesRegex(Fault, "no sentence on 38/amplitude"):
+            page()
+        run.in_words["37/sine"] = words
+        with self.assertRaisesRegex(Fault, "speaks of 37/sine"):
+            page()
+
+    def test_digits(self):
+        """A number has the digits that it means."""
+        for value, count, shown in ((0.4000000000000000222, 3, "0.4"), (0.0134123, 2, "0.013"), (43.744, 2, "44"), (0.99996, 3, "1.00"), (0, 2, "0"),
+                                    (123456.7, 2, "120000"), (4281955.6, 2, r"$4.3\cdot10^{6}$"), (-1.8e-05, 2, r"$-1.8\cdot10^{-5}$")):
+            self.assertEqual(text.digits(value, count), shown)
+
     def test_faults_of_the_chapter(self):
         """An unknown place-holder, claim or equation, an open formula and a claim that is left out are faults of the chapter."""
         _, faults = self.small.chapter("# All\n\n{{proof 38}}\n\n{{steps 38/none}}\n\n{{equation 99}}\n\nopen $x\n\n{{claims 38}}\n")
         self.assertTells(faults, "{{proof 38}}", "38/none", "(99)", "must be closed", "claim 37/sine is on a result")
         self.assertNotIn("38/amplitude", " ".join(faults))
+
+    def test_borrowed_symbols(self):
+        """A symbol that a claim borrows is shown as what it stands for, in steps and in witnesses."""
+        self.small.run.stand_for = [{"claims": "38/.*", "symbols": [["x", r"\\eta"], [r"\\mathrm\{Re\}\\,V_\{dj\}", r"\\eta'"]]}]
+        self.assertHas(self.small.page("38"), r"\f[ \eta^2=y \f]", r"\f$\eta'\f$ = ")
 
     def test_typeset_steps(self):
         """Formulas within a sentence of a step and the run's own names of symbols are typeset."""
@@ -313,7 +391,7 @@ class Pages(Case):
 
     def test_overviews(self):
         """Departures and the index count what the ledger has."""
-        self.small.run.departures = {"38": SimpleNamespace(said="x", printed="", holds="")}
+        self.small.run.departures = {"38": SimpleNamespace(said="x", printed="", holds="", why="y")}
         self.assertHas(self.small.render("errata"), "1 of the 2 equations depart", r"\ref claim_38_amplitude")
         self.assertHas(self.small.render("stand_ins"), "<code>sinc</code>", r"\f$x \mapsto \sin(x)/x\f$")
         self.assertHas(self.small.render("equations"), "2 equations", "1 refuted",
@@ -327,11 +405,11 @@ class Pages(Case):
         self.small.run.ledger += rest
         self.small.run.entries |= {each["equation"]: each for each in rest}
         self.assertTells(make()[1], "(38) departs from the print and has no sentence")
-        self.small.run.departures["38"] = SimpleNamespace(said="{{x}}", printed="", holds="")
+        self.small.run.departures["38"] = SimpleNamespace(said="{{x}}", printed="", holds="", why="y")
         self.assertTells(make()[1], "page eq_38 has a place-holder")
         self.small.run.departures["38"].said = "x"
         pages, faults = make()
-        self.assertEqual((faults, len(pages)), ([], 103 + 12))
+        self.assertEqual((faults, len(pages)), ([], 103 + 13))
         self.assertHas(pages["eq_67"], r'unsafe side: 36 \% above \ref eq_69 "(69)" at \f$r = 0.55\f$')
         files = site.script_files(self.small.run)
         self.assertEqual(json.loads(files["statements.json"])["38"], {"said": "as printed: refuted. x", "latex": "a=c"})
@@ -385,6 +463,10 @@ class Finished(Case):
                 ('<div class="title">f<div class="ingroups">g</div></div>', '<div><h1 class="title">f</h1><div class="ingroups">g</div></div>')):
             self.assertEqual(finish.finished_page(before), after)
 
+    def test_sources(self):
+        """The page of a source has no mark in a comment that only Doxygen reads."""
+        self.assertEqual(finish.readable_source(r"/// @brief Of \f$ u_d \f$: \f[ a \f] @eq{28,29}"), r"/// Of $u_d$: $$a $$ (28,29)")
+
     def test_search(self):
         """The search knows a page and each documented name on it."""
         page = ('<h1 class="title">paper</h1><div class="contents"><p>The formulas, R &lt; 1.</p>'
@@ -394,6 +476,8 @@ class Finished(Case):
                          [{"kind": 2, "text": "The formulas, R < 1.", "title": "paper", "url": "paper.html"},
                           {"kind": 2, "text": "Free motion d_i.", "title": "d()", "url": "paper.html#a1"}])
         self.assertEqual(finish.search_documents("<p>no heading</p>", "x.html"), [])
+        named = '<h1 class="title">Equation (69)</h1><div class="contents"><p><span class="named">Boundary of sliding</span></p></div><footer>'
+        self.assertEqual([each["title"] for each in finish.search_documents(named, "eq_69.html")], ["Equation (69): Boundary of sliding"])
         kinds = [finish.kind_of_page(name) for name in ("eq_57.html", "figure_fig07.html", "errata.html", "eq_57_more.html",
                                                         "structdenhartog_1_1Boundary.html")]
         self.assertEqual(kinds, sorted(set(kinds)))

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/scene/scene.hpp"
+#include "tests/support/scene_builder.hpp"
 
 namespace denhartog {
 
@@ -26,12 +26,8 @@ struct NamedSystem {
 /// @return      the chain
 template <class T>
 [[nodiscard]] System<T> equal_chain(std::size_t N, std::size_t j, std::size_t l, const std::vector<T>& zeta) {
-    System<T> s;
-    s.mass_ratios.assign(N, T(1));
-    s.stiffness_ratios.assign(N, T(1));
+    System<T> s = chain_of<T>(std::vector<double>(N, 1), std::vector<double>(N, 1), 0, j, l);
     s.damping_ratios = zeta;
-    s.contact = Mass{j - 1};
-    s.load = Mass{l - 1};
     return s;
 }
 

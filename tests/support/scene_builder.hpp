@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "denhartog/scene/scene.hpp"
@@ -33,6 +35,19 @@ template <class T = double>
 [[nodiscard]] System<T> chain_of(const std::vector<double>& gamma, const std::vector<double>& kappa, double zeta = 0,
                                  std::size_t j = 1, std::size_t l = 1) {
     return chain_of<T>(gamma, kappa, std::vector<double>(gamma.size(), zeta), j, l);
+}
+
+/// @brief A system at a point.
+/// @param system  the system
+/// @param r       frequency ratio
+/// @param beta    friction ratio, or nothing
+/// @param mu      static over kinetic friction
+/// @return        the scene
+template <class T>
+[[nodiscard]] Scene<T> scene_of(System<T> system, double r, std::optional<double> beta = std::nullopt, double mu = 1) {
+    Scene<T> scene{std::move(system), T(mu), T(r), std::nullopt, {}, {}};
+    if (beta) scene.beta = T(*beta);
+    return scene;
 }
 
 /// @brief Adds a spring to a stiffness matrix, or a dashpot to a damping matrix.

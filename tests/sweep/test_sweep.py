@@ -154,7 +154,7 @@ class Sweep(unittest.TestCase):
         """a sweep in hertz and newtons is the map in hertz and newtons, to the last bit"""
         scene = {"masses": [12.0, 11.5], "stiffnesses": [18500, 17200], "damping_ratios": 0.01, "contact": 2}
         for more in ({"base_motion": "with_wall", "base_displacement": 0.002}, {"load": 1, "force": 40},
-                     {"base_motion": "alone", "base_displacement": 0.002, "damping_ratios": 0}):
+                     {"base_motion": "alone", "base_displacement": 0.002, "damping_ratios": 0}, {"load": 1, "unbalance": 0.1}):
             with self.subTest(more):
                 data = sweep.dataset({"scene": scene | more, "axes": [{"quantity": "frequency_hz", "from": 2, "to": 4, "count": 5},
                                                                       {"quantity": "friction", "from": 0, "to": 8, "count": 3}]}).compute()
@@ -162,6 +162,37 @@ class Sweep(unittest.TestCase):
                                       input=json.dumps(scene | more), capture_output=True, text=True).stdout
                 rows = list(csv.reader(text.splitlines()))
                 self.assertEqual([float(row[rows[0].index("amplitude_2")]) for row in rows[1:]], data.amplitude_2.values.ravel().tolist())
+
+    def test_levels(self):
+        """a sweep over the level of the load is the map over it, to the last digits"""
+        scene = {"masses": [12.0, 11.5], "stiffnesses": [18500, 17200], "damping_ratios": 0.01, "contact": 2, "load": 1}
+        for level, hertz in (({"force": 40}, 3), ({"unbalance": 0.1}, 3)):
+            (name, value), = level.items()
+            with self.subTest(name):
+                data = sweep.dataset({"scene": scene | level, "axes": [
+                    {"quantity": "frequency_hz", "values": [hertz]}, {"quantity": "friction", "values": [5]},
+                    {"quantity": name, "from": value, "to": 2 * value, "count": 3}]}).compute()
+                text = subprocess.run([PROGRAM, "map", "-", "--frequency-hz", f"{hertz}:{hertz}:1", f"--{name}", f"{value}:{2 * value}:3"],
+                                      input=json.dumps(scene | level | {"friction": 5, "frequency_hz": hertz}), check=True,
+                                      capture_output=True, text=True).stdout
+                rows = list(csv.reader(text.splitlines()))
+                np.testing.assert_allclose(data.amplitude_2.values.ravel(), [float(row[5]) for row in rows[1:]], rtol=1e-9)
+
+    def test_from_ground(self):
+        """absolute displacements of a sweep are those of solve"""
+        scene = {"mass_ratios": [1, 2], "stiffness_ratios": [1, 0.75], "damping_ratios": 0.05, "contact": 2, "base_motion": "wall"}
+        study = {"scene": scene, "axes": [{"quantity": "r", "values": [0.5, 1.5]}, {"quantity": "beta", "values": [0.05, 0.4]}],
+                 "answers": ["amplitudes", "phases"], "from_ground": True, "masses": [1]}
+        data = sweep.dataset(study).compute()
+        for r in (0.5, 1.5):
+            for beta in (0.05, 0.4):
+                seen = denhartog.System.from_scene(scene).solve(r, beta).from_ground
+                at = data.sel(r=r, beta=beta)
+                self.assertEqual([float(at.amplitude_1), float(at.phase_1)], [seen.amplitude[0], seen.phase[0]])
+        for wrong in ({"scene": scene | {"base_motion": None, "load": 1}}, {"start": "sliding"}):
+            bad = {**study, **wrong}
+            bad["scene"] = {key: value for key, value in bad["scene"].items() if value is not None}
+            self.assertRaises(denhartog.InputError, sweep.dataset, bad)
 
     def test_phases(self):
         """phases of a sweep are those of solve"""

@@ -4,11 +4,12 @@
 #include <cmath>
 
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/scene/scene_json.hpp"
 #include "denhartog/solve/amplitude_search.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/closed_form.hpp"
-#include "tests/unit/program_runs.hpp"
+#include "tests/unit/program_table.hpp"
 
 using namespace denhartog;
 
@@ -166,44 +167,26 @@ TEST_CASE("sentences are read", "[find]") {
 }
 
 TEST_CASE("what cannot be varied is refused by name", "[find][program]") {
-    using tests::Run;
-    using tests::run_program;
-    const std::string chain = R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 1], "damping_ratios": 0.1, "contact": 1,)"
-                              R"( "load": 1, "r": 0.4, "beta": 0.1})";
-    const auto asked = [&](const std::string& vary, const std::string& between, const std::string& more = "") {
-        return run_program("find - --vary " + vary + " --between=" + between + " --so-that 'amplitude of mass 1 = 1' " + more,
-                           chain);
-    };
-    for (const auto& [vary, between, says] : {std::tuple("foo", "0:1", "vary must be a key of the scene"),
-                                              {"mass_ratios", "1:2", "mass_ratios/1"},
-                                              {"mass_ratios/3", "1:2", "a place in it"},
-                                              {"mass_ratios/0", "1:2", "a place in it"},
-                                              {"r/1", "1:2", "a list"},
-                                              {"beta", "1:0", "the lower one first"},
-                                              {"beta", "0", "must be A:B"},
-                                              {"beta", "0:inf", "must be A:B"},
-                                              {"beta", "-1:1", "beta must"},
-                                              {"contact", "0.5:1.5", "contact must"},
-                                              {"damping_ratios/1", "0:1", "a list"}}) {
-        INFO(vary << " " << between);
-        const Run run = asked(vary, between);
-        CHECK(run.status == 2);
-        CHECK(run.output.empty());
-        CHECK(run.error.find(says) != std::string::npos);
-    }
-    const Run huge = asked("beta", "0:1e300", "--samples 4");
-    CHECK(huge.output.find("0.503976330244") != std::string::npos); // as in a narrower interval
-    const Run text = run_program("find - --vary comment --between 0:1 --so-that 'amplitude of mass 1 = 1'",
-                                 R"({"comment": "a chain", )" + chain.substr(1));
-    CHECK(text.status == 2);
-    CHECK(text.error.find("has a number") != std::string::npos);
-    CHECK(asked("beta", "0:1", "--samples 1").status == 2);
-    CHECK(asked("beta", "0:1", "--samples 1000000").status == 2);
-    const Run good = asked("beta", "0:0.9", "--json");
-    REQUIRE(good.status == 0);
-    const auto answer = nlohmann::json::parse(good.output);
-    REQUIRE(answer["places"].size() == 1);
-    CHECK(answer["places"][0]["is"] == "crossing");
-    CHECK(answer["complete"] == "not known");
-    CHECK(answer["unanswered"].empty());
+    tests::expect(R"(
+        2 foo            --between=0:1     < pair ! vary must be a key of the scene
+        2 mass_ratios    --between=1:2     < pair ! mass_ratios/1
+        2 mass_ratios/3  --between=1:2     < pair ! a place in it
+        2 mass_ratios/0  --between=1:2     < pair ! a place in it
+        2 r/1            --between=1:2     < pair ! a list
+        2 beta           --between=1:0     < pair ! the lower one first
+        2 beta           --between=0       < pair ! must be A:B
+        2 beta           --between=0:inf   < pair ! must be A:B
+        2 beta           --between=-2:-1   < pair ! beta must
+        2 contact        --between=0.5:1.5 < pair ! contact must
+        2 damping_ratios/1 --between=0:1   < pair ! a list
+        2 comment        --between=0:1     < pair {"comment": "a chain"} ! has a number
+        2 beta           --between=0:1 --samples {1|1000000} < pair
+        0 beta           --between=0:1e300 --samples 4 < pair > 0.503976330244
+        0 beta           --between=0:0.9 --json < pair
+          = {"places": "# 1", "complete": "not known", "unanswered": "# 0"}
+          = {"places": {"0": {"is": "crossing"}}}
+        0 beta           --between=-1:0.9 --json < pair
+          = {"places": "# 1", "unanswered": {"10": "< 0"}}
+    )",
+                  "find - --so-that 'amplitude of mass 1 = 1' --vary");
 }

@@ -59,23 +59,23 @@ TEST_CASE("figures of the paper come before the others, and a broken record is n
 
 TEST_CASE("a statement that is not borne out is shown as such", "[ledger][figures]") {
     const std::vector<json> records{record("fig06_curves", {"38"})};
-    CHECK_THAT(figures_markdown(records, "pictures"), Catch::Contains("| falls | rises by 3 | no |"));
+    CHECK_THAT(figures_markdown(records), Catch::Contains("| falls | rises by 3 | no |"));
     const std::string table = figures_table(records);
     CHECK_THAT(table, Catch::Contains("| fig06_curves |") && Catch::Contains("| 1e-07 | 0.25 | 1 of 2 |"));
-    CHECK_THAT(figures_markdown({record("limits", {"38"})}, "pictures"), Catch::Contains("| statement | the data say | holds |"));
+    CHECK_THAT(figures_markdown({record("limits", {"38"})}), Catch::Contains("| statement | the data say | holds |"));
 }
 
 TEST_CASE("where a number of ours decides, a statement is not borne out to that number", "[ledger][figures]") {
     json measured = record("fig06_curves", {"38"});
     measured["statements"][0]["measure"] = "to 1 percent";
     measured["statements"][1]["measure"] = "to 5 percent";
-    CHECK_THAT(figures_markdown({measured}, "pictures"), Catch::Contains("| falls | rises by 3 | not to 1 percent |"));
-    CHECK_THAT(figures_markdown({measured}, "pictures"), Catch::Contains("| a | b | yes |"));
+    CHECK_THAT(figures_markdown({measured}), Catch::Contains("| falls | rises by 3 | not to 1 percent |"));
+    CHECK_THAT(figures_markdown({measured}), Catch::Contains("| a | b | yes |"));
     CHECK_THAT(figures_table({measured}), Catch::Contains("| 1 of 2, 1 not to a threshold of ours |"));
 }
 
 TEST_CASE("a bar within a text does not end a cell of a table", "[ledger][figures]") {
     json with_bars = record("fig06_curves", {"38"});
     with_bars["statements"][0]["text"] = "|v| falls";
-    CHECK_THAT(figures_markdown({with_bars}, "pictures"), Catch::Contains("| \\|v\\| falls | rises by 3 | no |"));
+    CHECK_THAT(figures_markdown({with_bars}), Catch::Contains("| \\|v\\| falls | rises by 3 | no |"));
 }

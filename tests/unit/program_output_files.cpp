@@ -2,15 +2,12 @@
 #include <sys/stat.h>
 
 #include "tests/catch.hpp"
-#include "tests/unit/program_runs.hpp"
+#include "tests/unit/program_table.hpp"
 
 using namespace denhartog::tests;
 namespace fs = std::filesystem;
 
 namespace {
-
-const std::string scene_of_files = R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 3], "damping_ratios": [0.25, 0.125], )"
-                                   R"("contact": 2, "load": 1, "mu": 1.5, "r": 0.5, "beta": 0.0625})";
 
 /// An empty folder with nothing in it but what a test puts there.
 fs::path empty_folder(const std::string& name) {
@@ -23,7 +20,7 @@ fs::path empty_folder(const std::string& name) {
 int motion_to(const fs::path& file, const std::string& before = "") {
     const char* program = std::getenv("DENHARTOG_PROGRAM");
     const std::string command = before + " '" + std::string(program) + "' motion --samples 8 --output '" + file.string() + "' '" +
-                                file_with("scene-of-files", scene_of_files).string() + "' 2>/dev/null";
+                                file_with("scene-of-files", scene_text("unequal")).string() + "' 2>/dev/null";
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
@@ -100,7 +97,7 @@ TEST_CASE("a pipe is written directly, and a file beside which nothing can be ma
 TEST_CASE("a hang-up of a map leaves no file and is the status", "[program][map][output]") {
     const fs::path folder = empty_folder("hang-up");
     const std::string command = "'" + std::string(std::getenv("DENHARTOG_PROGRAM")) + "' map '" +
-                                file_with("map-scene-of-files", scene_of_files).string() +
+                                file_with("map-scene-of-files", scene_text("unequal")).string() +
                                 "' --r 0.01:0.02:2000 --beta 0.1:1:2000 --output '" + (folder / "map.csv").string() +
                                 "' 2>/dev/null & sleep 0.5; kill -HUP $!; wait $!";
     const int status = std::system(command.c_str());

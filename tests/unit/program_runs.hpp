@@ -58,6 +58,13 @@ inline std::filesystem::path file_with(const std::string& name, const std::strin
     return scratch() / name;
 }
 
+/// @brief A file of the sources, quoted for a shell. @param path from the top @return its name
+inline std::string source_file(const std::string& path) {
+    const char* top = std::getenv("DENHARTOG_SOURCE_DIR");
+    if (top == nullptr) throw std::runtime_error("DENHARTOG_SOURCE_DIR must name the sources: run the tests by ctest");
+    return std::string(top) + "/" + path;
+}
+
 /// @brief Runs the program.
 /// @param arguments  as a shell takes them; they may redirect
 /// @param input      standard input

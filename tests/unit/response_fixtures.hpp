@@ -22,11 +22,7 @@ namespace denhartog::tests {
 template <class T = double>
 Scene<T> chain(const std::vector<double>& gamma, const std::vector<double>& kappa, const std::vector<double>& zeta, std::size_t j,
                std::size_t l, double mu, double r) {
-    Scene<T> scene;
-    scene.system = chain_of<T>(gamma, kappa, zeta, j, l);
-    scene.mu = T(mu);
-    scene.r = T(r);
-    return scene;
+    return scene_of(chain_of<T>(gamma, kappa, zeta, j, l), r, std::nullopt, mu);
 }
 
 /// @brief One mass, load and contact on it.

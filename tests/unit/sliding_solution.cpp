@@ -328,20 +328,11 @@ TEST_CASE("the bound of an instant takes in that a fast mode turns over the last
 
 TEST_CASE("forty masses with dashpots are answered to 30 digits within the work allowed", "[solve][coupled_damping][effort]") {
     constexpr std::size_t N = 40;
-    Scene<double> scene;
-    scene.system = chain_of(std::vector<double>(N, 1.0), std::vector<double>(N, 1.0), 0.0, 20, 1);
-    scene.system.damping_ratios.clear();
-    scene.system.damping_matrix = Matrix<double>::Zero(N, N);
-    for (Eigen::Index i = 0; i < Eigen::Index{N}; ++i) {
-        const double dashpot = i % 3 == 0 ? 0.3 : 0.1;
-        scene.system.damping_matrix(i, i) += dashpot;
-        if (i == 0) continue;
-        scene.system.damping_matrix(i - 1, i - 1) += dashpot;
-        scene.system.damping_matrix(i, i - 1) -= dashpot;
-        scene.system.damping_matrix(i - 1, i) -= dashpot;
-    }
-    scene.r = 0.3;
-    scene.beta = 0.01;
+    std::vector<double> dashpots(N, 0.1);
+    for (std::size_t i = 0; i < N; i += 3) dashpots[i] = 0.3;
+    const std::vector<double> ones(N, 1), none;
+    Scene<double> scene = scene_of(chain_of(ones, ones, none, 20, 1), 0.3, 0.01);
+    scene.system.damping_matrix = matrix_of_chain(dashpots);
     const Solution in_double = answer(scene_source(scene)), by_reference = answer(scene_source(scene), 30);
     CHECK(by_reference.digits_reached);
     CHECK(by_reference.method.precision == "reference");

@@ -46,11 +46,7 @@ Scene<double> chain_of_three(double r, double beta, double mu = 1) {
 }
 
 Scene<double> long_chain(double r, double beta) {
-    Scene<double> scene;
-    scene.system = equal_chain<double>(50, 10, 1, std::vector<double>(50, 0.05));
-    scene.r = r;
-    scene.beta = beta;
-    return scene;
+    return scene_of(equal_chain<double>(50, 10, 1, std::vector<double>(50, 0.05)), r, beta);
 }
 
 void check_same(const Solution& one, const Solution& all, Mass mass) {

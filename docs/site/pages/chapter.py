@@ -2,8 +2,9 @@
 
 A file is a page, whose parts are apart by empty lines: `# Title` first; `## Title` begins a section; in a paragraph `$...$` is a
 formula, `` `...` `` is code, and the number of an equation in brackets becomes a link. Place-holders stand by themselves:
-`{{equation 26}}` is the form that holds, `{{printed 26}}` the printed one, `{{steps A.5/constants}}` the steps of a claim as the
-run recorded them, `{{claims 26}}` a list of the claims on an equation whose steps the chapter does not show.
+`{{equation 26}}` is the form that holds, `{{steps A.5/constants}}` the steps of a claim as the run recorded them, `{{claims 26}}` a
+list of the claims on an equation whose steps the chapter does not show, `{{figure fig08_loaded_mass_response}}` a figure,
+`{{explore 57}}` the picture to explore an equation. `[words](page:label)` links to another page.
 """
 import re
 
@@ -11,7 +12,7 @@ from .equations import steps_of
 from .records import record_of
 from .text import EQUATIONS, Fault, told_in, typeset
 
-CHAPTER = set(EQUATIONS[3:72] + EQUATIONS[88:])  # (4)-(72) and the appendix
+CHAPTER = set(EQUATIONS[3:])  # from (4) on, and the appendix
 
 
 def read_chapter(folder):
@@ -21,6 +22,19 @@ def read_chapter(folder):
     if "derivation_chapter" not in files:
         raise Fault(f"the chapter must have a file chapter.md in {folder}")
     return files
+
+
+def with_links(text, place):
+    """A paragraph with its links to pages."""
+    parts = re.split(r"\[([^\]]*)\]\(page:(\w+)\)", text)
+    return "".join(typeset(part, place) if at % 3 == 0 else f'<a href="{parts[at + 1]}.html">{part}</a>' if at % 3 == 1 else ""
+                   for at, part in enumerate(parts))
+
+
+def places_in_chapter(files):
+    """The page and its title where the chapter shows each equation."""
+    return {equation: (name, files[name].partition("\n")[0].removeprefix("# "))
+            for name in reversed(files) for equation in re.findall(r"\{\{equation (.*?)\}\}", files[name])}
 
 
 def chapter_views(run, files):
@@ -33,16 +47,19 @@ def chapter_views(run, files):
         if block.startswith("## "):
             return {"kind": "section", "text": block[3:]}
         if not block.startswith("{{"):
-            return {"kind": "text", "text": typeset(block.replace("\n", " "), place)}
-        found = re.fullmatch(r"\{\{(equation|printed|steps|claims) (.*?)\}\}", block)
+            return {"kind": "text", "text": with_links(block.replace("\n", " "), place)}
+        found = re.fullmatch(r"\{\{(equation|steps|claims|figure|explore) (.*?)\}\}", block)
         if not found:
-            raise Fault(f"a place-holder must be {{{{equation|printed|steps|claims name}}}} by itself, not {block}, in {place}")
+            raise Fault(f"a place-holder must be {{{{equation|steps|claims|figure|explore name}}}} by itself, not {block}, in {place}")
         kind, name = found.groups()
-        known = run.claims if kind == "steps" else run.entries
+        known = {"steps": run.claims, "figure": {figure.name: figure for figure in run.figures}, "explore": run.places}
+        known = known.get(kind, run.entries)
         if name not in known:
-            raise Fault(f"a place-holder must name a claim or an equation of the run, not ({name}), in {place}")
+            raise Fault(f"a place-holder must name a claim, an equation or a figure of the run, not ({name}), in {place}")
+        if kind in ("figure", "explore"):
+            return {"kind": kind, "name": name, "shown": known[name]}
         if kind == "steps":
-            return {"kind": kind, "record": known[name], "steps": steps_of(known[name])}
+            return {"kind": kind, "record": known[name], "steps": steps_of(run, known[name])}
         claims = []
         for claim in known[name]["claims"] if kind == "claims" else []:
             record = record_of(run, claim["id"])

@@ -95,7 +95,8 @@ def part(name, texts):
     for item in re.finditer(rf'<a id="([^"]*)"(?:(?!<a id=").)*?{TITLE}(.*?)</h2>.*?{ends}', body, re.S):
         file = first(r'of file <a class="el" href="([^"]*)_source\.html', item[0])
         items[file].append((item[1], text_of_html(item[2].partition("</span>")[2]), item[0]))
-    if len(items) < 2 or "" in items:
+    without_file = items.pop("", [])
+    if len(items) < 2:
         return {}
     title = first(r'<h1 class="title">(.*?)</h1>', head).partition(" Namespace")[0]
     listed, moved = "", {}
@@ -109,11 +110,19 @@ def part(name, texts):
         named = re.sub("(?<=<title>).*?(?=</title>)", f"{title} in {header} - denhartog", named, count=1, flags=re.S)
         texts[page] = (f'{named}{CONTENTS}\n<p>The source: <a class="el" href="{file}_source.html">{header}</a>. All of the '
                        f'namespace: <a class="el" href="{name}">{title}</a>.</p>\n{"".join(item[2] for item in of_file)}{foot}')
+    tables = ""
     for kind in ("func", "enum", "var", "typedef"):  # the tables of declarations
         table = '<table class="memberdecls">'
-        body = re.sub(rf'{table}(?:(?!{table}).)*?<a id="{kind}-members".*?</table>', "", body, count=1, flags=re.S)
+        found = re.search(rf'{table}(?:(?!{table}).)*?<a id="{kind}-members".*?</table>', body, re.S)
+        if found:
+            tables += found[0]
+            body = body.replace(found[0], "", 1)
     before = body.partition(" Documentation</h2>")[0].rpartition(GROUP)[0]
-    texts[name] = f'{head}{before}{GROUP}By header</h2>\n<dl class="by-header">\n{listed}</dl>\n{foot}'
+    told = {anchor.partition("#")[2] for anchor in moved} | {item[0] for item in without_file}
+    rows = [row[0] for row in re.finditer(r'<tr class="memitem:(\w+)">.*?</tr>\s*(?:<tr class="memdesc:\1">.*?</tr>)?', tables, re.S)
+            if f' id="{row[1]}"' in row[0] and row[1] not in told]  # of names that have no box of their own
+    rest = f'<table class="memberdecls">{"".join(rows)}</table>' * bool(rows) + "".join(item[2] for item in without_file)
+    texts[name] = f'{head}{before}{GROUP}By header</h2>\n<dl class="by-header">\n{listed}</dl>\n{rest}{foot}'
     return moved
 
 

@@ -2,11 +2,12 @@
 import re
 from types import SimpleNamespace
 
-from .records import record_of, symbols_in
+from .conclusions import number_of_ours, sentence_on
+from .records import meant_by, record_of, symbols_in
 from .text import (EQUATIONS, Fault, counted, displayed, equation_label, escaped, fails, formula, label, prose,
                    statement_that_holds, symbol, typeset, without_marks)
 
-LONGEST_FORMULA = 1500  # longer ones are left to the record: nobody reads them, and they take seconds to typeset
+LONGEST_FORMULA = 700  # longer ones are left to the record: nobody reads them, and they take seconds to typeset
 LONGEST_STATEMENT = 4000  # in the language of Coq
 ABBREVIATED, DIVISORS = "Abbreviations", "where no divisor is zero"  # steps of the record that are no steps of the argument
 ROLES = {"both": "on the formula as printed and as shipped", "printed": "on the formula as printed",
@@ -35,11 +36,11 @@ def step_sentence(step, claim):
     return prose(head + zero_with) + (f"<code>{escaped(generators)}</code>" if zero_with else "")
 
 
-def steps_of(record):
+def steps_of(run, record):
     """The steps of a claim: a sentence and formulas each; what abbreviations stand for is looked up and comes last."""
     steps = []
     for step in record["steps"]:
-        text, latex, here = step["text"], step["latex"], step["text"] == ABBREVIATED
+        text, latex, here = step["text"], meant_by(run, record["claim"], step["latex"]), step["text"] == ABBREVIATED
         if text == DIVISORS and steps:
             steps[-1]["condition"] += text + "\n" + displayed(latex)
             continue
@@ -61,9 +62,9 @@ def claim_view(run, sources, claim, equation):
         label=label("claim", record["claim"]),
         bears=f"{KINDS.get(kind, 'derived')}{again}, {ROLES.get(claim['role'], 'a step of the argument')}",
         witness=witness if witness != run.entries[equation]["witness"] else {},  # which stands at the head of the page
-        thresholds=[f"{t['what']}: {t['taken']:.3g} taken, turns at {t['turns']:.3g}" for t in thresholds],
+        said=sentence_on(run, claim["id"], claim["verdict"]), thresholds=[number_of_ours(threshold) for threshold in thresholds],
         whatever=claim["verdict"] == "refuted" and not any(t["decides"] for t in thresholds),
-        steps=steps_of(record), is_long=sum(len(step["latex"]) + 60 for step in record["steps"]) > 900,
+        steps=steps_of(run, record),
         count=sum(step["text"] not in (ABBREVIATED, DIVISORS) for step in record["steps"]))
 
 
@@ -78,6 +79,8 @@ def sorted_claims(entry):
     own = [claim for claim in its if not is_form(claim)]
     if all(claim["role"] == "printed" for claim in own):  # (A.12) is decided by how a shipped formula follows from others
         own += [claim for claim in its if is_form(claim)]
+    first = {re.sub("/N=.*", "", claim["id"]): claim for claim in reversed(own)}  # of the numbers of masses one is shown
+    own = [claim for claim in own if first[re.sub("/N=.*", "", claim["id"])] is claim]
     others = sorted((claim for claim in claims if claim not in own), key=lambda claim: not decides(claim) or is_form(claim))
     if not own:  # (26) is decided by the claims on (A.13)
         own = [claim for claim in others if decides(claim) and not is_form(claim)] or others[:1]
@@ -88,10 +91,11 @@ def sorted_claims(entry):
 # Witnesses and statements
 
 
-def witness_names(run, witness):
+def witness_names(run, witness, claim=""):
     """The values of a witness with their names typeset, as the derivation has them if it does."""
-    latex = {name: run.symbols.get(name) or symbol(name, True) for name in witness}
-    return [(formula(latex[name]) if latex[name] else prose(name), value) for name, value in witness.items()]
+    latex = {name: meant_by(run, claim, run.symbols.get(name) or symbol(name, True)) for name in witness}
+    words = {"derived": "what holds", "under test": "as printed" if claim.endswith("/printed") else "the formula"}
+    return [(formula(latex[name]) if latex[name] else prose(words.get(name, name)), value) for name, value in witness.items()]
 
 
 def is_of_formula(run, name, latex):
@@ -114,7 +118,9 @@ def statement_of(run, entry):
     latex = f"{read} {without_marks(held)}"
     of_formula = {name: value for name, value in entry["witness"].items()
                   if is_of_formula(run, name, f"{read} {entry['correction']}")}
-    return SimpleNamespace(departure=departure, marked=marked, printed=departure.printed if marked else read, held=held, two=two,
+    parts = re.split(r"\$\$(.*?)\$\$", departure.why) if departure and departure.why else []
+    why = "".join(displayed(part) if at % 2 else f"<p>{typeset(part, 'docs/ledger/departures.json')}</p>" for at, part in enumerate(parts))
+    return SimpleNamespace(departure=departure, marked=marked, why=why, printed=departure.printed if marked else read, held=held, two=two,
                            short=two and len(read) < 110 and len(without_marks(held)) < 110,
                            symbols=symbols_in(run.notation, latex), witness=of_formula or entry["witness"])
 
@@ -166,17 +172,18 @@ def equation_view(run, sources, entry):
                                  for claims in sorted_claims(entry))
     statement, accuracy, correction = statement_of(run, entry), accuracy_rows(run, equation), entry["correction"]
     departure, code, questions = statement.departure, run.formulas.get(equation), run.questions.get(equation, [])
+    cost = fails(entry["printed"]) and bool(entry.get("scene") or entry["consequence"])
     more = [what for there, what in (
         (forms, "the forms that keep their digits"), (others, counted(len(others), "further claim", "further claims")),
         (accuracy, "the measured accuracy"), (callers, "the functions that use it")) if there]
     contents = [(key, title) for key, title, there in (
-        ("proof", "proof", True), ("functions", "function", True), ("check", "check your number", code or questions),
+        ("why", "why it is wrong", statement.why), ("cost", "what it costs", cost), ("proof", "proof", True), ("functions", "function", True), ("check", "check your number", code or questions),
         ("figures", "figure", entry["figures"]), ("tests", "tests", True), ("observations", "what the text says", observations),
         ("kernel", "kernel", True), ("more_link", "more", more)) if there]
     return dict(
         entry=entry, equation=equation, name=equation_label(equation), statement=statement, fails=fails(entry["printed"]),
         previous=EQUATIONS[at - 1] if at else None, next=EQUATIONS[at + 1] if at + 1 < len(EQUATIONS) else None,
-        place=run.places.get(equation), contents=contents, more=more,
+        place=run.places.get(equation), contents=contents, cost=cost, more=more,
         own=own, others=others, observations=observations, paper=paper, forms=forms, callers=callers, code=code,
         questions=questions, figures=[figure_named(run, name) for name in entry["figures"]], kernel=kernel_of(run, entry),
         tests=[(name, verdict, sources.test(name)) for key, verdict in (("tests_failed", "failed"), ("tests", "passed"))

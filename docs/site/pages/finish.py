@@ -57,6 +57,13 @@ def link(site, tagfile, source):
 # Headings, tables, the search
 
 
+def readable_source(page):
+    """The page of a source without the marks that Doxygen reads in a comment."""
+    page = re.sub(r"\\f\$ ?(.*?) ?\\f\$", r"$\1$", page)
+    page = re.sub(r"\\f\[ ?|\\f\]", lambda mark: "$$", page)
+    return re.sub(r"@eq\{([^}]*)\}", r"(\1)", page).replace("@brief ", "")
+
+
 def finished_page(page):
     """A page as readers get it: its title as the heading of first order, wide tables in boxes that scroll."""
     if "<h1>" in page and 'class="memtitle"' not in page:  # sections stand below the title
@@ -100,6 +107,8 @@ def search_documents(page, name):
     title = text_of_html(between(page, '<h1 class="title">', "</h1>"))
     if not title:
         return []
+    if name_of_equation := between(page, '<span class="named">', "</span>"):
+        title += ": " + shortened(name_of_equation)
     body = between(page, '<div class="contents">', "<footer")
     for opening, closing in (('<div class="eq-nav">', "</div>"), ('<p class="eq-contents">', "</p>"),
                              ('<div class="copies">', "</div>"), ("<form", "</form>"), (r"\[", r"\]")):
@@ -130,7 +139,8 @@ def fault_of_link(page, target, site, anchors):
 def finish(site):
     """Finishes all pages of a site, writes the list for the search and the map of the site, and follows all links."""
     before = {file.name: file.read_text() for file in sorted(site.glob("*.html"))}
-    texts = trim({name: finished_page(text) for name, text in before.items()})
+    texts = trim({name: readable_source(text) if name.endswith("_source.html") else finished_page(text)
+                  for name, text in before.items()})
     for name in before.keys() - texts.keys():
         (site / name).unlink()
     texts = dict(sorted(texts.items()))

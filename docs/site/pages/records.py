@@ -44,9 +44,11 @@ def read_run(verify, source):
         accuracy=sorted(accuracy, key=lambda record: {"d": 0, "l": 1}.get(record["type"][0], 2)),  # double, long double, others
         chart=read_if_there(verify / "chart/tables.md"), batch=read_if_there(verify / "chart/batch.md"),
         conformance={file.stem: file.read_text() for file in (verify / "conformance").glob("*.md")},
-        departures={row["equation"]: SimpleNamespace(**({"printed": "", "holds": ""} | row))
+        departures={row["equation"]: SimpleNamespace(**({"printed": "", "holds": "", "why": ""} | row))
                     for row in read_json(source / "docs/ledger/departures.json")},
-        notation=read_symbols((source / "docs/notation.md").read_text()), places=read_json(source / "docs/explore/places.json"),
+        statements=read_json(verify / "paper/statements.json"),
+        in_words={row["claim"]: row for row in read_json(source / "docs/ledger/in_words.json")},
+        stand_for=read_json(source / "docs/ledger/stand_for.json"), names=read_json(source / "docs/ledger/names.json"), notation=read_symbols((source / "docs/notation.md").read_text()), places=read_json(source / "docs/explore/places.json"),
         formulas=offers["formulas"], questions=offers["questions"], excess_of_67=excess_of_67(program),
         motion=motion_of_example(program, source / "docs/example.json"))
 
@@ -75,6 +77,15 @@ def record_of(run, claim):
     return record
 
 
+def meant_by(run, claim, latex):
+    """A formula of a claim with what its symbols stand for: the computer algebra borrows those of the modes for other numbers."""
+    for row in run.stand_for:
+        if re.fullmatch(row["claims"], claim):
+            for symbol, meant in row["symbols"]:
+                latex = re.sub(symbol, meant, latex)
+    return latex
+
+
 # Figures
 
 
@@ -97,7 +108,7 @@ def read_figures(folder, source):
         record = read_json(folder / f"{name}.json") if (folder / f"{name}.json").exists() else None
         title = record["title"] if record else title_of_script(scripts[name].read_text().splitlines())
         number = f"Fig. {int(name[3:5])}" if name.startswith("fig") else ""
-        data = [file.name for ending in (".dat", ".csv") for file in sorted(folder.glob(f"{name}*{ending}"))]
+        data = [file.name for ending in (".pdf", ".dat", ".csv") for file in sorted(folder.glob(f"{name}*{ending}"))]
         figures.append(SimpleNamespace(
             name=name, label=label("figure", name), number=number, title=title, record=record,
             full_title=f"{number}: {title}" if number else title, data=data, caption=captions[name],
@@ -172,6 +183,8 @@ def faults_of_departures(departures, ledger):
         if (entry["departure"] != "none") != (departure is not None):
             faults.append(f"{place} " + ("has a sentence and does not depart" if departure else
                                          "departs from the print and has no sentence"))
+        if departure is not None and entry["printed"] == "refuted" and not departure.why:
+            faults.append(f"{place} is refuted as printed and does not say why")
         if departure is None or not departure.printed:
             continue
         printed, statement = bare(departure.printed), bare(entry["statement"])

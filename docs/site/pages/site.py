@@ -8,9 +8,10 @@ from pathlib import Path
 import jinja2
 
 from . import text
-from .chapter import chapter_views, read_chapter
+from .chapter import chapter_views, places_in_chapter, read_chapter
 from .check import faults_of_pages
 from .code import code_of
+from .conclusions import conclusions_view
 from .equations import LONGEST_STATEMENT, SAMPLES, SAMPLES_OF_MODES, accuracy_rows, equation_view, in_namespace, witness_names
 from .graph import graph_of
 from .records import faults_of_departures, read_run, record_of
@@ -69,16 +70,16 @@ def environment(run, sources):
         departure_text=lambda kind: DEPARTURES.get(kind, "none"),
         error=lambda worst: "not finite" if worst is None else f"{worst:.3g}",
         snippet_lines=lambda function, signature=False: code_lines(sources.snippet(function), signature),
-        number="{:.10g}".format, json=lambda value: json.dumps(value, ensure_ascii=False, separators=(",", ":")),
+        brief=lambda function: sources.snippet(function).brief, number="{:.10g}".format, json=lambda value: json.dumps(value, ensure_ascii=False, separators=(",", ":")),
         sample=lambda name, of_modes: SAMPLES_OF_MODES[name] if of_modes else SAMPLES.get(name, "1"),
-        names=lambda witness: witness_names(run, witness), record=lambda claim: record_of(run, claim),
+        names=lambda witness, claim="": witness_names(run, witness, claim), record=lambda claim: record_of(run, claim),
         in_order=lambda entries, key: [(name, list(group)) for name, group in groupby(entries, lambda entry: entry[key])],
         section_title=lambda section: f"{section} {SECTIONS[section]}" if section in SECTIONS else section,
         counts=lambda ledger, key: ", ".join(f"{n} {text.verdict_text(word)}"
                                              for word, n in sorted(Counter(entry[key] for entry in ledger).items())),
         tables=lambda markdown, prefix: jinja.get_template("tables.html").render(pieces=tables(markdown, prefix)))
     said = {equation: text.typeset(departure.said, "departures.json") for equation, departure in run.departures.items()}
-    jinja.globals |= dict(run=run, ledger=run.ledger, figures=run.figures, departures=run.departures,
+    jinja.globals |= dict(run=run, chapter={}, ledger=run.ledger, figures=run.figures, departures=run.departures,
                           said_of=lambda equation: said.get(equation, ""), longest_statement=LONGEST_STATEMENT)
     return jinja
 
@@ -89,7 +90,8 @@ def make_pages(run, sources, chapter):
     faults += faults_of_departures(run.departures, run.ledger)
     if faults:
         return {}, faults
-    jinja, pages = environment(run, sources), {}
+    jinja, pages, files = environment(run, sources), {}, read_chapter(chapter)
+    jinja.globals["chapter"] = places_in_chapter(files)
 
     def add(name, template, view):
         page = jinja.get_template(f"{template}.html").render(view)
@@ -111,7 +113,9 @@ def make_pages(run, sources, chapter):
                  *of_pages):
         with told_in(faults):
             add(name, name, of_pages.get(name, {}))
-    views, faults_of_chapter = chapter_views(run, read_chapter(chapter))
+    with told_in(faults):
+        add("conclusions", "conclusions", conclusions_view(run))
+    views, faults_of_chapter = chapter_views(run, files)
     for view in views:
         add(view["name"], "chapter", view)
     faults += faults_of_chapter

@@ -6,7 +6,7 @@ from pathlib import Path
 from .text import Fault, html
 
 Place = namedtuple("Place", "file line")
-Snippet = namedtuple("Snippet", "file first lines signature")
+Snippet = namedtuple("Snippet", "file first lines signature brief", defaults=("",))
 
 LITERAL = r'"(?:[^"\\]|\\.)*"'
 PIECES = re.compile(rf"//[^\n]*|/\*.*?\*/|R\"(?P<end>[^(]*)\((?P<raw>.*?)\)(?P=end)\"|{LITERAL}|(?<!\w)'(?:[^'\\]|\\.)*'",
@@ -94,7 +94,17 @@ class Sources:
             end += 1
             signature = signature or (end - first if "{" in code else 0)
             depth += code.count("{") - code.count("}")
-        return Snippet(file, first + 1, lines[first:end], signature or end - first)
+        return Snippet(file, first + 1, lines[first:end], signature or end - first, self.brief(lines, first))
+
+    @staticmethod
+    def brief(lines, first):
+        """The first sentence after @brief in the comment above a line; its formulas as Doxygen has them."""
+        above = first
+        while above > 0 and lines[above - 1].startswith("///"):
+            above -= 1
+        told = " ".join(line.removeprefix("///").strip() for line in lines[above:first])
+        found = re.search(r"@brief (.*?)(?=\.(?: |\Z)| \\f\[| @|\Z)", told)
+        return found[1].strip() + "." if found else ""
 
 
 def code_lines(snippet, signature=False):

@@ -1,4 +1,5 @@
 """Text for Doxygen: what is special to it is escaped; formulas, symbols and the numbers of equations become what they are."""
+import math
 import re
 from contextlib import contextmanager
 from functools import cache
@@ -35,6 +36,13 @@ def escaped(text):
 
 formula = r"\f${}\f$".format  # in a line
 displayed = "\n\\f[ {} \\f]\n".format  # on a line of its own
+
+
+def raw(text):
+    """A text of Doxygen's as HTML, for the head of a fold, which can have no link in it."""
+    text = re.sub(r"\\f\$(.*?)\\f\$", r"\(\1\)", text)
+    text = re.sub(r'\\ref (\w+) "([^"]*)"', r"\2", text)
+    return re.sub(r"\\([@$#%*_`\[\]])", r"\1", text)
 
 
 def label(kind, name):
@@ -113,14 +121,23 @@ def formula_at(text, at):
     if not latex and not (value and re.fullmatch("[A-Za-z]", word)):
         return "", end
     more = value or (re.compile("'*").match(text, end) if "_" in word else None)
-    return (latex or word) + (more[0] if more else ""), more.end() if more else end
+    after = "=" + legible(value[0][1:]) if value else more[0] if more else ""
+    return (latex or word) + after, more.end() if more else end
+
+
+def legible(number):
+    """A decimal of a program to six digits where it has all digits of a double, and with a power of ten where it has an exponent."""
+    if re.fullmatch(r"-?\d+\.\d{9,}", number):
+        return digits(float(number), 6).replace("$", "")
+    return digits(float(number), len(re.sub(r"e.*|\D", "", number))).replace("$", "") if "e" in number else number
 
 
 @cache
 def prose(text):
     """A sentence of the run: escaped, its symbols typeset, the numbers of equations linked."""
     out, at = [], 0
-    token = re.compile(r"(?<![\w\\])\(((?:A\.)?[0-9]+)\)|<=|>=|->|\w+", re.ASCII)
+    token = re.compile(r"(?<![\w\\])\(((?:A\.)?[0-9]+)\)|<=|>=|->|"
+                       r"(?P<number>(?<![\w.])(?:\d+\.\d{9,}|\d+(?:\.\d+)?e[+-]?\d+)(?![\w.]*\w))|\w+", re.ASCII)
     while found := token.search(text, at):
         out.append(escaped(text[at:found.start()]))
         at = found.end()
@@ -128,6 +145,9 @@ def prose(text):
             out.append(equation_link(found[1]) if found[1] in EQUATIONS else escaped(found[0]))
         elif found[0] in ("<=", ">=", "->"):
             out.append({"<=": "≤", ">=": "≥", "->": "→"}[found[0]])
+        elif found["number"]:
+            shown = legible(found[0])
+            out.append(formula(shown) if "\\" in shown else shown)
         else:
             latex, at = formula_at(text, found.start())
             out.append(formula(latex) if latex else escaped(text[found.start():at]))
@@ -155,10 +175,21 @@ def sentence(note):
 
 
 def witness_value(value):
-    """A fraction typeset, a long decimal cut to 20 digits."""
+    """A fraction typeset, a decimal with the digits that somebody reads."""
     if fraction := re.fullmatch("(-?)([0-9]+)/([0-9]+)", value):
         return formula(rf"{fraction[1]}\tfrac{{{fraction[2]}}}{{{fraction[3]}}}")
-    return escaped(value[:22]) + "…" if re.fullmatch(r"[0-9.-]{25,}", value) else prose(value)
+    sign, number = ("-", value[1:]) if re.fullmatch(r"-[0-9.]+(E-?\d+)?", value) else ("", value)
+    return escaped(sign) + prose(number.replace("E", "e") if re.fullmatch(r"[0-9.]+E-?\d+", number) else number)
+
+
+def digits(value, count):
+    """A number to so many digits, 0.0134 or 4.3 x 10^6; one that has fewer is written with these, 0.4 and not 0.400."""
+    rounded = f"{value:.{count - 1}e}"
+    mantissa, power = rounded.split("e")
+    exact = math.isclose(float(rounded), value, rel_tol=1e-9)
+    if value == 0 or -4 <= int(power) < 6:
+        return f"{float(rounded):.15g}" if exact else f"{float(rounded):.{max(count - 1 - int(power), 0)}f}"
+    return rf"${mantissa}\cdot10^{{{int(power)}}}$"
 
 
 def counted(n, one, many):

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "denhartog/answer/energy.hpp"
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/answer/solution.hpp"
 #include "denhartog/number/errors.hpp"
@@ -48,6 +49,16 @@ struct ReferenceQuestion {
 [[nodiscard]] std::vector<State> samples_by_reference(const SceneSource& source, const Solution& solution,
                                                       const std::vector<double>& tau, double tolerance,
                                                       const std::function<std::vector<OrbitGuess>()>& guesses);
+
+/// @brief What the motion of an answer dissipates, proved in every regime.
+/// @param source    the scene, with r and beta
+/// @param solution  its answer to `Asked::motion`, which says what motion it is
+/// @param digits    significant digits
+/// @param guesses   as of `samples_by_reference`
+/// @return          energies and forces
+/// @throws          PrecisionError as `samples_by_reference`
+[[nodiscard]] Energies energies_by_reference(const SceneSource& source, const Solution& solution, int digits,
+                                             const std::function<std::vector<OrbitGuess>()>& guesses);
 
 /// @brief The ends of a range of frequency ratios as text, which every number type reads to its own digits.
 struct RangeInText {

@@ -24,6 +24,10 @@ std::vector<State> samples_by_reference(const SceneSource&, const Solution&, con
     refuse();
 }
 
+Energies energies_by_reference(const SceneSource&, const Solution&, int, const std::function<std::vector<OrbitGuess>()>&) {
+    refuse();
+}
+
 std::vector<InvariantPointsOfMass<Certified>> invariant_points(const SceneSource&, const RangeInText&, std::optional<int>) {
     refuse();
 }

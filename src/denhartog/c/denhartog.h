@@ -124,6 +124,24 @@ typedef struct dh_mass {
     int moves;          ///< 0 where the mass does not move and has no phase
 } dh_mass;
 
+/// @brief What a steady motion dissipates in a period of the force, and the forces that it hands over. Where the contact does not move
+/// the members from `equivalent_damping` on are 0.
+typedef struct dh_energies {
+    size_t size;                        ///< sizeof(dh_energies), set by the caller
+    double contact;                     ///< energy that friction dissipates, units of P^2 / k_1
+    double dampers;                     ///< energy that the dampers dissipate, units of P^2 / k_1
+    double friction;                    ///< largest friction force, units of P
+    double on_base;                     ///< largest force of springs and dampers on the base, without a constant load; units of P
+    double equivalent_damping;          ///< c = W / (pi omega X^2) with the contact's energy W and amplitude X; units of sqrt(k_1 m_1)
+    double equivalent_damping_ratio;    ///< c / (2 sqrt(k_1 m_1))
+    double textbook_contact;            ///< 4 F X, units of P^2 / k_1
+    double textbook_contact_off;        ///< by what part of `contact` it is off
+    double textbook_amplitude;          ///< X by a dashpot 4 F / (pi omega X) in place of friction, units of P / k_1
+    double textbook_amplitude_off;      ///< by what part of the amplitude it is off
+    int contact_moves;                  ///< 0 where the contact does not move
+    int textbook_amplitude_exists;      ///< 0 where friction is too large for that formula
+} dh_energies;
+
 /// @brief Version of the library. @return a text such as `0.2.0`, valid for ever
 DH_EXPORT const char* dh_version(void) DH_NOEXCEPT;
 
@@ -413,6 +431,17 @@ DH_EXPORT int dh_solution_mass(const dh_solution* solution, size_t mass, dh_mass
 DH_EXPORT int dh_solution_from_ground(const dh_solution* solution, size_t mass, dh_mass* result, double* transmissibility,
                                       double* transmissibility_error) DH_NOEXCEPT;
 
+/// @brief What the motion dissipates in a period of the force, friction as an equivalent dashpot, and the forces on wall and base. The
+/// reference proves every number, in every regime; of a motion that is longer than a period the energies are means.
+/// @param solution  a solution
+/// @param digits    significant digits, 1 to 15; 0 for 6. Energies have them beside the largest work that the load could do
+/// @param energies  receives the numbers; the caller has set its size
+/// @param errors    receives in each member the proved bound of the error of that number; the caller has set its size; may be null
+/// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_INPUT, #DH_ERROR_PRECISION if something is not proved or
+///                  the library was built without the reference, #DH_ERROR_MEMORY
+DH_EXPORT int dh_solution_energies(const dh_solution* solution, int digits, dh_energies* energies,
+                                   dh_energies* errors) DH_NOEXCEPT;
+
 /// @brief Amplitude and phase of the contact with their errors. If two masses rub against each other, the motion is that of the
 /// first relative to the second; otherwise it is that of the mass in contact.
 /// @param solution  a solution
@@ -528,6 +557,7 @@ typedef struct dh_points_request {
     unsigned threads;     ///< 0 for as many as the machine has; the numbers are the same for any
     dh_progress progress; ///< is told how many points are done; may be null
     void* context;        ///< passed on to it
+    int from_ground;      ///< 1 for absolute displacements, and phases behind base or wall; may be missing from the struct
 } dh_points_request;
 
 /// @brief Where the numbers of points go. What is null is not asked for, and what is not asked for may make a point cheaper.
@@ -571,6 +601,7 @@ typedef struct dh_systems_request {
     unsigned threads;                ///< 0 for as many as the machine has; the numbers are the same for any
     dh_progress progress;            ///< is told how many points are done; may be null
     void* context;                   ///< passed on to it
+    int from_ground;                 ///< 1 for absolute displacements, and phases behind base or wall; may be missing from the struct
 } dh_systems_request;
 
 /// @brief The steady motions of many systems, each at its own point, the same as dh_solve() gives for each.
@@ -625,6 +656,105 @@ typedef struct dh_places {
 /// @return         #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE if there is too little room, #DH_ERROR_INPUT, #DH_ERROR_PRECISION,
 ///                 #DH_ERROR_MEMORY
 DH_EXPORT int dh_find(const dh_find_request* request, dh_places* places) DH_NOEXCEPT;
+
+/// @brief Where the constant load of a scene, `static_load`, holds the masses; displacements of every motion count from there.
+/// @param system   a system
+/// @param count    N
+/// @param x        receives N places in units of P / k_1, proved; 0 without a constant load
+/// @param x_error  receives the proved bounds of their errors; may be null
+/// @return         #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_PRECISION, #DH_ERROR_MEMORY
+DH_EXPORT int dh_place_of_rest(const dh_system* system, size_t count, double* x, double* x_error) DH_NOEXCEPT;
+
+/// @brief What the other masses do while the contact rests for good.
+enum dh_others {
+    DH_COME_TO_REST = 0, ///< they tend to their places of rest
+    DH_VIBRATE = 1,      ///< they vibrate about them for ever: nothing damps them
+    DH_NOT_KNOWN = 2     ///< neither is proved, or the contact does not rest
+};
+
+/// @brief A motion without the harmonic load. P and the frequency are units and nothing more: with r = 1 and beta = F / k_1 times a
+/// unit of length, displacements are in that unit, and tau is omega_1 t with omega_1 = sqrt(k_1 / m_1).
+typedef struct dh_decay_request {
+    size_t size;           ///< sizeof(dh_decay_request), set by the caller
+    double r;              ///< frequency ratio, Eq. (10), positive
+    double beta;           ///< friction ratio, Eq. (11), positive
+    double mu;             ///< static over kinetic friction, Eq. (3), at least 1
+    const double* x;       ///< N displacements at the start, units of P / k_1; null for 0
+    const double* x_prime; ///< N velocities dx/dtau at the start; null for 0
+    double until;          ///< tau up to which the motion is followed; 0 until the contact rests for good
+} dh_decay_request;
+
+/// @brief Where a free decay goes. An array that is null is not asked for; those of turns and stops have the length `room`.
+typedef struct dh_decay {
+    size_t size;          ///< sizeof(dh_decay), set by the caller
+    size_t room;          ///< set by the caller
+    double* turn;         ///< receives tau where the contact turns, or comes to rest for good
+    double* turn_error;   ///< receives the bounds of their errors
+    double* turn_x;       ///< receives its displacements there
+    double* turn_x_error; ///< receives the bounds of their errors
+    double* start;        ///< receives tau where it stops before it breaks away again
+    double* start_error;  ///< receives the bounds of their errors
+    double* end;          ///< receives tau where it breaks away
+    double* end_error;    ///< receives the bounds of their errors
+    double* stop_x;       ///< receives where it stops
+    double* stop_x_error; ///< receives the bounds of their errors
+    double* masses;       ///< receives N places of rest, if the contact rests for good
+    double* masses_error; ///< receives the bounds of their errors
+    double* rest;         ///< receives tau from which the contact rests for good, and its displacement; 0 where it does not
+    double* rest_error;   ///< receives the bounds of both
+    size_t turns;         ///< receives the number of turns
+    size_t stops;         ///< receives the number of stops
+    int at_rest;          ///< receives 1 if the contact rests for good
+    int others;           ///< receives one of enum dh_others
+    int on_limit;         ///< receives 1 if the springs pull on the contact at rest with static friction, to all digits
+} dh_decay;
+
+/// @brief The motion from a start without the harmonic load, until the contact rests for good. Every number is proved.
+/// @param system   a system
+/// @param request  the start; the caller has set its size
+/// @param decay    where it goes, written when all is there; the caller has set size, room and arrays
+/// @return         #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE if there is too little room, #DH_ERROR_INPUT, #DH_ERROR_PRECISION,
+///                 #DH_ERROR_MEMORY
+DH_EXPORT int dh_free_decay(const dh_system* system, const dh_decay_request* request, dh_decay* decay) DH_NOEXCEPT;
+
+/// @brief A motion from a start at tau = 0, where the force is largest.
+typedef struct dh_history_request {
+    size_t size;           ///< sizeof(dh_history_request), set by the caller
+    double r;              ///< frequency ratio, Eq. (10), positive
+    double beta;           ///< friction ratio, Eq. (11), not negative
+    double mu;             ///< static over kinetic friction, Eq. (3), at least 1
+    const double* x;       ///< N displacements at the start, units of P / k_1; null for 0
+    const double* x_prime; ///< N velocities dx/dtau at the start; null for 0
+    int cycles;            ///< periods of the force, from 1 to 1000000
+    int last;              ///< how many of them are wanted, at the end; 0 for all
+    int samples;           ///< instants in a period at which the state is wanted; 0 for none
+    int without_load;      ///< 1 if the harmonic load is taken away
+} dh_history_request;
+
+/// @brief Where a history goes. An array that is null is not asked for. Its errors are not known.
+typedef struct dh_history {
+    size_t size;            ///< sizeof(dh_history), set by the caller
+    size_t stop_room;       ///< length of the arrays of stops, set by the caller
+    size_t sample_room;     ///< instants that there is room for, set by the caller
+    double* start;          ///< receives tau where the contact comes to rest
+    double* end;            ///< receives tau where it breaks away; -1 of a rest that lasts to the end
+    double* stop_x;         ///< receives where it rests, units of P / k_1
+    double* tau;            ///< receives the instants, counted from the start of the motion
+    double* x;              ///< receives N displacements an instant
+    double* x_prime;        ///< receives N velocities dx/dtau an instant
+    signed char* direction; ///< receives 1 or -1 as the contact slides, 0 while it sticks
+    size_t stops;           ///< receives the number of stops
+    size_t samples;         ///< receives the number of instants
+    double from;            ///< receives tau at the start of what was wanted
+} dh_history;
+
+/// @brief The motion from a start, every stop of it, by the exact method of `denhartog integrate --history`.
+/// @param system   a system
+/// @param request  the start; the caller has set its size
+/// @param history  where it goes, written when all is there; the caller has set size, room and arrays
+/// @return         #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE if there is too little room, #DH_ERROR_INPUT, #DH_ERROR_PRECISION if the
+///                 end is not reached, #DH_ERROR_MEMORY
+DH_EXPORT int dh_follow(const dh_system* system, const dh_history_request* request, dh_history* history) DH_NOEXCEPT;
 
 /// @brief Any quantity of docs/protocol.md by its name there, with the conventions of that page; the regime as enum dh_regime.
 ///

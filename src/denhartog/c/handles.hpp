@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <limits>
 #include <memory>
 #include <new>
@@ -203,6 +204,18 @@ void need_struct(const Struct* result, const char* name) {
     if (result->size < sizeof(Struct))
         throw CallError(DH_ERROR_SIZE, std::string(name) + "->size must be at least " + std::to_string(sizeof(Struct)) +
                                            ", but is " + std::to_string(result->size));
+}
+
+// A struct from a caller that may know of fewer members than it has now: `oldest` bytes at least, and zeros for the rest.
+template <class Struct>
+[[nodiscard]] Struct grown(const Struct* given, std::size_t oldest, const char* name) {
+    need(given, name);
+    if (given->size < oldest)
+        throw CallError(DH_ERROR_SIZE, std::string(name) + "->size must be at least " + std::to_string(oldest) + ", but is " +
+                                           std::to_string(given->size));
+    Struct all{};
+    std::memcpy(&all, given, std::min(given->size, sizeof(Struct)));
+    return all;
 }
 
 // Hands out a struct, its size as the caller had it.

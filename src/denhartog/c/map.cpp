@@ -2,6 +2,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <thread>
@@ -61,7 +62,7 @@ void write_point(const MapPoint& p, std::ptrdiff_t at, signed char* status, sign
     if (periods != nullptr) periods[at] = known ? p.periods : -1;
 }
 
-// One point by itself, with its numbers for every mass that is listed.
+// One point by itself, with its numbers for every mass that is listed; absolute ones where `from_ground` asks for the whole motion.
 struct PointAnswer {
     MapPoint point;
     std::vector<SolvedMass> masses;
@@ -73,8 +74,14 @@ PointAnswer answer_at(const PreparedSystem& prepared, double r, double beta, con
     if (allowed.operations) effort.emplace(0, allowed.operations);
     const AnswerOrNone found = decide(prepared, {r, beta, nullptr}, question);
     PointAnswer answer{map_point(found), {}};
-    if (found.is_answered())
-        for (const Mass k : masses) answer.masses.push_back(mass_of(found.solution, k));
+    const std::vector<MassFromGround>& seen = found.solution.from_ground;
+    for (const Mass k : masses) {
+        if (!found.is_answered()) break;
+        if (question.asked != Asked::motion)
+            answer.masses.push_back(mass_of(found.solution, k));
+        else if (k.index < seen.size())
+            answer.masses.push_back({seen[k.index].amplitude, seen[k.index].phase, std::nullopt});
+    }
     return answer;
 }
 
@@ -109,7 +116,8 @@ void check_points(const Request& request) {
     }
 }
 
-Question question_of(const dh_points& points, int digits, const std::vector<Mass>& masses) {
+Question question_of(const dh_points& points, int digits, int from_ground, const std::vector<Mass>& masses) {
+    if (from_ground != 0) return {Asked::motion, digits_from(digits)};
     Question question{points.phase != nullptr || points.phase_error != nullptr ? Asked::phase : Asked::amplitude,
                       digits_from(digits)};
     if (masses.size() == 1) question.mass = masses.front();
@@ -136,6 +144,11 @@ void solve_all(const Request& request, const dh_points& points, std::size_t mass
         write_point(answers[n].point, at * points.step, points.status, points.regime, points.stops, points.periods);
         write_masses(answers[n], masses, at * points.masses_step, points);
     }
+}
+
+void check_base(const dh_system* system, int from_ground) {
+    if (from_ground != 0 && system->prepared.scene().system.base_motion == BaseMotion::none)
+        throw InputError("from_ground", "must be 0 where neither base nor wall moves", std::to_string(from_ground));
 }
 
 // Least and largest number of masses of the systems of a request, which are there.
@@ -192,16 +205,17 @@ int dh_map(const dh_system* system, const dh_map_request* request, const dh_map_
     });
 }
 
-int dh_solve_points(const dh_system* system, const dh_points_request* request, const dh_points* points) noexcept {
+int dh_solve_points(const dh_system* system, const dh_points_request* given, const dh_points* points) noexcept {
     return guarded_without_effort([&] {
         need(system, "system");
-        need_struct(request, "request");
+        const dh_points_request all = grown(given, offsetof(dh_points_request, from_ground), "request"), *request = &all;
+        check_base(system, request->from_ground);
         need_struct(points, "points");
         check_static_friction(request->mu);
         check_points(*request);
         const std::vector<Mass> masses =
             masses_from(request->mass_count, request->masses, number_of_masses(system->prepared.scene().system));
-        const Question question = question_of(*points, request->digits, masses);
+        const Question question = question_of(*points, request->digits, request->from_ground, masses);
         const PreparedSystem prepared =
             prepare(with_static_friction(system->prepared.source, request->mu), question, Prepared::every_regime);
         const Allowance allowed = allowance();
@@ -212,19 +226,21 @@ int dh_solve_points(const dh_system* system, const dh_points_request* request, c
     });
 }
 
-int dh_solve_systems(const dh_systems_request* request, const dh_points* points) noexcept {
+int dh_solve_systems(const dh_systems_request* given, const dh_points* points) noexcept {
     return guarded_without_effort([&] {
-        need_struct(request, "request");
+        const dh_systems_request all = grown(given, offsetof(dh_systems_request, from_ground), "request"), *request = &all;
         need_struct(points, "points");
         need(request->systems, "request->systems");
         need(request->mu, "request->mu");
         check_points(*request);
         for (std::size_t n = 0; n < request->count; ++n) check_static_friction(element(request->mu, request->mu_step, n));
         const auto [least, largest] = numbers_of_masses(*request);
+        for (std::size_t n = 0; n < request->count; ++n)
+            check_base(element(request->systems, request->system_step, n), request->from_ground);
         const std::vector<Mass> of_largest =
             masses_from(request->mass_count, request->masses, request->masses != nullptr ? least : largest);
-        const Question question =
-            question_of(*points, request->digits, request->masses != nullptr ? of_largest : std::vector<Mass>());
+        const Question question = question_of(*points, request->digits, request->from_ground,
+                                              request->masses != nullptr ? of_largest : std::vector<Mass>());
         const Allowance allowed = allowance();
         solve_all(*request, *points, of_largest.size(), [&](std::size_t n) {
             const PreparedSystem& prepared = element(request->systems, request->system_step, n)->prepared;

@@ -143,6 +143,37 @@ int dh_solution_from_ground(const dh_solution* solution, size_t mass, dh_mass* r
     });
 }
 
+int dh_solution_energies(const dh_solution* solution, int digits, dh_energies* found, dh_energies* errors) noexcept {
+    return guarded([&] {
+        need(solution, "solution");
+        need_struct(found, "energies");
+        if (errors != nullptr) need_struct(errors, "errors");
+        const Energies e = energies(solution->source, solution->solution, digits_from(digits));
+        const auto part = [&e](ValueOrError of) {
+            dh_energies all{};
+            const auto put = [of](const Certified& x, double& to) { to = part_of(x, of); };
+            put(e.contact, all.contact);
+            put(e.dampers, all.dampers);
+            put(e.friction, all.friction);
+            put(e.on_base, all.on_base);
+            all.contact_moves = e.equivalent.has_value();
+            if (!e.equivalent) return all;
+            const EquivalentDamping& c = *e.equivalent;
+            put(c.coefficient, all.equivalent_damping);
+            put(c.ratio, all.equivalent_damping_ratio);
+            put(c.textbook_energy, all.textbook_contact);
+            put(c.textbook_energy_error, all.textbook_contact_off);
+            all.textbook_amplitude_exists = c.textbook_amplitude.has_value();
+            if (!c.textbook_amplitude) return all;
+            put(*c.textbook_amplitude, all.textbook_amplitude);
+            put(*c.textbook_amplitude_error, all.textbook_amplitude_off);
+            return all;
+        };
+        hand_out(part(ValueOrError::value), found);
+        if (errors != nullptr) hand_out(part(ValueOrError::error), errors);
+    });
+}
+
 int dh_solution_contact(const dh_solution* solution, dh_mass* result) noexcept {
     return guarded([&] {
         need(solution, "solution");

@@ -249,6 +249,35 @@ template <class T>
            (start.eta_prime_0 + m.psi_ji * m.R * m.R * u * beta) / (m.psi_li * m.R * m.R) * (2 * m.zeta * m.R);
 }
 
+/// @brief The braces of (40), from the free motions at an instant.
+/// \f[ 1 - (1+g_i)\,d_i - u_{di}R_i\,q_i \f]
+/// @eq{40,A.15}  @derivation{paper/a15_modal_displacement}  @domain{R > 0}
+/// @param d_i   free motion from unit displacement, Eq. (A.8); dimensionless
+/// @param q_i   free motion from unit velocity over R, Eq. (A.8); dimensionless
+/// @param R     modal frequency ratio, Eq. (22); dimensionless
+/// @param u     first damping function of the mode, Eq. (28); dimensionless
+/// @param g     second damping function of the mode, Eq. (29); dimensionless
+/// @return      the braces; dimensionless
+template <class T>
+[[nodiscard]] T braces(const T& d_i, const T& q_i, const T& R, const T& u, const T& g) {
+    return 1 - (1 + g) * d_i - u * R * q_i;
+}
+
+/// @brief Rate of `braces`.
+/// \f[ (1+g_i)\,\frac{q_i}{R_i} - u_{di}R_i\,q_i', \qquad R_i\,q_i' = d_i - 2\zeta_i q_i \f]
+/// @eq{40}  @derivation{paper/a15_modal_displacement}  @domain{R > 0}
+/// @param d_i   free motion from unit displacement, Eq. (A.8); dimensionless
+/// @param q_i   free motion from unit velocity over R, Eq. (A.8); dimensionless
+/// @param R     modal frequency ratio, Eq. (22); dimensionless
+/// @param zeta  modal damping ratio; dimensionless
+/// @param u     first damping function of the mode, Eq. (28); dimensionless
+/// @param g     second damping function of the mode, Eq. (29); dimensionless
+/// @return      derivative of the braces with respect to tau; dimensionless
+template <class T>
+[[nodiscard]] T braces_prime(const T& d_i, const T& q_i, const T& R, const T& zeta, const T& u, const T& g) {
+    return (1 + g) * q_i / R - u * (d_i - 2 * zeta * q_i);
+}
+
 /// @brief Non-harmonic part of a mode's motion under unit friction, the braces of (40).
 /// \f[ 1 - (1+g_i)\,d_i(\tau) - u_{di}R_i\,q_i(\tau) \f]
 /// @eq{40,41,46,A.15}  @erratum{40}  @derivation{paper/a15_modal_displacement}
@@ -261,7 +290,7 @@ template <class T>
 /// @return      the braces; dimensionless
 template <class T>
 [[nodiscard]] T friction_motion(const T& tau, const T& R, const T& zeta, const T& u, const T& g) {
-    return 1 - (1 + g) * d(tau, R, zeta) - u * R * q(tau, R, zeta);
+    return braces(d(tau, R, zeta), q(tau, R, zeta), R, u, g);
 }
 
 /// @brief Rate of `friction_motion`, \f$ (1+g_i)\,q_i/R_i - u_{di}R_i\,q_i' \f$.
@@ -274,7 +303,7 @@ template <class T>
 /// @return      derivative of the braces with respect to tau; dimensionless
 template <class T>
 [[nodiscard]] T friction_motion_prime(const T& tau, const T& R, const T& zeta, const T& u, const T& g) {
-    return (1 + g) * q(tau, R, zeta) / R - u * R * q_prime(tau, R, zeta);
+    return braces_prime(d(tau, R, zeta), q(tau, R, zeta), R, zeta, u, g);
 }
 
 /// @brief Modal displacement over the half-period.

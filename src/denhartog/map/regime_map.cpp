@@ -59,28 +59,36 @@ private:
     ContactLimits limits;
 };
 
-// Absolute amplitudes, as `solve` answers at every point.
-RegimeMap map_from_ground(const Scene<double>& scene, const MapRequest& request, const std::atomic<bool>& stop,
-                          const std::function<void(std::size_t done)>& done) {
-    if (scene.system.base_motion == BaseMotion::none)
+// Absolute amplitudes, or phases, as `solve` answers at every point.
+RegimeMap map_by_solve(const Scene<double>& scene, const MapRequest& request, const std::atomic<bool>& stop,
+                       const std::function<void(std::size_t done)>& done) {
+    const bool absolute = request.from_ground;
+    if (absolute && scene.system.base_motion == BaseMotion::none)
         throw InputError("base_motion", "must be given for absolute amplitudes", "");
-    if (request.start != MapStart::rest) throw InputError("start", "must be rest for absolute amplitudes", "sliding");
+    if (request.start != MapStart::rest)
+        throw InputError("start", absolute ? "must be rest for absolute amplitudes" : "must be rest for phases", "sliding");
     const PreparedSystem prepared = prepare(scene_source(scene), {}, Prepared::every_regime);
     const std::size_t columns = request.r.size(), rows = request.beta.size(), masses = request.masses.size();
     RegimeMap map;
     map.points.resize(columns * rows);
     map.amplitudes.assign(map.points.size() * masses, std::nan(""));
+    if (request.phases) map.phases = map.amplitudes;
+    const Question question{absolute ? Asked::motion : Asked::phase, std::nullopt};
     Progress progress(done);
     parallel_for(columns, request.threads, [&](std::size_t m) {
         for (std::size_t n = 0; n < rows; ++n) {
             if (stop) return false;
             const QuestionEffort effort(number_of_masses(scene.system), request.effort, [&stop] { return stop.load(); });
-            const AnswerOrNone answer = decide(prepared, {request.r[m], request.beta[n], nullptr}, {});
-            const std::vector<MassFromGround>& seen = answer.solution.from_ground;
+            const AnswerOrNone answer = decide(prepared, {request.r[m], request.beta[n], nullptr}, question);
+            const Solution& s = answer.solution;
             MapPoint& point = map.points[m * rows + n] = map_point(answer);
-            if (has_numbers(point.status) && (seen.empty() || !answer.solution.digits_reached)) point = {};
-            for (std::size_t k = 0; k < masses && has_numbers(point.status); ++k)
-                map.amplitudes[(m * rows + n) * masses + k] = seen[request.masses[k].index].amplitude.value;
+            if (has_numbers(point.status) && ((absolute && s.from_ground.empty()) || !s.digits_reached)) point = {};
+            for (std::size_t k = 0; k < masses && has_numbers(point.status); ++k) {
+                const std::size_t mass = request.masses[k].index, at = (m * rows + n) * masses + k;
+                map.amplitudes[at] = absolute ? s.from_ground[mass].amplitude.value : s.masses[mass].amplitude.value;
+                const std::optional<Certified>& phase = absolute ? s.from_ground[mass].phase : s.masses[mass].phase;
+                if (request.phases && phase) map.phases[at] = phase->value;
+            }
         }
         progress.add(1);
         return true;
@@ -115,6 +123,7 @@ RegimeMap map_by_columns(const MapRequest& request, const ColumnOfMap& column_at
     RegimeMap all;
     all.points.resize(columns * rows);
     all.amplitudes.resize(columns * amplitudes);
+    if (request.phases) all.phases.resize(columns * amplitudes);
     Progress progress(done);
     parallel_for(columns, request.threads, [&](std::size_t m) {
         MapRequest one = request;
@@ -124,6 +133,7 @@ RegimeMap map_by_columns(const MapRequest& request, const ColumnOfMap& column_at
         if (!column.complete) return false;
         std::ranges::copy(column.points, all.points.begin() + static_cast<std::ptrdiff_t>(m * rows));
         std::ranges::copy(column.amplitudes, all.amplitudes.begin() + static_cast<std::ptrdiff_t>(m * amplitudes));
+        std::ranges::copy(column.phases, all.phases.begin() + static_cast<std::ptrdiff_t>(request.phases ? m * amplitudes : 0));
         progress.add(1);
         return true;
     });
@@ -135,7 +145,7 @@ RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, cons
                      const std::function<void(std::size_t done)>& done) {
     check(scene);
     check_request(request, number_of_masses(scene.system));
-    if (request.from_ground) return map_from_ground(scene, request, stop, done);
+    if (request.from_ground || request.phases) return map_by_solve(scene, request, stop, done);
     if (load_depends_on_frequency(scene.system) && !(request.r.size() == 1 && scene.r == request.r.front()))
         return map_by_columns(
             request,

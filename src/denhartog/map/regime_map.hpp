@@ -60,13 +60,17 @@ struct MapRequest {
     unsigned threads = 1;            ///< number of threads, at least 1
     std::optional<long> effort{};    ///< operations allowed for a point; by default those of `QuestionEffort`
     bool from_ground = false;        ///< whether amplitudes are those of absolute displacements, where base or wall move
+    bool phases = false;             ///< whether phases are wanted too
 };
 
 /// @brief A map.
 struct RegimeMap {
     std::vector<MapPoint> points;   ///< point n of column m is at m times the number of friction ratios plus n
     std::vector<double> amplitudes; ///< of the masses asked for, point after point; units of P / k_1; NaN without numbers
-    bool complete = false;          ///< whether all points were computed; false if the map was stopped
+    std::vector<double>
+        phases{};          ///< lags of the same masses behind the force, or of absolute displacements behind base or wall, if
+                           ///< they were asked for; NaN without numbers, and of a mass at rest
+    bool complete = false; ///< whether all points were computed; false if the map was stopped
 };
 
 /// @brief Checks the size of a map.
@@ -82,7 +86,7 @@ void check_size_of_map(std::size_t columns, std::size_t amplitudes);
 /// @param done     called after each column with the number of columns done, by one thread at a time; may be empty
 /// @return         the map; a point without an answer has a status, not an exception
 /// @throws         InputError if the scene, the grid or a mass breaks a rule; or if absolute amplitudes are asked for, and neither
-///                 base nor wall moves, or not the motion from rest is meant
+///                 base nor wall moves; or if these or phases are, and not the motion from rest is meant
 [[nodiscard]] RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, const std::atomic<bool>& stop,
                                    const std::function<void(std::size_t done)>& done = {});
 

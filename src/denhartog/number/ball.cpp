@@ -124,9 +124,8 @@ Ball larger(const Ball& x, const Ball& y) { return by(arb_max, x, y); }
 
 Ball either(const Ball& x, const Ball& y) { return by(arb_union, x, y); }
 
-Ball both_hold(const Ball& x, const Ball& y) {
-    Ball r;
-    return arb_intersection(r.a, x.a, y.a, ball_bits) != 0 ? r : x;
+Ball narrower(const Ball& x, const Ball& y) {
+    return !y.finite() || (x.finite() && mag_cmp(arb_radref(x.a), arb_radref(y.a)) <= 0) ? x : y;
 }
 
 Ball power_of_two(slong n) {

@@ -149,8 +149,8 @@ struct PiOf<Ball> {
 [[nodiscard]] Ball wrapped_in_balls(const Ball& angle);
 /// @brief A ball that holds both.
 [[nodiscard]] Ball either(const Ball& x, const Ball& y);
-/// @brief What is in both balls of one number; x where rounding leaves nothing.
-[[nodiscard]] Ball both_hold(const Ball& x, const Ball& y);
+/// @brief The narrower of two balls of one number.
+[[nodiscard]] Ball narrower(const Ball& x, const Ball& y);
 /// @brief A power of two, exact.
 [[nodiscard]] Ball power_of_two(slong n);
 /// @brief The midpoint, exact.

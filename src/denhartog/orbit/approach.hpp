@@ -37,7 +37,7 @@ struct RecentStates {
         if (states.size() > 2 * most_subharmonic) states.erase(states.begin());
         states.push_back(z);
     }
-    /// @brief How far the last state is from that h half-periods before; 0 where that is not known.
+    /// @brief Distance of the last state from that h half-periods before; 0 if there is none.
     [[nodiscard]] double recurrence(const OrbitMap& map, int h) const {
         const auto back = static_cast<std::size_t>(h) + 1;
         return back > states.size() ? 0.0 : map.norm(difference(states.back(), states[states.size() - back]));
@@ -70,7 +70,7 @@ struct OrbitCandidate {
     double largest_multiplier = 0; ///< over h half-periods
 };
 
-/// @brief How a motion comes nearer to a candidate. A motion of another orbit that passes by does so for some periods too.
+/// @brief A record of how a motion approaches a candidate. One that only passes by comes nearer for some periods too.
 class Approach {
 public:
     /// @brief Forgets what was seen.

@@ -1,3 +1,5 @@
+// Is an orbit stable? `multipliers_of` finds the eigenvalues of the derivative of the map with a bound of the error of each
+// size. It makes the matrix triangular, separates eigenvalues that are far apart, and puts Gershgorin's discs round the rest.
 #include "denhartog/orbit/floquet.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -78,6 +80,19 @@ TriangularForm triangular_form(const Matrix<double>& jacobian, bool with_Q = fal
     return {R, Q};
 }
 
+// Of an upper triangular matrix with ones on its diagonal.
+ComplexMatrix inverse_of_triangular(const ComplexMatrix& Y) {
+    const Eigen::Index n = Y.rows();
+    ComplexMatrix inverse = ComplexMatrix::Identity(n, n);
+    for (Eigen::Index k = 0; k < n; ++k)
+        for (Eigen::Index i = k - 1; i >= 0; --i) {
+            std::complex<double> sum = 0;
+            for (Eigen::Index m = i + 1; m <= k; ++m) sum += times(Y(i, m), inverse(m, k));
+            inverse(i, k) = -sum;
+        }
+    return inverse;
+}
+
 // A triangular matrix as Y (diagonal + couplings) Y^-1, the couplings between eigenvalues that are close.
 struct Decoupled {
     Eigen::VectorXd rows;    // norms of the rows of Y^-1
@@ -88,7 +103,7 @@ struct Decoupled {
 
 Decoupled decoupled(const ComplexMatrix& R, double close) {
     const Eigen::Index n = R.rows();
-    ComplexMatrix Y = ComplexMatrix::Identity(n, n), inverse = Y, left = ComplexMatrix::Zero(n, n);
+    ComplexMatrix Y = ComplexMatrix::Identity(n, n), left = ComplexMatrix::Zero(n, n);
     Decoupled d{Eigen::VectorXd(n), Eigen::VectorXd(n), Matrix<double>::Zero(n, n),
                 std::vector<int>(static_cast<std::size_t>(n))};
     for (Eigen::Index k = 0; k < n; ++k)
@@ -105,12 +120,7 @@ Decoupled decoupled(const ComplexMatrix& R, double close) {
             int& depth = d.depth[static_cast<std::size_t>(k)];
             depth = std::max(depth, 1 + d.depth[static_cast<std::size_t>(i)]);
         }
-    for (Eigen::Index k = 0; k < n; ++k)
-        for (Eigen::Index i = k - 1; i >= 0; --i) {
-            std::complex<double> sum = 0;
-            for (Eigen::Index m = i + 1; m <= k; ++m) sum += times(Y(i, m), inverse(m, k));
-            inverse(i, k) = -sum;
-        }
+    const ComplexMatrix inverse = inverse_of_triangular(Y);
     for (Eigen::Index i = 0; i < n; ++i) {
         d.rows(i) = inverse.row(i).norm();
         d.columns(i) = Y.col(i).norm();
@@ -122,7 +132,7 @@ struct SizeRange {
     double from, to;
 };
 
-// What the n-th largest size lies in, if each of the intervals holds a size unless others overlap it: these hold theirs together.
+// Narrows the range of the n-th largest size. An interval holds one size; intervals that overlap hold as many as they are.
 void intersect_with_joined(std::vector<SizeRange>& known, std::vector<SizeRange> intervals) {
     std::ranges::sort(intervals, std::greater{}, &SizeRange::to);
     for (std::size_t first = 0; first < intervals.size();) {
@@ -188,18 +198,23 @@ std::vector<Multiplier> multipliers_of(const Matrix<double>& jacobian, double er
 ApproximateEigenvectors eigenvectors_of(const Matrix<double>& A) {
     const auto [R, Q] = triangular_form(A, true);
     const Eigen::Index n = R.rows();
-    ApproximateEigenvectors found{R.diagonal(), ComplexMatrix::Zero(n, n)};
+    ComplexMatrix Y = ComplexMatrix::Identity(n, n); // R Y = Y diagonal
     const double least = unit_of<double>() * R.norm(); // keeps equal eigenvalues apart
-    for (Eigen::Index k = 0; k < n; ++k) {
-        Eigen::VectorXcd y = Eigen::VectorXcd::Unit(n, k); // R y = R(k, k) y
-        for (Eigen::Index i = k; i >= 0; --i) {
+    for (Eigen::Index k = 0; k < n; ++k)
+        for (Eigen::Index i = k - 1; i >= 0; --i) {
             std::complex<double> rest = 0;
-            for (Eigen::Index m = i + 1; m <= k; ++m) rest += times(R(i, m), y(m));
+            for (Eigen::Index m = i + 1; m <= k; ++m) rest += times(R(i, m), Y(m, k));
             const std::complex<double> apart = R(k, k) - R(i, i);
-            if (i < k) y(i) = times(rest, inverse_of(size_of(apart) > least ? apart : least));
-            for (Eigen::Index row = 0; row < n; ++row) found.vectors(row, k) += times(Q(row, i), y(i));
+            Y(i, k) = times(rest, inverse_of(size_of(apart) > least ? apart : least));
         }
-    }
+    const ComplexMatrix inverse = inverse_of_triangular(Y);
+    ApproximateEigenvectors found{R.diagonal(), ComplexMatrix::Zero(n, n), ComplexMatrix::Zero(n, n)};
+    for (Eigen::Index k = 0; k < n; ++k)
+        for (Eigen::Index i = 0; i <= k; ++i)
+            for (Eigen::Index row = 0; row < n; ++row) {
+                found.vectors(row, k) += times(Q(row, i), Y(i, k));
+                found.inverse(i, row) += times(inverse(i, k), std::conj(Q(row, k)));
+            }
     return found;
 }
 

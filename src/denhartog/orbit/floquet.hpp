@@ -34,6 +34,7 @@ struct Multiplier {
 struct ApproximateEigenvectors {
     Eigen::VectorXcd values;              ///< the eigenvalues; none where they were not found
     Matrix<std::complex<double>> vectors; ///< an eigenvector of each, in columns
+    Matrix<std::complex<double>> inverse; ///< the inverse of these columns
 };
 
 /// @brief Eigenvalues and eigenvectors of a matrix, the same by every compiler. Nothing of it is proved.

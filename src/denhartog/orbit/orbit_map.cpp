@@ -1,3 +1,5 @@
+// Which state follows half a period later, seen in a mirror? A state that this map returns is a steady motion with the symmetry
+// (25). `apply` follows the motion; the rest bounds what rounding makes of the image and of its derivative.
 #include "denhartog/orbit/orbit_map.hpp"
 
 #include <algorithm>

@@ -17,11 +17,15 @@ namespace denhartog {
 [[nodiscard]] Matrix<double> in_energy_coordinates(const Matrix<double>& J, const Matrix<double>& momentum,
                                                    const Matrix<double>& shapes, const std::vector<double>& r_n, double r);
 
-/// @brief \f$ z \mapsto (-1)^h\Phi_{0\to h\pi}(z) \f$, as it was applied last.
+/// @brief The motion over h half-periods of the force, mirrored after each: the map whose fixed points are the steady motions.
+/// \f[ P^h(z) = (-1)^h\,\Phi_{0\to h\pi}(z) \f]
+/// \f$ \Phi \f$ carries a state, displacements and velocities at tau = 0, to a later instant. The force changes its sign after
+/// half a period, so that P is the same map for every half-period. A fixed point with h = 1 has the symmetry (25).
 ///
-/// Energy stands for modal displacements times frequencies, then modal velocities: 2N values. Rounding is that of the image,
-/// measured where the Jacobian was asked for; `of_modes` adds what the errors of the modes make of the motion, which no step of
-/// Newton's method mends.
+/// An object keeps what the last application left: the image, the motion to it, the Jacobian if it was asked for, and bounds of
+/// the rounding errors of both. Energy coordinates are modal displacements times frequencies, then modal velocities, 2N values:
+/// in them the distance of two motions never grows if mu = 1. `of_modes` adds the errors of the modes to the
+/// rounding; no step of Newton's method reduces these.
 class OrbitMap {
 public:
     /// @brief The map of a system at one frequency and friction; the solver must outlive it.
@@ -41,14 +45,14 @@ public:
 
     /// @brief Jacobian of the map, 2N x 2N.
     [[nodiscard]] Matrix<double> jacobian() const { return h_ % 2 != 0 ? Matrix<double>(-motion_->jacobian) : motion_->jacobian; }
-    /// @brief The same between energies: `norm` is Euclid's there.
+    /// @brief The Jacobian in energy coordinates, where `norm` is Euclid's.
     [[nodiscard]] const Matrix<double>& energy_jacobian() const;
-    /// @brief What rounding and the errors of the modes make of the Jacobian, the events apart: a bound in `norm`.
+    /// @brief Bound in `norm` of the error of the Jacobian by rounding and the errors of the modes, without that of the events.
     [[nodiscard]] double rounding_of_jacobian() const;
 
     /// @brief The energy of a deviation.
     [[nodiscard]] Column in_energy(const Column& dz) const;
-    /// @brief Square root of twice the energy of a deviation, times 1/r: what friction with mu = 1 lets no two motions increase.
+    /// @brief Square root of twice the energy of a deviation, times 1/r: with mu = 1 it never grows between two motions.
     [[nodiscard]] double norm(const Column& dz) const { return in_energy(dz).norm(); }
     /// @brief The norm of a state.
     [[nodiscard]] double norm(const State& z) const { return norm(denhartog::difference(z, at_rest(z.x.size()))); }

@@ -1,3 +1,5 @@
+// What is said of an orbit that was found? `orbit_of` reads stops, amplitudes, phases and multipliers off it, `errors_of` bounds
+// how far it may be from the true one, and `rest_of` does the same for a contact at rest.
 #include "denhartog/orbit/orbit_record.hpp"
 
 #include <algorithm>

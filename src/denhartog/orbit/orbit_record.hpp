@@ -1,5 +1,5 @@
 /// @file
-/// @brief What is read off a periodic orbit once it is found: stops, amplitudes and phases, the bound of its error, its
+/// @brief The results that are read off a periodic orbit: stops, amplitudes and phases, the bound of its error, its
 /// stability.
 #pragma once
 

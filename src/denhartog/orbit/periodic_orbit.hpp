@@ -17,7 +17,7 @@
 
 namespace denhartog {
 
-/// @brief How the search for a periodic orbit ended.
+/// @brief The outcome of a search for a periodic orbit.
 enum class OrbitStatus : std::uint8_t {
     periodic,          ///< a periodic orbit, with its error bounded
     permanently_stuck, ///< the contact came to rest for ever
@@ -25,7 +25,7 @@ enum class OrbitStatus : std::uint8_t {
     not_converged      ///< none of these: `reason` says what was seen; no number is an answer
 };
 
-/// @brief How far to search, and what is asked of the orbit.
+/// @brief Limits of the search, and the results that are wanted.
 struct OrbitSearch {
     const State* guess = nullptr; ///< a state near which an orbit of half a period is looked for first; null: none
     int most_periods = 20000; ///< periods of propagation after which the search gives up; with mu > 1 no more than 30 decay times

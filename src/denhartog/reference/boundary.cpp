@@ -1,3 +1,5 @@
+// Up to which friction ratio does the contact slide throughout, proved? Read `boundary_in_balls` first, which has (56), (67) and
+// (69) as they stand; `largest_demand` proves where the sum of (57) over the modes is largest.
 #include "denhartog/reference/sliding.hpp"
 
 #include <algorithm>

@@ -21,10 +21,10 @@ std::optional<Ball> first_fall(const CurveInBalls& c, int order, double a = 0, d
         Ball zero = Ball::within(a, b);
         for (int n = 0; n < 64; ++n) { // Newton's method on intervals
             const Ball m = middle(zero), slope = derivative_over(c, 1, std::max(a, zero.low()), std::min(b, zero.high()));
-            const Ball next = both_hold(m - derivative(c, 0, m) / slope, zero);
-            const bool narrower = radius_of(next) * Ball(2) < radius_of(zero);
+            const Ball next = narrower(m - derivative(c, 0, m) / slope, zero);
+            const bool shrinks = radius_of(next) * Ball(2) < radius_of(zero);
             zero = next;
-            if (!narrower) break;
+            if (!shrinks) break;
         }
         return zero;
     }
@@ -106,6 +106,7 @@ private:
     static ContactMechanics without_load(SceneInBalls scene) {
         scene.p = BallMatrix(scene.N(), 1);
         scene.p_i = BallMatrix();
+        scene.zeta.clear(); // damping is in C
         return ContactMechanics(scene);
     }
 

@@ -184,7 +184,8 @@ Series FrictionMotionOfMode::at(const Ball& tau) const {
         for (const MotionThatDiesOut& p : parts) F = F + (Series(p.factor) + p.slope * time) * exp(p.rate * time);
         return F;
     }
-    const Ball F = paper::friction_motion(tau, R, zeta, u, g), rate = paper::friction_motion_prime(tau, R, zeta, u, g);
+    const Ball d = paper::d(tau, R, zeta), q = paper::q(tau, R, zeta);
+    const Ball F = paper::braces(d, q, R, u, g), rate = paper::braces_prime(d, q, R, zeta, u, g);
     // The mode obeys F'' + 2 zeta / R F' + F / R^2 = 1 / R^2.
     std::vector<Ball> c{F, rate, ((1 - F) * stiffness - damping * rate) / 2};
     Series series;

@@ -149,18 +149,18 @@ Series over_stretch(const FunctionOfTime& f, const Ball& X) {
     Series r = wide;
     const Ball value = thin.c[0] + d * (thin.c[1] + d * (thin.c[2] + d * wide.c[3])),
                slope = thin.c[1] + d * (2 * thin.c[2] + 3 * d * wide.c[3]), curvature = thin.c[2] + 3 * d * wide.c[3];
-    r.c[0] = both_hold(wide.c[0], value);
-    r.c[1] = both_hold(wide.c[1], slope);
-    r.c[2] = both_hold(wide.c[2], curvature);
+    r.c[0] = narrower(wide.c[0], value);
+    r.c[1] = narrower(wide.c[1], slope);
+    r.c[2] = narrower(wide.c[2], curvature);
     return r;
 }
 
 Ball narrowed_by_drive(Series& n, const FunctionOfTime& n_of, const FunctionOfTime& Z_of, const Ball& X) {
     const Ball m = middle(X), d = X - m, s = sin(d), half = sin(d / 2);
     const Series Z_m = Z_of(m), Z_X = Z_of(X), n_m = n_of(m);
-    const Ball Z = both_hold(Z_X.c[0], Z_m.c[0] + d * (Z_m.c[1] + d * Z_X.c[2]));
-    n.c[0] = both_hold(n.c[0], n_m.c[0] * cos(d) + n_m.c[1] * s + Z * (2 * half * half));
-    n.c[1] = both_hold(n.c[1], n_m.c[1] * cos(d) - n_m.c[0] * s + Z * s);
+    const Ball Z = narrower(Z_X.c[0], Z_m.c[0] + d * (Z_m.c[1] + d * Z_X.c[2]));
+    n.c[0] = narrower(n.c[0], n_m.c[0] * cos(d) + n_m.c[1] * s + Z * (2 * half * half));
+    n.c[1] = narrower(n.c[1], n_m.c[1] * cos(d) - n_m.c[0] * s + Z * s);
     return Z;
 }
 
@@ -223,8 +223,14 @@ LargestInBalls largest_over_sine(const FunctionOfTime& numerator, const Function
         const Ball t = stretch(a, b);
         Series n = over_stretch(n_of, t);
         const Ball Z = Z_in_time ? narrowed_by_drive(n, n_of, Z_of, t) : n.rate(2) + n.rate(0);
-        const TrendOnStretch trend = trend_by(Z, a, b, [&](double t) { return at_end(t) ? Ball(0) : W(Ball(t)); });
-        return SeenOverStretch<Ball>{quotient(n, t, at_end(a) || at_end(b)), trend};
+        const auto trend_by_ends = [&] { return trend_by(Z, a, b, [&](double t) { return at_end(t) ? Ball(0) : W(Ball(t)); }); };
+        if (at_end(a) || at_end(b)) return SeenOverStretch<Ball>{quotient(n, t, true), trend_by_ends()};
+        // from the middle, W goes on by Z sin and the quotient by W over the square of the sine
+        const Ball m = middle(t), d = t - m, s = sin(t), W_t = W(m) + d * (Z * s);
+        const TrendOnStretch trend = W_t.low() >= 0    ? TrendOnStretch::rises
+                                     : W_t.high() <= 0 ? TrendOnStretch::falls
+                                                       : trend_by_ends();
+        return SeenOverStretch<Ball>{narrower(n.rate(0) / s, quotient(n_of(m), m, false) + d * (W_t / (s * s))), trend};
     };
     const LargestOnStretches found = [&] {
         const Bits few(seen.bits);

@@ -50,6 +50,7 @@ ContactMechanics::ContactMechanics(const SceneInBalls& scene)
     }
     free(2 * N, 2 * N + 1) = Ball(-1);
     free(2 * N + 1, 2 * N) = Ball(1);
+    sliding = sliding_phases(scene, sigma);
     const BallMatrix along = row_of(w, N, n());
     load = along * free * (Ball(1) / (transposed(w) * push)(0));
     stuck = free;
@@ -66,6 +67,12 @@ BallMatrix ContactMechanics::phase(int direction) const {
     BallMatrix A = free;
     for (slong i = 0; i < N; ++i) A(N + i, 2 * N + 2) = Ball(-direction) * beta * push(i);
     return A;
+}
+
+BallMatrix ContactMechanics::propagator(int direction, const Ball& h) const {
+    if (sliding && direction != 0) return sliding->after(unit_matrix(n()), h, direction);
+    QuestionEffort::pay(cost_of_ball_products(20 * static_cast<double>(n() * n() * n())));
+    return exp_of_sparse(rounded(phase(direction)) * h);
 }
 
 BallMatrix ContactMechanics::place() const { return row_of(w, 0, n()); }
@@ -87,12 +94,21 @@ BallMatrix rounded(const BallMatrix& A) {
 }
 
 BallMatrix with_width(BallMatrix E, double part) {
+    mag_t width, each;
+    mag_init(width);
+    mag_init(each);
     for (slong c = 0; c < E.columns(); ++c) {
-        Ball width(0);
-        for (slong k = 0; k < E.rows(); ++k) width = larger(width, abs(E(k, c)));
-        width = upper_bound_of(width * Ball(part * (1 + 1e-9)));
-        for (slong k = 0; k < E.rows(); ++k) E(k, c) = widened(E(k, c), width);
+        mag_zero(width);
+        for (slong k = 0; k < E.rows(); ++k) {
+            arb_get_mag(each, E(k, c).a);
+            mag_max(width, width, each);
+        }
+        mag_set_d(each, part * (1 + 1e-9));
+        mag_mul(width, width, each);
+        for (slong k = 0; k < E.rows(); ++k) arb_add_error_mag(E(k, c).a, width);
     }
+    mag_clear(width);
+    mag_clear(each);
     return E;
 }
 
@@ -258,12 +274,11 @@ Linearised linearised(const ContactMechanics& s, const OrbitUnknowns& box) {
         // largest entry.
         const double apart = norm(A) * h.radius() * (1 + 1e-9);
         const auto leaps = static_cast<int>(r.leaps[static_cast<std::size_t>(i)]);
-        QuestionEffort::pay(cost_of_ball_products(20 * static_cast<double>(n * n * n)));
         BallMatrix E(n, n);
         if (r.fast) {
             E = s.by_free_motions(kind)->propagator(middle_h);
         } else {
-            const BallMatrix leap = exp_of_sparse(A * (middle_h / Ball(leaps)));
+            const BallMatrix leap = s.propagator(kind, middle_h / Ball(leaps));
             arb_mat_pow_ui(E.a, leap.a, static_cast<ulong>(leaps), ball_bits);
             r.leap.push_back(with_width(leap, elementary::expm1(apart / leaps)));
         }

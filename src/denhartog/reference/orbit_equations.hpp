@@ -16,6 +16,7 @@
 #include "denhartog/reference/fast_phase.hpp"
 #include "denhartog/reference/orbit_guess_data.hpp"
 #include "denhartog/reference/scene_in_balls.hpp"
+#include "denhartog/reference/sliding_phase.hpp"
 
 namespace denhartog::reference {
 
@@ -37,6 +38,7 @@ struct ContactMechanics {
     bool equal;             ///< mu = 1
     bool on_a_wall;         ///< whether the contact is of one mass, on a wall: its row vanishes while it sticks, to the last bit
     slong lead;             ///< the mass on which w is largest
+    std::optional<SlidingPhases> sliding{}; ///< phases of sliding by modes, where these move by themselves
     slong bits = ball_bits; ///< bits of the scene
     mutable std::optional<std::shared_ptr<FastPhases>> fast[3] = {}; ///< phases by their free motions, sought when first needed
 
@@ -44,6 +46,8 @@ struct ContactMechanics {
     [[nodiscard]] slong n() const { return 2 * N + 3; }
     /// @brief The matrix A of a phase: direction 1 or -1 while the contact slides, against a constant friction, 0 while it sticks.
     [[nodiscard]] BallMatrix phase(int direction) const;
+    /// @brief What takes any state through a part of a phase, \f$ \mathrm e^{\mathbf A h} \f$.
+    [[nodiscard]] BallMatrix propagator(int direction, const Ball& h) const;
     /// @brief All phases of a kind by their free motions; null where these are not told apart, or the force may excite one without
     /// damping.
     [[nodiscard]] const std::shared_ptr<FastPhases>& by_free_motions(int direction) const;

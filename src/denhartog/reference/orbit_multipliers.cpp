@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/orbit/floquet.hpp"
 
@@ -21,19 +22,52 @@ bool enclosed(const ComplexMatrix& A, const ComplexMatrix& near, const ComplexMa
     return std::ranges::all_of(sizes, &Ball::finite);
 }
 
-// Approximate eigenvalues and eigenvectors by double; false where it finds none.
-bool guessed_in_double(const BallMatrix& map, ComplexMatrix& near, ComplexMatrix& vectors) {
+// The parts of a complex matrix, and a bound of the size of each number.
+struct ComplexParts {
+    Matrix<double> re, im, size;
+
+    explicit ComplexParts(const Matrix<std::complex<double>>& Z)
+        : re(Z.real()), im(Z.imag()), size(re.cwiseAbs() + im.cwiseAbs()) {}
+};
+
+// Balls that hold the sizes of all eigenvalues, from approximate eigenvalues l and eigenvectors V in double, and their inverse W.
+//
+// The eigenvalues of A are those of (W V)^-1 W A V = diag(l) + (1 + F)^-1 S with S = W (A V - V diag(l)) and F = W V - 1. If
+// Gershgorin's discs do not touch, each holds one. False where they do, or F is not small.
+bool enclosed_in_double(const BallMatrix& map, std::vector<Ball>& sizes) {
+    constexpr double u = 0x1p-53, more = 1 + 1e-9;
     const slong n = map.rows();
-    Matrix<double> A(n, n);
+    Matrix<double> A(n, n), off(n, n); // the map in double, and how far it may be from that
     for (slong i = 0; i < n; ++i)
-        for (slong k = 0; k < n; ++k) A(i, k) = static_cast<double>(map(i, k));
+        for (slong k = 0; k < n; ++k) {
+            A(i, k) = static_cast<double>(map(i, k));
+            off(i, k) = abs(map(i, k) - Ball(A(i, k))).high();
+        }
     const ApproximateEigenvectors guess = eigenvectors_of(A);
-    for (slong k = 0; k < guess.values.size(); ++k) {
-        acb_set_d_d(near.all() + k, guess.values(k).real(), guess.values(k).imag());
-        for (slong i = 0; i < n; ++i)
-            acb_set_d_d(acb_mat_entry(vectors.a, i, k), guess.vectors(i, k).real(), guess.vectors(i, k).imag());
+    if (guess.values.size() != n) return false;
+    const ComplexParts l(guess.values), V(guess.vectors), W(guess.inverse);
+    const auto scaled = [](const Matrix<double>& X, const Matrix<double>& by) { return X * by.col(0).asDiagonal(); };
+    const double units = (static_cast<double>(n) + 8) * u * more; // of the sizes of what is added up
+    const Matrix<double> of_V = scaled(V.size, l.size) + product(A.cwiseAbs(), V.size),
+                         re = product(A, V.re) - (scaled(V.re, l.re) - scaled(V.im, l.im)),
+                         im = product(A, V.im) - (scaled(V.re, l.im) + scaled(V.im, l.re)),
+                         left = re.cwiseAbs() + im.cwiseAbs() + units * of_V + product(off, V.size) * more;
+    const Matrix<double> one = Matrix<double>::Identity(n, n), F_re = product(W.re, V.re) - product(W.im, V.im) - one,
+                         F_im = product(W.re, V.im) + product(W.im, V.re),
+                         F = F_re.cwiseAbs() + F_im.cwiseAbs() + units * (product(W.size, V.size) + one);
+    const Matrix<double> S = product(W.size, left);
+    const double largest = largest_row_sum(S) * more, apart = largest_row_sum(F) * more;
+    if (!(apart < 0.5)) return false;
+    std::vector<double> reach;
+    for (slong i = 0; i < n; ++i) reach.push_back((S.row(i).sum() + 2 * F.row(i).sum() * largest) * more);
+    sizes.clear();
+    for (slong i = 0; i < n; ++i) {
+        for (slong k = 0; k < i; ++k)
+            if (!(size_of(guess.values(i) - guess.values(k)) > (reach[i] + reach[k]) * more)) return false;
+        const Ball x(l.re(i, 0)), y(l.im(i, 0));
+        sizes.push_back(widened(root_of_positive(x * x + y * y), Ball(reach[i])));
     }
-    return guess.values.size() > 0;
+    return true;
 }
 
 // No eigenvalue is larger than the root of a norm of a power.
@@ -54,10 +88,10 @@ std::vector<Ball> sizes_of_eigenvalues(const BallMatrix& map) {
     const slong n = map.rows();
     if (n == 1) return {abs(map(0, 0))};
     QuestionEffort::pay(cost_of_ball_products(30 * static_cast<double>(n * n * n)));
+    std::vector<Ball> sizes;
+    if (enclosed_in_double(map, sizes) && are_narrow(sizes)) return sizes;
     const ComplexMatrix A(map);
     ComplexMatrix near(1, n), vectors(n, n);
-    std::vector<Ball> sizes;
-    if (guessed_in_double(map, near, vectors) && enclosed(A, near, vectors, sizes) && are_narrow(sizes)) return sizes;
     QuestionEffort::pay(cost_of_ball_products(200 * static_cast<double>(n * n * n)));
     acb_mat_approx_eig_qr(near.all(), nullptr, vectors.a, A.a, nullptr, 0, ball_bits);
     return enclosed(A, near, vectors, sizes) ? sizes : bounded_sizes(map);

@@ -34,8 +34,10 @@ OrbitResidual residual_at(const ContactMechanics& s, const OrbitUnknowns& o, con
         r.F(z + i) = (s.ending(o.direction(i), o.direction(i + 1)) * r.Z.back())(0);
         const auto k = static_cast<std::size_t>(i);
         const int kind = o.direction(i + 1);
-        r.Z.push_back(along.fast ? s.by_free_motions(kind)->state(r.Z.back(), o.length(i + 1))
-                                 : followed(s.phase(kind), r.Z.back(), o.length(i + 1), along.leaps[k], along.leap[k]));
+        const Ball length = o.length(i + 1);
+        r.Z.push_back(along.fast               ? s.by_free_motions(kind)->state(r.Z.back(), length)
+                      : kind != 0 && s.sliding ? s.sliding->after(r.Z.back(), length, kind)
+                                               : followed(s.phase(kind), r.Z.back(), length, along.leaps[k], along.leap[k]));
     }
     for (slong i = 0; i < z; ++i) r.F(i) = o.u(i) - Ball(o.sign()) * r.Z.back()(i);
     return r;

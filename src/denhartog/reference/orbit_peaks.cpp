@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "denhartog/number/effort.hpp"
 #include "denhartog/reference/orbit_proof.hpp"
@@ -66,22 +68,34 @@ struct PlaceOfPeak {
     friend bool operator<(const PlaceOfPeak& x, const PlaceOfPeak& y) { return x.upper < y.upper; }
 };
 
-// The search for the largest size of one displacement.
+// A number, a row over Z, and a row that vanishes with its rate in a phase of sliding back, of sticking, and of sliding forward.
+struct RowWithRates {
+    BallMatrix row;
+    std::array<BallMatrix, 3> rates;
+};
+
+// A displacement, as it is seen from the ground where the frame moves.
+RowWithRates displacement_row(const ContactMechanics& s, slong k, const Ball& frame) {
+    BallMatrix row(1, s.n()), velocity(1, s.n());
+    row(0, k) = Ball(1);
+    velocity(0, s.N + k) = Ball(1);
+    row(0, 2 * s.N) = frame;
+    velocity(0, 2 * s.N + 1) = -(frame / s.sigma);
+    return {row, {velocity, velocity, velocity}};
+}
+
+// The search for the largest size of one number.
 class PeakSearch {
 public:
-    PeakSearch(const ProvedOrbit& orbit, const std::vector<PhaseInStretches>& phases, slong k, const Ball& frame, slong few)
-        : orbit_(orbit), phases_(phases), row_(1, orbit.s.n()), row_of_velocity_(1, orbit.s.n()), few_(few) {
-        row_(0, k) = Ball(1);
-        row_of_velocity_(0, orbit.s.N + k) = Ball(1);
-        row_(0, 2 * orbit.s.N) = frame;
-        row_of_velocity_(0, 2 * orbit.s.N + 1) = -(frame / orbit.s.sigma);
-    }
+    PeakSearch(const ProvedOrbit& orbit, const std::vector<PhaseInStretches>& phases, RowWithRates row, slong few)
+        : orbit_(orbit), phases_(phases), row_(std::move(row.row)), rates_(std::move(row.rates)), few_(few) {}
 
-    PeakInBalls largest() {
+    // The candidates are places that the search does not see, as those where the rate jumps.
+    PeakInBalls largest(std::vector<PeakCandidate> candidates = {}) {
+        for (const PeakCandidate& each : candidates) best_ = std::max(best_, each.size.low());
         std::vector<PlaceOfPeak> places = narrowed();
         // Neighbours are one place; where they are too many the displacement hardly changes.
         std::erase_if(places, [&](const PlaceOfPeak& p) { return p.upper < best_; });
-        std::vector<PeakCandidate> candidates;
         for (const PlaceOfPeak& place : places)
             if (std::optional<PeakCandidate> found = at(place)) candidates.push_back(std::move(*found));
         return largest_of(candidates);
@@ -93,6 +107,7 @@ private:
         std::vector<PlaceOfPeak> open, kept;
         for (std::size_t i = 0; i < phases_.size(); ++i) {
             curves_.emplace_back();
+            if (rests_in(i)) continue;
             for (slong n = 0; n < phases_[i].count(); ++n) {
                 const CurveInBalls& c = curves_[i].emplace_back(phases_[i].curve(n, row_));
                 open.push_back({i, static_cast<std::size_t>(n), 0, 1, abs(derivative(c, 0, Ball::within(0, 1))).high()});
@@ -122,16 +137,25 @@ private:
         return kept;
     }
 
+    // Whether the number depends on the contact alone, and that sticks.
+    [[nodiscard]] bool rests_in(std::size_t i) const {
+        const ContactMechanics& s = orbit_.s;
+        bool alone = s.on_a_wall && orbit_.at.direction(static_cast<slong>(i) + 1) == 0;
+        for (slong k = 0; k < s.n() && alone; ++k) alone = k == s.lead || k == s.N + s.lead || row_(0, k).is_zero();
+        return alone;
+    }
+
     // The zero of the velocity in a place; none where there is none.
     std::optional<PeakCandidate> at(const PlaceOfPeak& p) const {
         const PhaseInStretches& phase = phases_[p.phase];
         const auto stretch = static_cast<slong>(p.curve);
         const CurveInBalls& c = curves_[p.phase][p.curve];
-        const CurveInBalls v = phase.curve(stretch, row_of_velocity_);
+        const BallMatrix& rate = rates_[static_cast<std::size_t>(orbit_.at.direction(static_cast<slong>(p.phase) + 1) + 1)];
+        const CurveInBalls v = phase.curve(stretch, rate);
         Ball X = Ball::within(p.a, p.b);
         QuestionEffort::pay(cost_of_ball_products(500));
         for (int step = 0; step < most_newton_steps; ++step) {
-            const Ball next = middle(X) - phase.number(stretch, row_of_velocity_, middle(X)) / derivative(v, 1, X);
+            const Ball next = middle(X) - phase.number(stretch, rate, middle(X)) / derivative(v, 1, X);
             if (!next.finite()) break;
             const double width = X.radius();
             if (arb_intersection(X.a, X.a, next.a, ball_bits) == 0) return std::nullopt;
@@ -148,7 +172,8 @@ private:
 
     const ProvedOrbit& orbit_;
     const std::vector<PhaseInStretches>& phases_;
-    BallMatrix row_, row_of_velocity_;
+    BallMatrix row_;
+    std::array<BallMatrix, 3> rates_;
     slong few_;
     double best_ = 0; // a size that is certainly reached
     std::vector<std::vector<CurveInBalls>> curves_{};
@@ -168,7 +193,17 @@ PeakInBalls peak_of_contact(const ProvedOrbit& orbit) {
 
 PeakInBalls peak_of_mass(const ProvedOrbit& orbit, const std::vector<PhaseInStretches>& phases, slong k, const Ball& frame) {
     if (frame.is_zero() && !is_reached(orbit.s, k)) return {Ball(0), std::nullopt};
-    return PeakSearch(orbit, phases, k, frame, 64).largest();
+    return PeakSearch(orbit, phases, displacement_row(orbit.s, k, frame), 64).largest();
+}
+
+Ball largest_of_row(const ProvedOrbit& orbit, const std::vector<PhaseInStretches>& phases, const BallMatrix& row) {
+    const ContactMechanics& s = orbit.s;
+    std::vector<PeakCandidate> at_events;
+    for (slong i = 0; i < orbit.at.m(); ++i)
+        at_events.push_back(candidate((row * orbit.Z[static_cast<std::size_t>(i)])(0), orbit.at.instant(i)));
+    return PeakSearch(orbit, phases, {row, {row * s.phase(-1), row * s.phase(0), row * s.phase(1)}}, 64)
+        .largest(std::move(at_events))
+        .size;
 }
 
 } // namespace denhartog::reference

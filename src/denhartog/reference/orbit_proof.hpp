@@ -84,6 +84,10 @@ struct PeakInBalls {
 [[nodiscard]] PeakInBalls peak_of_mass(const ProvedOrbit& orbit, const std::vector<PhaseInStretches>& phases, slong k,
                                        const Ball& frame = Ball(0));
 
+/// @brief The largest size of a number, a row over Z, whose rate may jump at events. @param orbit,phases the motion @param row the
+/// row @return the size
+[[nodiscard]] Ball largest_of_row(const ProvedOrbit& orbit, const std::vector<PhaseInStretches>& phases, const BallMatrix& row);
+
 /// @brief What becomes of deviations over a stretch.
 ///
 /// A deviation at one instant is carried by exp(A h) over a phase. At an event that comes later by dt the two phases differ in

@@ -12,11 +12,11 @@ Series over_stretch(const Series& at_middle, const Ball& off, const Ball& consta
     Series r;
     std::array<Ball, 6> held;
     for (int n = 0; n < 6; ++n) held[n] = widened(n == 0 ? constant : Ball(0), most[n]);
-    r.c[4] = both_hold(at_middle.c[4] + 5 * off * held[5], held[4]);
-    r.c[3] = both_hold(at_middle.c[3] + 4 * off * r.c[4], held[3]);
-    r.c[2] = both_hold(at_middle.c[2] + 3 * off * r.c[3], held[2]);
-    r.c[1] = both_hold(at_middle.c[1] + off * (2 * at_middle.c[2] + 3 * off * r.c[3]), held[1]);
-    r.c[0] = both_hold(at_middle.c[0] + off * (at_middle.c[1] + off * (at_middle.c[2] + off * r.c[3])), held[0]);
+    r.c[4] = narrower(at_middle.c[4] + 5 * off * held[5], held[4]);
+    r.c[3] = narrower(at_middle.c[3] + 4 * off * r.c[4], held[3]);
+    r.c[2] = narrower(at_middle.c[2] + 3 * off * r.c[3], held[2]);
+    r.c[1] = narrower(at_middle.c[1] + off * (2 * at_middle.c[2] + 3 * off * r.c[3]), held[1]);
+    r.c[0] = narrower(at_middle.c[0] + off * (at_middle.c[1] + off * (at_middle.c[2] + off * r.c[3])), held[0]);
     return r;
 }
 

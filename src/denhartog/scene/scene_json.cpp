@@ -44,11 +44,20 @@ T read_in_units_of_first(const SceneItem& x, std::vector<T>& ratios, Matrix<T>& 
     return list[0];
 }
 
-/// The force that ratios are in units of: P as it is given, or m_1 times the acceleration of a base that moves with the wall, or
-/// k_1 times the displacement of a base or wall that moves alone. Where the frequency takes part in it, it is known with that.
+/// The force that ratios are in units of: P as it is given, omega^2 times an unbalance, m_1 times the acceleration of a base that
+/// moves with the wall, or k_1 times the displacement of a base or wall that moves alone. Where the frequency takes part in it, it is
+/// known with that.
 template <class T>
 std::optional<T> read_force(const json& object, const T& m_1, const T& k_1, const std::optional<T>& omega, Units& units) {
     const bool accelerates = object.contains("base_acceleration");
+    if (object.contains("unbalance")) {
+        const SceneItem unbalance = item(object, "unbalance");
+        for (const char* other : {"force", "base_motion", "base_displacement", "base_acceleration"})
+            if (object.contains(other)) unbalance.fail(std::string("must not be given together with ") + other);
+        const T U = read_positive<T>(unbalance);
+        units.base = static_cast<double>(U / m_1); // P = m_1 omega^2 times that
+        return omega ? std::optional(T(U * *omega * *omega)) : std::nullopt;
+    }
     if (!accelerates && !object.contains("base_displacement")) {
         if (!object.contains("force")) return std::nullopt;
         const SceneItem force = item(object, "force");
@@ -113,7 +122,11 @@ T read_dimensional(const json& object, Scene<T>& scene) {
     if (P) scene.units->force = static_cast<double>(*P);
     if (const std::optional<T> friction = read_friction(object, scene)) {
         if (scene.units->base && !omega)
-            throw InputError("frequency", "must be given, as the force of a base that moves with the wall depends on it", "");
+            throw InputError("frequency",
+                             std::string("must be given, as the force of ") +
+                                 (object.contains("unbalance") ? "an unbalance" : "a base that moves with the wall") +
+                                 " depends on it",
+                             "");
         if (scene.units->acceleration && !omega)
             throw InputError("frequency", "must be given, as the displacement of the base depends on it", "");
         if (!P) require(object, "force");
@@ -166,8 +179,9 @@ BaseMotion read_base_motion(const SceneItem& base) {
         {"with_wall", BaseMotion::with_wall}, {"alone", BaseMotion::alone}, {"wall", BaseMotion::wall}};
     for (const auto& [name, motion] : names)
         if (base.value == name) return motion;
-    base.fail("must be \"with_wall\" (base and wall move together), \"alone\" (the base moves and the wall stays) or \"wall\" (the "
-              "wall moves and the base stays)");
+    base.fail(
+        "must be \"with_wall\" (base and wall move together), \"alone\" (the base moves and the wall stays) or \"wall\" (the "
+        "wall moves and the base stays)");
 }
 
 /// Forces of inertia where base and wall move together. Of springs where one of them moves alone: dampers, and the inertia of

@@ -33,6 +33,7 @@ constexpr auto keys = std::to_array<std::string_view>({"mass_ratios",
                                                        "masses",
                                                        "stiffnesses",
                                                        "force",
+                                                       "unbalance",
                                                        "friction",
                                                        "normal_force",
                                                        "friction_coefficient",
@@ -45,9 +46,9 @@ constexpr auto keys = std::to_array<std::string_view>({"mass_ratios",
                                                        "base_acceleration",
                                                        "damping_tolerance",
                                                        "comment"});
-constexpr auto dimensional_keys = std::to_array<const char*>({"masses", "stiffnesses", "force", "friction", "normal_force",
-                                                              "friction_coefficient", "static_friction_coefficient", "frequency",
-                                                              "frequency_hz", "base_displacement", "base_acceleration"});
+constexpr auto dimensional_keys = std::to_array<const char*>(
+    {"masses", "stiffnesses", "force", "unbalance", "friction", "normal_force", "friction_coefficient",
+     "static_friction_coefficient", "frequency", "frequency_hz", "base_displacement", "base_acceleration"});
 // Words for what a scene has under other names, and these.
 constexpr auto other_words = std::to_array<std::pair<std::string_view, std::string_view>>(
     {{"mass", "masses, or mass_ratios"},
@@ -65,6 +66,7 @@ constexpr auto other_words = std::to_array<std::pair<std::string_view, std::stri
      {"P", "force"},
      {"N", "normal_force"},
      {"amplitude", "force, or base_displacement"},
+     {"me", "unbalance, mass times eccentricity"},
      {"phases", "load_phases"},
      {"phase", "load_phases"},
      {"acceleration", "base_acceleration"},

@@ -65,7 +65,7 @@ struct StretchOfLargest {
     friend bool operator<(const StretchOfLargest& x, const StretchOfLargest& y) { return x.upper < y.upper; }
 };
 
-/// @brief What a search found.
+/// @brief Result of a search.
 struct LargestOnStretches {
     std::vector<StretchOfLargest> stretches; ///< one of them holds the largest value, if that may be `lower` or more
     double lower;                            ///< a value that the function has, or the one that it has to reach
@@ -79,7 +79,7 @@ template <class T>
 [[nodiscard]] LargestOnStretches stretches_of_largest(const SearchedFunction<T>& f, double a, double b, double narrow,
                                                       double flat, int looks,
                                                       double at_least = -std::numeric_limits<double>::infinity()) {
-    constexpr int parts = 8;
+    constexpr int parts = 4;
     std::vector<StretchOfLargest> open;
     LargestOnStretches found{{}, at_least, false};
     const auto see = [&](double at) {

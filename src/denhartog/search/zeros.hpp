@@ -180,7 +180,7 @@ struct StretchOfZeros {
     double to;   ///< its upper end
 };
 
-/// @brief What a search found, ascending.
+/// @brief Result of a search, in ascending order.
 struct ZerosOnStretches {
     std::vector<StretchOfZeros> single;    ///< stretches with one zero each
     std::vector<StretchOfZeros> undecided; ///< stretches of which nothing is known; outside of all of these there is no zero

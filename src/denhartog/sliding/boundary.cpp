@@ -1,3 +1,5 @@
+// Up to which friction ratio does the contact slide throughout? `boundary_at` has the formulas (56), (67), (69) and (88) with
+// the maxima known; `boundary` and `regime_boundary` find the maxima first, with `largest_demand.cpp`.
 #include "denhartog/sliding/boundary.hpp"
 
 #include <algorithm>

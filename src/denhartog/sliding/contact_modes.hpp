@@ -35,7 +35,7 @@ struct ContactModes {
 /// @brief Prepares the modes for many frequency ratios; contact and load are rows of the shapes that the basis has.
 [[nodiscard]] ContactModes contact_modes(std::shared_ptr<const ModalBasis<Bounded<double>>> basis, Mass contact, Mass load);
 
-/// @brief What the contact does in the sliding regime.
+/// @brief Motion of the contact in the sliding regime.
 struct ContactSolution {
     Bounded<double> amplitude;    ///< X_j, Eq. (38), units of P / k_1
     Bounded<double> phase;        ///< phi_j, Eq. (39), radians in (-pi, pi]

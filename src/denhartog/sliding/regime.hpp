@@ -30,7 +30,7 @@ template <class T>
 /// @eq{54,69}
 [[nodiscard]] RegimeAtPoint regime_at(const Boundary<double>& boundary, double beta, const BoundaryError& error);
 
-/// @brief The same from a boundary with bounds of its errors. @eq{54,69}
+/// @brief Regime at a point, from a boundary with bounds of its errors. @eq{54,69}
 [[nodiscard]] RegimeAtPoint regime_at(const Boundary<Bounded<double>>& boundary, double beta);
 
 } // namespace denhartog

@@ -9,7 +9,7 @@
 
 namespace denhartog {
 
-/// @brief How the contact moves in the steady motion.
+/// @brief Regime of the steady motion of the contact.
 enum class Regime {
     continuous,        ///< it slides all the time, except at the two turning points in each period
     stick_slip,        ///< it moves, and rests for a part of every period

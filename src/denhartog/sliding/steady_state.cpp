@@ -1,3 +1,5 @@
+// How do the masses move as long as the contact slides? `steady_state_without_maxima` is (38), (39), (44), (45), (52), (53);
+// `settle_maximum` corrects the instants at which the other masses are farthest out, and `motions` is (46) at any instants.
 #include "denhartog/sliding/steady_state.hpp"
 
 #include <algorithm>

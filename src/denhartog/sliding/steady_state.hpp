@@ -10,7 +10,7 @@
 
 namespace denhartog {
 
-/// @brief What a mass does in the steady state.
+/// @brief Amplitude, phase and initial values of a mass in the steady state.
 template <class T>
 struct MassResponse {
     T x0;                     ///< displacement at the maximum of x_j, Eq. (44)
@@ -44,7 +44,7 @@ struct Motion {
 [[nodiscard]] SteadyState<double> steady_state(const ModeSums<double>& sums, const RegimeBoundary<double>& boundary, double beta,
                                                std::optional<Mass> only = std::nullopt);
 
-/// @brief What the steady state needs no search for: amplitude and phase of the mass in contact, initial values of every mass.
+/// @brief The steady state without its searches: amplitude and phase of the mass in contact, initial values of every mass.
 /// Instant, amplitude and phase of the masses not in contact are zero. DomainError where the amplitude (38) is not a positive
 /// number. @eq{38,39,44,45,52,53}
 template <class T>
@@ -61,7 +61,7 @@ template <class T>
 template <class T>
 [[nodiscard]] Motion<T> motion(const ModeSums<T>& sums, const SteadyState<T>& state, const T& tau);
 
-/// @brief The same at many instants. @eq{41,46}
+/// @brief Motion of all masses at many instants. @eq{41,46}
 template <class T>
 [[nodiscard]] std::vector<Motion<T>> motions(const ModeSums<T>& sums, const SteadyState<T>& state, std::span<const T> tau);
 

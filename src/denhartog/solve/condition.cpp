@@ -5,8 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "denhartog/answer/modes_in_double.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/scene/json_document.hpp"
+#include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/varied_scene.hpp"
 
 namespace denhartog {
@@ -16,7 +19,7 @@ using Json = nlohmann::json;
 
 constexpr auto varied_keys = std::to_array<const char*>(
     {"mass_ratios", "stiffness_ratios", "damping_ratios", "r", "beta", "masses", "stiffnesses", "force", "friction",
-     "normal_force", "friction_coefficient", "frequency", "frequency_hz", "base_displacement", "base_acceleration"});
+     "normal_force", "friction_coefficient", "frequency", "frequency_hz", "unbalance", "base_displacement", "base_acceleration"});
 constexpr double first_step = 0x1p-15, last_step = 0x1p-44; // relative; they become shorter by a factor of 8
 constexpr double agreement = 0.01;                          // of two steps
 
@@ -66,9 +69,7 @@ bool agree(const std::optional<double>& x, const std::optional<double>& y) {
 
 std::vector<ConditionOfAmplitudes> conditions_of(std::string_view text, double damping_tolerance) {
     Json scene = read_json(text);
-    const AmplitudesOfScene here = amplitudes_of(scene, std::nullopt, damping_tolerance);
-    if (here.amplitudes.empty()) throw PrecisionError(here.refused);
-    const std::size_t N = here.amplitudes.size();
+    const std::size_t N = number_of_masses(scene_source(SceneText{text})->in_double().system);
     std::vector<ConditionOfAmplitudes> all;
     for (const std::string& number : numbers_of(scene)) {
         const Json::json_pointer place = place_of(number, scene);
@@ -87,6 +88,26 @@ std::vector<ConditionOfAmplitudes> conditions_of(std::string_view text, double d
         all.push_back({number, settled});
     }
     return all;
+}
+
+std::optional<SensitiveMode> sensitive_mode(const SceneSource& source) {
+    constexpr double noticeable = 1e-3, unit = std::numeric_limits<double>::epsilon();
+    const System<double>& s = source->in_double().system;
+    const bool damped = std::ranges::all_of(s.damping_ratios, [](double zeta) { return zeta > unit / noticeable; });
+    if (s.damping_matrix.size() > 0 ? !s.damping_matrix.isZero(0) : damped) return std::nullopt;
+    const ModesInDouble found = modes_in_double(source);
+    const ModalBasis<Bounded<double>>& modes = *found.basis;
+    const LoadRows load = load_rows(s);
+    for (std::size_t i = 0; i < modes.r_n.size(); ++i) {
+        const auto excites = [&](Mass row) {
+            const Bounded<double>& p = modes.phi(static_cast<Eigen::Index>(row.index), static_cast<Eigen::Index>(i));
+            return std::abs(p.x) > p.e;
+        };
+        const double R = frequency_ratio_of(source->in_double()) / modes.r_n[i].x, zeta = modes.zeta[i].x;
+        const double apart = std::abs(R - 1) + unit, change = unit * apart / (apart * apart + zeta * zeta);
+        if (change > noticeable && (excites(load.re) || (load.im && excites(*load.im)))) return SensitiveMode{i, R, change};
+    }
+    return std::nullopt;
 }
 
 } // namespace denhartog

@@ -2,12 +2,15 @@
 /// @brief How much amplitudes change with the numbers of a scene.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace denhartog {
+
+struct SceneReader;
 
 /// @brief The condition of the amplitudes for one number of a scene.
 struct ConditionOfAmplitudes {
@@ -27,5 +30,21 @@ struct ConditionOfAmplitudes {
 /// @return                   one for each number, in the order of the scene
 /// @throws                   InputError if the scene breaks a rule
 [[nodiscard]] std::vector<ConditionOfAmplitudes> conditions_of(std::string_view scene, double damping_tolerance = 0);
+
+/// @brief A mode so near to its resonance, and with so little damping, that amplitudes hang on the last digits of the scene.
+struct SensitiveMode {
+    std::size_t mode; ///< the mode, counted from 0
+    double R;         ///< its frequency ratio, Eq. (22)
+    double change;    ///< by what part its amplitude changes if R changes by a unit in the last place
+};
+
+/// @brief The first mode that the load excites and whose amplitude a unit in the last place of R changes by more than a thousandth.
+///
+/// \f$ |v_d| \f$ of (23) changes by \f$ (1-R)/((1-R)^2+\zeta^2) \f$ of itself, for a relative change of R. A damping matrix has none
+/// unless it is zero.
+/// @eq{23}
+/// @param source  the scene, with r
+/// @return        the mode, or none
+[[nodiscard]] std::optional<SensitiveMode> sensitive_mode(const std::shared_ptr<const SceneReader>& source);
 
 } // namespace denhartog

@@ -1,3 +1,5 @@
+// What answers a question: double or the reference? Read `in_turn` first, which has the rule; the functions after it ask it for
+// a solution, for the sliding motion alone, and for one number.
 #include "denhartog/solve/decision.hpp"
 
 #include <algorithm>

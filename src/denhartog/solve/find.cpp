@@ -96,11 +96,18 @@ FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, cons
             return search.amplitude_of_extreme(wanted.of == AmplitudeIs::largest);
         };
     }
-    Json at_first = given;
-    at_first[place] = varied.from;
-    AmplitudeSearch search(first_places(varied, at_first, samples), amplitude);
+    std::optional<InputError> inadmissible; // a value in the interval that a scene cannot have
+    AmplitudeSearch search(first_places(varied, given, samples), [&](double x) -> SeenAmplitude {
+        try {
+            return amplitude(x);
+        } catch (const InputError& e) {
+            if (!inadmissible) inadmissible = e;
+            return {std::nullopt, std::string(e.what())};
+        }
+    });
     FoundPlaces found =
         wanted.is == AmplitudeIs::value ? search.value(wanted.value) : search.extreme(wanted.is == AmplitudeIs::largest);
+    if (found.places.empty() && inadmissible) throw InputError(*inadmissible);
     found.questions = questions;
     if (found.places.empty() && !found.unanswered.empty())
         throw PrecisionError("no place was found, and the amplitude is not known at " + std::to_string(found.unanswered.size()) +

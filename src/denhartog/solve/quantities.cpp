@@ -45,7 +45,7 @@ Largest largest_bound(const Quantities<Bounded<double>>& q, PointNumbers asked, 
     return largest;
 }
 
-// A number in the bound that its size leaves is zero, where that is little beside the largest of its kind. How many there are.
+// Makes zero of a number that is zero within its bound, if both are small beside the largest of its kind; counts them.
 std::size_t tell_zeros(const std::vector<std::vector<Bounded<double>*>>& kind, double tolerance) {
     const auto size_of = [](const std::vector<Bounded<double>*>& parts) {
         Bounded<double> size(0);

@@ -61,9 +61,13 @@ State start_of(const Solution& solution) {
     return start;
 }
 
-void sample_by_reference(const SceneSource& source, const Solution& solution, SampledSolution& all) {
+std::vector<OrbitGuess> guesses_near(const SceneSource& source) {
     std::optional<PeriodicOrbit> followed;
-    const auto guesses = [&] { return guesses_at(PreparedSystem{source}, source, followed); };
+    return guesses_at(PreparedSystem{source}, source, followed);
+}
+
+void sample_by_reference(const SceneSource& source, const Solution& solution, SampledSolution& all) {
+    const auto guesses = [&] { return guesses_near(source); };
     const auto states = tried([&] { return samples_by_reference(source, solution, all.tau, error_of_samples, guesses); });
     if (!states.value) throw PrecisionError(Why::samples_uncertain + states.why);
     all = SampledSolution(std::move(all.tau), *states.value);
@@ -89,8 +93,8 @@ void sample_stuck_masses(const std::vector<SolvedMass>& masses, SampledSolution&
         motion.B.push_back(amplitude * elementary::sin(phase));
     }
     const std::size_t samples = all.tau.size();
-    evaluation::even_samples(motion, {0, 2 * pi<double>() / static_cast<double>(samples), samples},
-                             all.x.data(), all.x_prime.data());
+    evaluation::even_samples(motion, {0, 2 * pi<double>() / static_cast<double>(samples), samples}, all.x.data(),
+                             all.x_prime.data());
 }
 
 // Whether a phase is certain enough for the samples that were taken with it.
@@ -139,6 +143,12 @@ std::vector<State> SampledSolution::states() const {
     std::vector<State> all;
     for (std::size_t n = 0; n < tau.size(); ++n) all.push_back(at(n));
     return all;
+}
+
+Energies energies(const SceneSource& source, const Solution& solution, std::optional<int> digits) {
+    if (solution.masses.empty() || solution.only || solution.asked != Asked::motion)
+        throw InputError("energies", "must be of an answer to the question for the whole motion", "");
+    return energies_by_reference(source, solution, digits.value_or(digits_by_default), [&] { return guesses_near(source); });
 }
 
 SampledSolution sampled_solution(const SceneSource& source, const Solution& solution, std::size_t samples) {

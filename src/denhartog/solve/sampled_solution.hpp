@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "denhartog/answer/energy.hpp"
 #include "denhartog/answer/solution.hpp"
 
 namespace denhartog {
@@ -43,5 +44,16 @@ struct SampledSolution {
 /// @throws          PrecisionError if the samples do not have these digits
 [[nodiscard]] SampledSolution sampled_solution(const std::shared_ptr<const SceneReader>& source, const Solution& solution,
                                                std::size_t samples);
+
+/// @brief What the motion of an answer dissipates, and the forces that it hands to wall and base; the reference proves them in
+/// every regime.
+/// @param source    the scene that was solved
+/// @param solution  its answer to `Asked::motion` of all masses
+/// @param digits    significant digits; by default 6
+/// @return          energies and forces
+/// @throws          PrecisionError if they cannot be proved, or the library was built without the reference; InputError if the
+///                  answer is to another question
+[[nodiscard]] Energies energies(const std::shared_ptr<const SceneReader>& source, const Solution& solution,
+                                std::optional<int> digits = std::nullopt);
 
 } // namespace denhartog

@@ -19,7 +19,7 @@ namespace denhartog {
     return {std::move(at.x), std::move(at.x_prime)};
 }
 
-/// @brief The same of the sliding motion at a friction ratio. @eq{46}
+/// @brief State of the sliding motion at a maximum of the force, at a friction ratio. @eq{46}
 [[nodiscard]] inline State sliding_at_maximum_of_force(const ModeSums<double>& sums, double beta) {
     return at_maximum_of_force(sums, steady_state_without_maxima(sums, beta));
 }

@@ -1,3 +1,7 @@
+// What ends a phase? Sliding ends if the velocity of the contact is zero, sticking if the load (75) on it exceeds static
+// friction, (74). `velocity` and `load` give these quantities with three derivatives and a bound of the fourth; `end_of_sliding`
+// and `end_of_sticking` find their first zero with none missed. `set` comes before: what one frequency and friction ratio make
+// of (6).
 #include "denhartog/stick_slip/contact_phases.hpp"
 
 #include <algorithm>

@@ -58,7 +58,7 @@ struct ContactPhases {
 
     /// @brief Velocity of the contact in the direction of the phase, at a time from its start.
     Jet velocity(int direction, double t);
-    /// @brief What the contact carries while it sticks, everything but friction, at a time from the start of the phase.
+    /// @brief Load on the contact while it sticks, friction apart, (75), at a time from the start of the phase.
     Jet load(double t);
 
     /// @brief Where a sliding phase ends: its velocity is zero. `length` of the stretch is left; the zero at its start is of
@@ -100,7 +100,7 @@ private:
     void shift(const Column& w, double jump, const Matrix<double>& d_tau);
 };
 
-/// @brief What the solver computes with.
+/// @brief Working space of the solver.
 struct ExactSolver::Work : ContactPhases {
     Effort own;            ///< the work allowed where nobody else allows any
     ExactMotion motion;    ///< the last motion, as far as it came

@@ -1,5 +1,5 @@
-/// @file
-/// @brief The motion from phase to phase, and deviations of its state along it.
+// How does the motion go on from a start, phase by phase? Read `ExactSolver::Work::run` first: it follows (6) with (2) and (3)
+// from event to event. `Deviations::carry` takes small deviations of the state through a phase and over the event at its end.
 #include "denhartog/stick_slip/exact_motion.hpp"
 
 #include <algorithm>

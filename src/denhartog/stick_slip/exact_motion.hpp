@@ -23,7 +23,7 @@ namespace evaluation {
 struct EvenInstants;
 }
 
-/// @brief How a phase ends.
+/// @brief End of a phase.
 struct Event {
     double t;          ///< time from the start of the phase
     int next;          ///< direction of the next phase
@@ -78,7 +78,7 @@ struct Excitation {
     double mu;   ///< static over kinetic friction, Eq. (3); at least 1
 };
 
-/// @brief How a stretch of motion ended.
+/// @brief Outcome of following a stretch of motion.
 enum class MotionStatus : std::uint8_t {
     complete,   ///< the end asked for was reached
     chattering, ///< more phases than a motion can have: phases of no length follow each other
@@ -95,8 +95,8 @@ struct ExactMotion {
     int touching = 0;                             ///< events met so tangentially that rounding decided them
 };
 
-/// @brief How that which ends a phase vanishes there: the velocity of a contact that slides; while it sticks, what the load on it
-/// leaves of static friction.
+/// @brief The function that is zero at the end of a phase, next to that end: the velocity of a contact that slides; or, while it
+/// sticks, the static friction that the load leaves.
 struct EndOfPhase {
     double rate;   ///< its rate of change, in size
     double second; ///< bound of the size of its second derivative next to the end
@@ -141,12 +141,12 @@ public:
     void sample(std::size_t phase, const evaluation::EvenInstants& at, const std::vector<double>& most_lost, double* x,
                 double* x_prime);
 
-    /// @brief How a phase of the last motion ends.
+    /// @brief The end of a phase of the last motion.
     [[nodiscard]] EndOfPhase end_of(std::size_t phase);
 
-    /// @brief How near a motion has to be to that of a phase to slide for ever: the phase starts at the turning point of a steady
-    /// motion that slides without a stop, and every motion is damped. The distance is in the norm of the energy, to half of what
-    /// bounds prove; 0 where that is too little to be of use.
+    /// @brief Distance from the motion of a phase within which every motion slides for ever. The phase starts at the turning
+    /// point of a steady motion that slides without a stop, and every motion is damped. The distance is in the norm of the
+    /// energy, to half of what bounds prove; 0 if that is too little to be of use.
     [[nodiscard]] double sliding_reach(std::size_t phase);
 
     /// @brief Largest size of every displacement over the last motion, then that of a contact between two, guaranteed between

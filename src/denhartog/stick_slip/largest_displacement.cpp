@@ -1,5 +1,5 @@
-/// @file
-/// @brief Largest displacements of the masses over a motion, with the bounds that `global_maximum` asks for.
+// How far does each mass go over a motion with stops? `Displacements` gives the displacements in one phase with bounds of their
+// derivatives; `largest_displacements` searches all phases with them, so that no maximum between two samples is missed.
 #include <algorithm>
 #include <cmath>
 #include <limits>

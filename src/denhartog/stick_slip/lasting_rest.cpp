@@ -1,3 +1,5 @@
+// Does a contact at rest stay for ever? The load on it is that of the steady motion of the other masses, (88), a constant, and
+// what is left of the start, which loses energy. `verdict` compares their sum with mu beta.
 #include "denhartog/stick_slip/lasting_rest.hpp"
 
 #include <algorithm>

@@ -18,7 +18,7 @@ public:
     /// @brief The system must outlive this.
     LastingRest(const ContactSystem& system, const Excitation& excitation);
 
-    /// @brief What is known of a rest.
+    /// @brief Verdict on a rest.
     enum class Verdict : std::uint8_t {
         open,       ///< it may end
         lasts,      ///< it lasts for ever
@@ -31,7 +31,7 @@ public:
     /// @brief Whether there is a steady motion with the contact held: the load excites no undamped resonance.
     [[nodiscard]] bool exists() const { return response_.has_value(); }
 
-    /// @brief How far from zero the contact can rest for ever; negative where it cannot, not even at zero.
+    /// @brief Largest distance from zero at which the contact can rest for ever; negative if it cannot rest at zero.
     [[nodiscard]] double reach() const;
 
     /// @brief The state at tau = 0 of the steady motion with the contact held at x_j.

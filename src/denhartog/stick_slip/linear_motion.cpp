@@ -1,3 +1,6 @@
+// How do the masses move in one phase, between two events? By (21) for each mode, in closed form, or by the exponential of a
+// matrix if damping couples the modes. Read `start` and `move_to` first; `differentiate_at` gives the derivatives that the
+// search for events needs, and `carry` what becomes of small deviations.
 #include "denhartog/stick_slip/linear_motion.hpp"
 
 #include <algorithm>

@@ -38,7 +38,7 @@ struct Extremum {
     double spread = 0; ///< distance in phase to another instant at which |x_k| may be as large; 0 if there is none
 };
 
-/// @brief What a mass does over the steady motion.
+/// @brief Amplitude and phase of a mass in the steady motion.
 struct MassMotion {
     double amplitude; ///< largest |x_k| over the motion, in units of P / k_1
     /// tau of the extremum as a lag behind the force in (-pi, pi]; if x_k is negative there, half a period is added

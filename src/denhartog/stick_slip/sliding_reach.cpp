@@ -1,5 +1,5 @@
-/// @file
-/// @brief How near a motion has to be to one that slides without a stop so that it slides for ever too, whatever mu is.
+// How near must a motion be to one that slides throughout, to slide for ever itself? With mu > 1 friction can drive two motions
+// apart at a stop. `slides_within` decides for one distance, `sliding_reach` looks for the largest one.
 ///
 /// While neither of two motions sticks, friction opposes the difference of their velocities, whether or not their contacts move to
 /// the same side, and damping does too: their distance in the norm of the energy, d, never grows. Then the contact of the one is

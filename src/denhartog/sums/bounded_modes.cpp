@@ -1,3 +1,6 @@
+// How far off may the modes be? The eigenvalue solver is trusted with a few units in the last place, and a scene with one;
+// `with_errors` turns this into bounds of frequencies and shapes, (15). `bounded_mode_functions` carries them to (23), (28) and
+// (29).
 #include "denhartog/sums/bounded_modes.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 /// @file
-/// @brief What of a system whose damping couples the modes has the place of the sums over its modes.
+/// @brief The sums (33) to (35) and (64) of a system whose damping couples the modes, found without modes.
 #pragma once
 
 #include "denhartog/model/contact_and_load.hpp"

@@ -14,10 +14,11 @@ from typing import Any
 
 from ._errors import Cancelled, DomainError, Error, InputError, PrecisionError
 from ._find import Found, Place, find
-from ._results import Boundary, FromGround, Functions, Map, Motion, Solution, Solutions
+from ._results import Boundary, Energies, FreeDecay, FromGround, Functions, History, Map, Motion, Solution, Solutions
 from ._system import System, solve_many
 
-__all__ = ["Boundary", "Cancelled", "DomainError", "Error", "Found", "FromGround", "Functions", "InputError", "Map", "Motion",
+__all__ = ["Boundary", "Cancelled", "DomainError", "Energies", "Error", "Found", "FreeDecay", "FromGround", "Functions",
+           "History", "InputError", "Map", "Motion",
            "Place", "PrecisionError", "Solution", "Solutions", "System", "find", "solve_many"]
 
 

@@ -36,17 +36,27 @@ Boundary = _struct("dh_boundary", "double exact, paper, approximate, sticking; i
 Summary = _struct("dh_summary", "int regime, on_boundary, unique, symmetric, periods, rest_interval_exists; size_t stops; "
                                 "double rest_from, rest_to, rest_error, relative_error")
 Mass = _struct("dh_mass", "double amplitude, error, phase, phase_error; int moves")
+Energies = _struct("dh_energies", "double contact, dampers, friction, on_base, equivalent_damping, equivalent_damping_ratio, "
+                                  "textbook_contact, textbook_contact_off, textbook_amplitude, textbook_amplitude_off; "
+                                  "int contact_moves, textbook_amplitude_exists")
+DecayRequest = _struct("dh_decay_request", "double r, beta, mu; void* x, x_prime; double until")
+Decay = _struct("dh_decay", "size_t room; void* turn, turn_error, turn_x, turn_x_error, start, start_error, end, end_error, "
+                            "stop_x, stop_x_error, masses, masses_error, rest, rest_error; size_t turns, stops; "
+                            "int at_rest, others, on_limit")
+HistoryRequest = _struct("dh_history_request", "double r, beta, mu; void* x, x_prime; int cycles, last, samples, without_load")
+HistoryResult = _struct("dh_history", "size_t stop_room, sample_room; void* start, end, stop_x, tau, x, x_prime, direction; "
+                                      "size_t stops, samples; double from_")
 MapRequest = _struct("dh_map_request", "size_t r_count; void* r; size_t beta_count; void* beta; double mu; int from_sliding; "
                                        "size_t mass_count; void* masses; unsigned threads; dh_progress progress; void* context")
 MapResult = _struct("dh_map_result", "ptrdiff_t r_step, beta_step; void* status, regime, stops, periods; "
                                      "ptrdiff_t amplitude_r_step, amplitude_beta_step, mass_step; void* amplitude")
 PointsRequest = _struct("dh_points_request", "size_t count; void* r; ptrdiff_t r_step; void* beta; ptrdiff_t beta_step; "
                                              "double mu; int digits; size_t mass_count; void* masses; unsigned threads; "
-                                             "dh_progress progress; void* context")
+                                             "dh_progress progress; void* context; int from_ground")
 SystemsRequest = _struct("dh_systems_request", "size_t count; void* systems; ptrdiff_t systems_step; void* r; ptrdiff_t r_step; "
                                                "void* beta; ptrdiff_t beta_step; void* mu; ptrdiff_t mu_step; int digits; "
                                                "size_t mass_count; void* masses; unsigned threads; dh_progress progress; "
-                                               "void* context")
+                                               "void* context; int from_ground")
 Points = _struct("dh_points", "ptrdiff_t step; void* status, regime, stops, periods; ptrdiff_t masses_step, mass_step; "
                               "void* amplitude, amplitude_error, phase, phase_error")
 
@@ -58,11 +68,12 @@ _LETTERS = {"p": c_void_p, "n": c_size_t, "i": c_int, "d": c_double}
 _FUNCTIONS = {  # by their arguments
     "p": "dh_system_destroy dh_solution_destroy",
     "pp": "dh_solution_is_proved dh_solution_is_from_rest dh_solution_summary dh_solution_contact dh_solve_systems dh_find",
-    "ppp": "dh_map dh_solve_points",
+    "ppp": "dh_map dh_solve_points dh_free_decay dh_follow",
     "pppp": "dh_system_masses",
     "pnp": "dh_system_from_json dh_solution_mass",
     "pnppp": "dh_solution_from_ground",
-    "pnpp": "dh_natural_frequency_ratios dh_natural_frequency_ratio_errors dh_solution_stops dh_solution_stop_errors",
+    "pipp": "dh_solution_energies",
+    "pnpp": "dh_place_of_rest dh_natural_frequency_ratios dh_natural_frequency_ratio_errors dh_solution_stops dh_solution_stop_errors",
     "pnnpp": "dh_solution_motion",
     "pddp": "dh_boundaries dh_boundary_errors",
     "pddpp": "dh_boundaries_proved",

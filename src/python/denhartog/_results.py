@@ -1,7 +1,8 @@
 """What the methods of a System return. Displacements are in units of P / k_1, phases in radians."""
 from __future__ import annotations
 
-from ctypes import c_void_p
+import math
+from ctypes import byref, c_void_p
 from dataclasses import dataclass
 from typing import NamedTuple, Optional, Union
 
@@ -19,6 +20,37 @@ STATUSES = ("answered", "on_boundary", "not_converged", "at_a_pole", "failed")
 BoundaryNumbers = NamedTuple("BoundaryNumbers", [("exact", Real), ("paper", Real), ("approximate", Real), ("sticking", Real)])
 FunctionNumbers = NamedTuple("FunctionNumbers", [("V", np.ndarray), ("U", np.ndarray), ("G", np.ndarray), ("H_j", Real),
                                                  ("S_j", Real)])
+
+
+EnergyNumbers = NamedTuple("EnergyNumbers", [
+    (name, float) for name in ("contact", "dampers", "friction", "on_base", "equivalent_damping", "equivalent_damping_ratio",
+                               "textbook_contact", "textbook_contact_off", "textbook_amplitude", "textbook_amplitude_off")])
+
+
+class Energies(EnergyNumbers):
+    """What a steady motion dissipates in a period of the force, and the forces that it hands over. Every number is proved.
+
+    Attributes
+    ----------
+    contact, dampers : float
+        Energies that friction and the dampers dissipate, in units of P^2 / k_1; means where the motion is longer than a period.
+    friction : float
+        The largest friction force, in units of P.
+    on_base : float
+        The largest force of springs and dampers on the base, without a constant load, in units of P.
+    equivalent_damping, equivalent_damping_ratio : float
+        Of a dashpot that dissipates as much as friction, c = W / (pi omega X^2) with the energy W and the amplitude X of the
+        contact, in units of sqrt(k_1 m_1), and c / (2 sqrt(k_1 m_1)). NaN, as what follows, where the contact does not move.
+    textbook_contact, textbook_contact_off : float
+        4 F X, and by what part of `contact` it is off.
+    textbook_amplitude, textbook_amplitude_off : float
+        X by a dashpot 4 F / (pi omega X) in place of friction, in units of P / k_1, and by what part of the amplitude it is
+        off; NaN where friction is too large for that formula.
+    errors : tuple
+        Bounds of the errors of these numbers, under the same names. It is beside the tuple, not one of its members.
+    """
+
+    errors: EnergyNumbers
 
 
 class Boundary(BoundaryNumbers):
@@ -42,6 +74,64 @@ class Boundary(BoundaryNumbers):
 
     errors: BoundaryNumbers
     proved: bool
+
+
+class FreeDecay(NamedTuple):
+    """A motion from a start without the harmonic load. Every number is proved; arrays that end in `_error` are bounds.
+
+    Attributes
+    ----------
+    at_rest : bool
+        True where the contact rests for good; if not, `rest_from` and `rest_at` are NaN and `masses` is empty.
+    turns, turn_errors : ndarray, shape (n, 2)
+        tau and the displacement of the contact where it turns, in order; at the last one it comes to rest for good.
+    stops, stop_errors : ndarray, shape (n, 3)
+        Start, end and place of each stop before that.
+    rest_from, rest_at, rest_from_error, rest_at_error : float
+        tau from which the contact rests for good, and its displacement.
+    masses, masses_error : ndarray, shape (N,)
+        Places of rest of all masses.
+    others : str
+        "come_to_rest", "vibrate" for ever, or "not_known": the other masses.
+    on_limit : bool
+        True where the springs pull on the contact at rest with static friction, to all digits.
+    """
+
+    at_rest: bool
+    turns: np.ndarray
+    turn_errors: np.ndarray
+    stops: np.ndarray
+    stop_errors: np.ndarray
+    rest_from: float
+    rest_at: float
+    rest_from_error: float
+    rest_at_error: float
+    masses: np.ndarray
+    masses_error: np.ndarray
+    others: str
+    on_limit: bool
+
+
+class History(NamedTuple):
+    """A motion from a start, or its last periods. Its errors are not known.
+
+    Attributes
+    ----------
+    stops : ndarray, shape (n, 3)
+        Start, end and place of every stop; the end is NaN of a rest that lasts to the end. tau counts from the start.
+    tau : ndarray, shape (samples,)
+        Instants, from the start of the motion.
+    x, x_prime : ndarray, shape (samples, N)
+        Displacements in units of P / k_1 and velocities dx/dtau.
+    direction : ndarray of int, shape (samples,)
+        1 or -1 as the contact slides, 0 while it sticks.
+    """
+
+    stops: np.ndarray
+    tau: np.ndarray
+    x: np.ndarray
+    x_prime: np.ndarray
+    direction: np.ndarray
 
 
 class Motion(NamedTuple):
@@ -179,6 +269,35 @@ class Solution:
     proved: bool
     _handle: c_void_p
     _N: int
+
+    def energies(self, digits: int = 6) -> Energies:
+        """What the motion dissipates in a period of the force, and the forces that it hands to wall and base.
+
+        Parameters
+        ----------
+        digits : int
+            Significant digits, 1 to 15. Energies have them beside the largest work that the load could do.
+
+        Returns
+        -------
+        Energies
+            In units of P^2 / k_1 and P.
+
+        Raises
+        ------
+        PrecisionError
+            Something is not proved, or the library was built without the reference.
+        """
+        pair = _library.Energies(), _library.Energies()
+        _library.call("dh_solution_energies", self._handle, int(digits), *map(byref, pair))
+        moves, exists = pair[0].contact_moves, pair[0].textbook_amplitude_exists
+        known = [exists if "amplitude" in name else moves or not name.startswith(("equivalent", "textbook"))
+                 for name in EnergyNumbers._fields]
+        of = [EnergyNumbers(*(getattr(part, name) if there else math.nan for name, there in zip(EnergyNumbers._fields, known)))
+              for part in pair]
+        found = Energies(*of[0])
+        found.errors = of[1]
+        return found
 
     def motion(self, samples: int = 400) -> Motion:
         """The motion of all N masses over its period.

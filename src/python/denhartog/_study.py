@@ -29,7 +29,7 @@ MOST_POINTS_TOGETHER, MOST_CHUNKS = 2**24, 10_000_000
 KINDS = {"status": np.int8, "regime": np.int8, "stops_per_period": np.int32, "periods": np.int32}  # fields that count
 COLUMNS = ("r", "frequency_hz", "beta", "friction")
 KEYS = {"mu": ["mu"], "zeta": ["damping_ratios"], "mass": ["masses", "mass_ratios"],
-        "stiffness": ["stiffnesses", "stiffness_ratios"], "contact": ["contact"], "load": ["load"]}
+        "stiffness": ["stiffnesses", "stiffness_ratios"], "contact": ["contact"], "load": ["load"], "force": ["force"], "unbalance": ["unbalance"]}
 
 
 @dataclass(frozen=True)
@@ -236,6 +236,9 @@ def plan_of(study: Mapping[str, Any], grid: Any = None) -> Plan:
     plan = Plan(study, {name: axes[name] for name in order}, drawn, ())
     for k in study["masses"]:
         must(k <= system.N and study["masses"].count(k) == 1, "masses", f"must be different masses from 1 to {system.N}", k)
+    if study.get("from_ground"):
+        must("base_motion" in scene, "from_ground", "must be false where neither base nor wall moves", True)
+        must(study["start"] == "rest", "start", "must be rest for absolute displacements", study["start"])
     _check_columns(plan)
     _check_reductions(plan)
     plan = Plan(study, plan.axes, drawn, _chunk_of(plan))
@@ -350,6 +353,9 @@ def _scene_with(scene: Mapping[str, Any], values: Mapping[str, float]) -> dict[s
         if quantity in ("contact", "load"):
             must(value == int(value), name, "must have whole numbers that count the masses from 1", value)
             changed[key] = int(value)
+        elif quantity in ("force", "unbalance"):
+            must(key in changed, name, f"must be varied in scenes that have {key}", "a scene without")
+            changed[key] = value * float(changed[key]) if factor else value
         elif quantity == "mu":
             changed[key] = value * float(changed.get(key, 1)) if factor else value
         else:
@@ -371,6 +377,9 @@ def _forces(system: System, hertz: np.ndarray) -> np.ndarray:
     if "base_acceleration" in scene:
         force = system.base_force(hz=hertz, acceleration=float(scene["base_acceleration"]))
         return np.broadcast_to(force, hertz.shape)
+    if "unbalance" in scene:
+        omega = 2 * np.pi * hertz
+        return system.m_1 * omega * omega * (float(scene["unbalance"]) / system.m_1)
     must("force" in scene, "force", "must be given (or base_displacement in its place)", "")
     return np.full(hertz.shape, float(scene["force"]))
 
@@ -381,10 +390,16 @@ def _points_of(system: System, plan: Plan, f: np.ndarray, F: np.ndarray, units: 
     further = masses, 1, progress, study.get("effort")
 
     def column(r: np.ndarray, beta: np.ndarray) -> Arrays:
-        found = _batch.solve_map(system._handle, r, beta, system.mu, study["start"] == "sliding", *further)
+        if study.get("from_ground"):
+            solved = _batch.solve(system._handle, {"r": r[:, None], "beta": beta}, *further, mu=system.mu, digits=0, from_ground=1)
+            found = {name: getattr(solved, name) for name in ("status", "regime", "stops", "periods", "amplitude")}
+        else:
+            found = _batch.solve_map(system._handle, r, beta, system.mu, study["start"] == "sliding", *further)
         found["stops_per_period"] = found.pop("stops")
         over_masses = {"amplitude": found.pop("amplitude")}
-        if needs_phases(study):
+        if needs_phases(study) and study.get("from_ground"):
+            over_masses["phase"] = solved.phase
+        elif needs_phases(study):
             phase = _batch.solve(system._handle, {"r": r[:, None], "beta": beta}, *further, mu=system.mu, digits=0).phase
             over_masses["phase"] = np.where((found["regime"] >= 0)[..., None], phase, np.nan)
         return found | {f"{kind}_{k}": values[..., n] for kind, values in over_masses.items() for n, k in enumerate(masses)}

@@ -14,8 +14,8 @@ from numpy.typing import ArrayLike
 from . import _batch, _library, _plots
 from ._batch import Report, like
 from ._errors import InputError
-from ._results import (REGIMES, Boundary, BoundaryNumbers, FromGround, FunctionNumbers, Functions, Map, Motion, Real, Solution,
-                       Solutions)
+from ._results import (REGIMES, Boundary, BoundaryNumbers, FreeDecay, FromGround, FunctionNumbers, Functions, History, Map, Motion,
+                       Real, Solution, Solutions)
 
 
 def plain(key: str, value: Any) -> Any:
@@ -60,6 +60,8 @@ class System:
         By how much each force of such a list leads, in radians: p_k cos(omega t + theta_k) on mass k.
     base_motion : {"with_wall", "alone", "wall"}
         A moving base or wall in place of `load`: base and wall move together, or the base alone, or the wall alone.
+    static_load : array_like, shape (N,)
+        A constant force on each mass in units of P, of a system in ratios; of one in units give a scene to `from_scene`.
     mu : float
         Static over kinetic friction, Eq. (3), at least 1.
 
@@ -79,7 +81,7 @@ class System:
                  damping_ratios: Optional[ArrayLike] = None, damping_matrix: Optional[ArrayLike] = None,
                  damping_tolerance: Optional[float] = None, contact: Union[int, Sequence[int], None] = None,
                  load: Union[int, ArrayLike, None] = None, load_phases: Optional[ArrayLike] = None,
-                 base_motion: Optional[str] = None, mu: float = 1.0) -> None:
+                 base_motion: Optional[str] = None, static_load: Optional[ArrayLike] = None, mu: float = 1.0) -> None:
         scene = {key: plain(key, value) for key, value in locals().items() if key != "self" and value is not None}
         for ratios, matrix in (("mass_ratios", "mass_matrix"), ("stiffness_ratios", "stiffness_matrix")):
             value = scene.get(ratios)
@@ -173,7 +175,7 @@ class System:
 
     def solve(self, r: ArrayLike, beta: ArrayLike, digits: Optional[int] = None, mu: Optional[float] = None,
               masses: Union[int, Sequence[int], None] = None, threads: int = 0,
-              progress: Report = None, proved: bool = False) -> Union[Solution, Solutions]:
+              progress: Report = None, proved: bool = False, from_ground: bool = False) -> Union[Solution, Solutions]:
         """The steady motion, in every regime.
 
         Parameters
@@ -194,6 +196,8 @@ class System:
             For arrays: called as ``progress(done, all)``; the computation ends where it returns something true.
         proved : bool
             True to have every number and every bound proved, or PrecisionError with the reason. For scalars only.
+        from_ground : bool
+            True to have absolute displacements and phases behind base or wall in arrays; a single `Solution` has both.
 
         Returns
         -------
@@ -210,11 +214,121 @@ class System:
         """
         points = {"r": _batch.numbers("r", r), "beta": _batch.numbers("beta", beta)}
         listed, static, asked = _batch.mass_list(masses, self.N), self._static(mu), _batch.digit_count(digits)
-        if all(array.ndim == 0 for array in points.values()):
+        if all(array.ndim == 0 for array in points.values()) and not from_ground:
             return self._solution(float(points["r"]), float(points["beta"]), static, asked, listed, bool(proved))
         if proved:
             raise InputError.of("proved", "must be false for arrays: ask for a proof point by point", proved)
-        return _batch.solve(self._handle, points, listed, _batch.thread_count(threads), progress, mu=static, digits=asked)
+        return _batch.solve(self._handle, points, listed, _batch.thread_count(threads), progress, mu=static, digits=asked,
+                            from_ground=int(from_ground))
+
+    def place_of_rest(self) -> tuple[np.ndarray, np.ndarray]:
+        """Where a constant load, `static_load` of the scene, holds the masses, and the proved bounds of the errors.
+
+        Displacements of every motion count from there. Both arrays have the shape (N,), in units of P / k_1; zero without one.
+        """
+        x, error = np.empty(self.N), np.empty(self.N)
+        _library.call("dh_place_of_rest", self._handle, self.N, x.ctypes, error.ctypes)
+        return x, error
+
+    def _start(self, x: Optional[ArrayLike], x_prime: Optional[ArrayLike]) -> list[np.ndarray]:
+        """Displacements and velocities at the start, zero where they are not given."""
+        start = [np.zeros(self.N) if each is None else np.array(_batch.numbers(name, each), ndmin=1)
+                 for name, each in (("x", x), ("x_prime", x_prime))]
+        for name, each in zip(("x", "x_prime"), start):
+            if each.shape != (self.N,):
+                raise InputError.of(name, f"must have {self.N} values, one for each mass", f"an array of shape {each.shape}")
+        return [np.ascontiguousarray(each) for each in start]
+
+    def free_decay(self, beta: float, x: Optional[ArrayLike] = None, x_prime: Optional[ArrayLike] = None, r: float = 1.0,
+                   mu: Optional[float] = None, until: Optional[float] = None) -> FreeDecay:
+        """The motion from a start without the harmonic load, until the contact rests for good. Every number is proved.
+
+        P and the frequency are units and nothing more. With r = 1 and beta = F / k_1 in metres, displacements are in metres and
+        tau is omega_1 t with omega_1 = sqrt(k_1 / m_1).
+
+        Parameters
+        ----------
+        beta : float
+            Friction ratio F / P, positive.
+        x, x_prime : array_like, shape (N,)
+            Displacements and velocities dx/dtau at the start; zero where not given.
+        r : float
+            Frequency ratio, which makes the unit of time.
+        mu : float
+            Static over kinetic friction in place of that of the system.
+        until : float
+            tau up to which the motion is followed; by default until the contact rests for good.
+
+        Returns
+        -------
+        FreeDecay
+
+        Raises
+        ------
+        PrecisionError
+            Something is not proved, as where undamped masses may set the contact in motion for ever: give `until`.
+        """
+        start = self._start(x, x_prime)
+        if until is not None and not until > 0:
+            raise InputError.of("until", "must be positive", until)
+        request = _library.DecayRequest(r=float(r), beta=float(beta), mu=self._static(mu), until=until or 0.0,
+                                        **{name: each.ctypes.data for name, each in zip(("x", "x_prime"), start)})
+        room = 100_000
+        names = ("turn", "turn_x", "start", "end", "stop_x")
+        arrays = {name: np.empty(room) for each in names for name in (each, f"{each}_error")}
+        arrays.update(masses=np.full(self.N, np.nan), masses_error=np.full(self.N, np.nan), rest=np.empty(2), rest_error=np.empty(2))
+        found = _library.Decay(room=room, **{name: each.ctypes.data for name, each in arrays.items()})
+        _library.call("dh_free_decay", self._handle, byref(request), byref(found))
+        rows = lambda count, *columns: np.array([arrays[each][:count] for each in columns]).T.copy()
+        rest = arrays["rest"] if found.at_rest else np.full(2, np.nan)
+        error = arrays["rest_error"] if found.at_rest else np.full(2, np.nan)
+        masses = slice(None) if found.at_rest else slice(0)
+        return FreeDecay(
+            bool(found.at_rest), rows(found.turns, "turn", "turn_x"), rows(found.turns, "turn_error", "turn_x_error"),
+            rows(found.stops, "start", "end", "stop_x"), rows(found.stops, "start_error", "end_error", "stop_x_error"),
+            float(rest[0]), float(rest[1]), float(error[0]), float(error[1]), arrays["masses"][masses],
+            arrays["masses_error"][masses], ("come_to_rest", "vibrate", "not_known")[found.others], bool(found.on_limit))
+
+    def history(self, r: float, beta: float, cycles: int, x: Optional[ArrayLike] = None, x_prime: Optional[ArrayLike] = None,
+                last: Optional[int] = None, samples: int = 0, mu: Optional[float] = None, load: bool = True) -> History:
+        """The motion from a start at tau = 0, where the force is largest: every stop of it, and its states.
+
+        Parameters
+        ----------
+        r, beta, mu
+            As of `solve`.
+        cycles : int
+            Periods of the force that are followed.
+        x, x_prime : array_like, shape (N,)
+            Displacements in units of P / k_1 and velocities dx/dtau at the start; zero where not given.
+        last : int
+            How many of the periods are wanted, at the end; by default all.
+        samples : int
+            Instants in a period at which the state is wanted.
+        load : bool
+            False to take the harmonic load away.
+
+        Returns
+        -------
+        History
+        """
+        start = self._start(x, x_prime)
+        wanted = cycles if last is None else last
+        if not 1 <= wanted <= cycles or not 0 <= samples:
+            raise InputError.of("last", "must be from 1 to cycles, and samples not negative", (wanted, samples))
+        request = _library.HistoryRequest(r=float(r), beta=float(beta), mu=self._static(mu), cycles=cycles, last=wanted,
+                                          samples=samples, without_load=not load,
+                                          **{name: each.ctypes.data for name, each in zip(("x", "x_prime"), start)})
+        count, room = wanted * samples, 1000 + 100 * wanted
+        stops = np.empty((3, room))
+        tau, states, direction = np.empty(count), np.empty((2, count, self.N)), np.empty(count, dtype=np.int8)
+        found = _library.HistoryResult(stop_room=room, sample_room=count, tau=tau.ctypes.data, direction=direction.ctypes.data,
+                                       **{name: row.ctypes.data for name, row in zip(("start", "end", "stop_x"), stops)},
+                                       **{name: part.ctypes.data for name, part in zip(("x", "x_prime"), states)})
+        _library.call("dh_follow", self._handle, byref(request), byref(found))
+        stops = stops[:, :found.stops].T.copy()
+        stops[stops[:, 1] < 0, 1] = np.nan
+        return History(stops, tau, states[0], states[1], direction.astype(int))
 
     def _solution(self, r: float, beta: float, mu: float, digits: int, masses: np.ndarray, proved: bool) -> Solution:
         """The steady motion at a point; 0 digits aim at 6."""

@@ -45,11 +45,10 @@ const char* word(const Event& e) {
 // Instants are those of the paper over omega, velocities those of the paper times omega.
 Real50 seconds(const CertifiedScene& s, const Real50& tau) { return tau / s.design.omega; }
 
-std::string of_mass(const CertifiedScene& s, std::size_t k, bool velocity) {
-    std::string line;
-    for (const Sample& state : s.motion.samples)
-        line += (line.empty() ? "" : ",") + digits_17(velocity ? Real50(state.x_prime[k] * s.design.omega) : state.x[k]);
-    return list(line);
+std::string of_mass(const CertifiedScene& s, std::size_t k, bool velocity, const char* between) {
+    return joined(s.motion.samples, between, [&](const Sample& state) {
+        return digits_17(velocity ? Real50(state.x_prime[k] * s.design.omega) : state.x[k]);
+    });
 }
 
 std::string phase_of(const std::optional<Real50>& phase, const char* none) { return phase ? digits_17(*phase) : none; }
@@ -95,13 +94,11 @@ std::string events_csv(const std::vector<CertifiedScene>& scenes) {
 }
 
 std::string samples_csv(const std::vector<CertifiedScene>& scenes) {
-    std::string text = "scene,instant,mass,x,v\n";
+    std::string text = "scene,mass,x,v\n";
     for (const CertifiedScene& s : scenes)
-        for (std::size_t n = 0; n < s.motion.samples.size(); ++n)
-            for (std::size_t k = 0; k < s.design.m.size(); ++k)
-                text += s.design.id + "," + std::to_string(n) + "," + std::to_string(k + 1) + "," +
-                        digits_17(s.motion.samples[n].x[k]) + "," +
-                        digits_17(Real50(s.motion.samples[n].x_prime[k] * s.design.omega)) + "\n";
+        for (std::size_t k = 0; k < s.design.m.size(); ++k)
+            text += s.design.id + "," + std::to_string(k + 1) + "," + of_mass(s, k, false, " ") + "," + of_mass(s, k, true, " ") +
+                    "\n";
     return text;
 }
 
@@ -185,7 +182,7 @@ std::string json_of(const CertifiedScene& s) {
            })));
     for (const bool velocity : {false, true}) {
         std::string rows;
-        for (std::size_t k = 0; k < d.m.size(); ++k) rows += (k > 0 ? ",\n    " : "") + of_mass(s, k, velocity);
+        for (std::size_t k = 0; k < d.m.size(); ++k) rows += (k > 0 ? ",\n    " : "") + list(of_mass(s, k, velocity, ","));
         member(velocity ? "v" : "x", list(rows));
     }
     return text + "}";

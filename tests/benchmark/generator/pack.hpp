@@ -13,7 +13,7 @@
 namespace denhartog::benchmark {
 
 /// @brief Rises when a member or a column is added, dropped or means something else.
-inline constexpr int format_version = 1;
+inline constexpr int format_version = 2;
 /// @brief Rises with every scene that is added, dropped or changed.
 inline constexpr int content_version = 2;
 /// @brief Least digits on which the two routes have to agree.

@@ -21,16 +21,21 @@ std::vector<Row> table(const std::string& path) {
     return rows;
 }
 
+// The largest size of a list of numbers with spaces between them.
+double largest(const std::string& list) {
+    std::istringstream numbers(list);
+    double most = 0;
+    for (double x = 0; numbers >> x;) most = std::fmax(most, std::fabs(x));
+    return most;
+}
+
 int main(int, char** argv) {
     const std::string folder = argv[1];
     auto scenes = table(folder + "/scenes.csv"), samples = table(folder + "/samples.csv"), events = table(folder + "/events.csv");
     for (Row& s : scenes) { // lists have spaces: s["m"], s["k"], s["c"], s["c_ground"], s["amplitude"]
         double x = 0, v = 0, stops = 0;
-        for (Row& row : samples) {
-            if (row["scene"] != s["scene"] || row["mass"] != s["contact"]) continue;
-            x = std::fmax(x, std::fabs(std::stod(row["x"])));
-            v = std::fmax(v, std::fabs(std::stod(row["v"])));
-        }
+        for (Row& row : samples) // at t = (0, ..., 63) * period / 64
+            if (row["scene"] == s["scene"] && row["mass"] == s["contact"]) x = largest(row["x"]), v = largest(row["v"]);
         for (Row& event : events) stops += event["scene"] == s["scene"] && event["what"] == "stops";
         std::printf("%s %s %s %g %.17g %.17g\n", s["scene"].c_str(), s["masses"].c_str(), s["regime"].c_str(), stops, x, v);
     }

@@ -9,8 +9,8 @@ scenes, events, samples = table("scenes.csv"), table("events.csv"), table("sampl
 for s in scenes
     # lists have spaces: m = parse.(Float64, split(s["m"])) and so for k, c, c_ground, amplitude
     j = s["contact"]
-    mine = [row for row in samples if row["scene"] == s["scene"] && row["mass"] == j]
-    x, v = parse.(Float64, [row["x"] for row in mine]), parse.(Float64, [row["v"] for row in mine])
+    mine = only(row for row in samples if row["scene"] == s["scene"] && row["mass"] == j)
+    x, v = parse.(Float64, split(mine["x"])), parse.(Float64, split(mine["v"])) # at t = (0:63) * period / 64
     stops = count(e -> e["scene"] == s["scene"] && e["what"] == "stops", events)
     @printf("%s %s %s %d %.17g %.17g\n", s["scene"], s["masses"], s["regime"], stops, maximum(abs.(x)), maximum(abs.(v)))
 end

@@ -297,6 +297,34 @@ says('denhartog:input', 'two numbers', @() denhartog_find(linear, 'r', 1, 'ampli
 says('denhartog:input', 'samples must', @() denhartog_find(linear, 'r', [1, 2], 'amplitude of mass 1 = 2', 1));
 printf("the inverse question has the textbook's roots\n");
 
+alone = struct('mass_ratios', 1, 'stiffness_ratios', 1, 'damping_ratios', 0, 'contact', 1, 'load', 1, 'r', 1.75, 'beta', 0.25);
+found = denhartog_energies(alone, [], [], 12);
+X = denhartog_solve(alone, [], [], 12).amplitude;
+close_to(found.contact, 4 * 0.25 * X);
+close_to(found.equivalent_damping, 4 * 0.25 / (pi * 1.75 * X));
+close_to(found.textbook_amplitude, sqrt(1 - (1 / pi)^2) / (1.75^2 - 1)); % Rao's formula
+assert(found.contact_error < 1e-11);
+resting = denhartog_energies(alone, 1.75, 2);
+assert(isnan(resting.equivalent_damping) && resting.contact == 0);
+says('denhartog:input', 'digits must', @() denhartog_energies(alone, 1.75, 2, 16));
+
+decay = denhartog_free_decay(alone, 0.125, 1); % every half-period takes 2 F / k
+close_to(decay.turn, pi * (1:4)');
+close_to(1 + decay.turn_x, 1 + [-0.75; 0.5; -0.25; 0]);
+assert(decay.at_rest);
+assert(decay.others, 'not_known'); % there are none
+past = denhartog_history(alone, 1, 0.125, 2, 'x', 1, 'samples', 4, 'load', false);
+assert(size(past.x), [8, 1]);
+close_to(past.x(3), -0.75);
+[x, x_error] = denhartog_place_of_rest(setfield(alone, 'static_load', 0.5));
+close_to(x, 0.5);
+assert(x_error < 1e-12);
+says('denhartog:size', 'one number for each mass', @() denhartog_free_decay(alone, 0.1, [1, 2]));
+says('denhartog:input', 'beta must', @() denhartog_free_decay(alone, -0.1, 1));
+says('denhartog:size', 'cycles, last and samples', @() denhartog_history(alone, 1, 0.1, 0));
+says('denhartog:input', 'pairs of a name', @() denhartog_history(alone, 1, 0.1, 2, 'y', 1));
+printf("energies are the textbook's, and a free decay loses 2 F / k every half-period\n");
+
 page = fileread(fullfile(fileparts(mfilename('fullpath')), '..', '..', '..', 'docs', 'octave.md'));
 examples = regexp(page, '```matlab\n(.*?)```\s*```text\n(.*?)```', 'tokens');
 assert(numel(examples), 6);

@@ -33,6 +33,11 @@ def told(*arguments):
     return done.stdout
 
 
+def told_of(scene, *arguments):
+    """What the program prints of a scene on its standard input."""
+    return subprocess.run([PROGRAM, *map(str, arguments)], input=json.dumps(scene), capture_output=True, text=True, check=True).stdout
+
+
 def scene_file(name):
     return DOCS / f"{name}.json"
 
@@ -160,6 +165,50 @@ class AgainstTheProgram(unittest.TestCase):
         np.testing.assert_allclose(system.natural_frequencies, system.natural_frequency_ratios * np.sqrt(18500 / 12), rtol=1e-15)
 
 
+    def test_energies_are_those_of_the_program(self):
+        for name in ("example", "example_dimensional", "example_quarter_car"):
+            with self.subTest(name):
+                true = json.loads(told("solve", "--json", "--energy", "--digits", "12", scene_file(name)))
+                found = System.from_scene(scene_file(name)).solve(true["r"], true["beta"], digits=12).energies(12)
+                energy = {**true["energy"], **{f"textbook_{key}": x for key, x in true["energy"]["textbook"].items()}}
+                for key in found._fields:
+                    self.assertAlmostEqual(getattr(found, key), energy[key], delta=1e-9 * max(1, abs(energy[key])))
+                    self.assertLess(getattr(found.errors, key), 1e-8 * max(1, abs(energy[key])))
+        resting = System(**CHAIN).solve(1.125, 100).energies()
+        self.assertTrue(math.isnan(resting.equivalent_damping) and resting.contact == 0)
+        with self.assertRaisesRegex(denhartog.InputError, "digits must"):
+            System(**CHAIN).solve(1.125, 0.1).energies(16)
+
+    def test_a_motion_from_a_start_is_that_of_the_program(self):
+        scene = json.loads(pathlib.Path(scene_file("free_decay")).read_text())
+        true = json.loads(told("integrate", "--json", "--start", "0.02,0", scene_file("free_decay")))
+        m, k, F = scene["masses"][0], scene["stiffnesses"][0], scene["friction"]
+        system = System(masses=scene["masses"], stiffnesses=scene["stiffnesses"], damping_ratios=scene["damping_ratios"],
+                        contact=scene["contact"], load=1)
+        found = system.free_decay(F / k, [0.02])
+        omega = math.sqrt(k / m)
+        self.assertTrue(found.at_rest)
+        np.testing.assert_allclose(found.turns[:, 0] / omega, [turn["t"] for turn in true["turns"]], rtol=1e-12)
+        np.testing.assert_allclose(found.turns[:, 1], [turn["x"] for turn in true["turns"]], rtol=1e-10, atol=1e-14)
+        self.assertAlmostEqual(found.rest_at, true["rest"]["x"], delta=1e-12)
+        self.assertTrue((found.turn_errors < 1e-9).all())
+        self.assertEqual(len(system.free_decay(F / k, [0.02], until=4.0).turns), 1)
+        past = system.history(1, F / k, 3, [0.02], samples=8, load=False)
+        self.assertEqual(past.x.shape, (24, 1))
+        self.assertEqual(past.x[0, 0], 0.02)
+        loaded = {**CHAIN, "static_load": [1, 0, 0], "r": 1.125, "beta": 0.15625}
+        x, error = System.from_scene(loaded).place_of_rest()
+        true = json.loads(told_of(loaded, "solve", "--json"))["place_of_rest"]
+        np.testing.assert_allclose(x, [place["x"] for place in true], rtol=1e-12)
+        self.assertTrue((error < 1e-12).all())
+        forced = System(**CHAIN).history(1.125, 0.15625, 5, last=2, samples=4)
+        of_program = json.loads(told_of({**CHAIN, "r": 1.125, "beta": 0.15625}, "integrate", "--json", "--cycles", "5", "--history", "2"))["history"]
+        np.testing.assert_allclose(forced.stops[:, 0], [stop["start"] for stop in of_program["stops"]], rtol=1e-9)
+        for wrong in (lambda: system.free_decay(-1, [0.02]), lambda: system.free_decay(1e-3, [1, 2]),
+                      lambda: system.free_decay(1e-3, [1], until=-1), lambda: system.history(1, 0.1, 3, last=4),
+                      lambda: system.history(1, 0.1, 0)):
+            self.assertRaises(denhartog.InputError, wrong)
+
     def test_absolute_displacements_are_those_of_the_program(self):
         for name in ("example_dimensional", "example_quarter_car", "example_isolator"):
             with self.subTest(name):
@@ -170,6 +219,11 @@ class AgainstTheProgram(unittest.TestCase):
                     expected = [m[key] for m in true["from_ground"]["masses"]]
                     np.testing.assert_allclose(getattr(found, key), expected, rtol=1e-9, atol=1e-9)
                     self.assertTrue((getattr(found, f"{key}_error") >= 0).all())
+                many = system.solve([true["r"]], true["beta"], from_ground=True)
+                np.testing.assert_array_equal(many.amplitude[0], found.amplitude)
+                np.testing.assert_array_equal(many.phase[0], found.phase)
+        with self.assertRaisesRegex(denhartog.InputError, "from_ground must be 0"):
+            System(**CHAIN).solve([1.125], 0.1, from_ground=True)
         self.assertIsNone(System(**CHAIN).solve(1.125, 0.1).from_ground)
         system = System.from_scene(scene_file("example_isolator"))
         force = json.loads(told("solve", "--json", scene_file("example_isolator")))["dimensional"]["force"]

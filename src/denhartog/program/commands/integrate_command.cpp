@@ -21,11 +21,8 @@ namespace denhartog::program {
 namespace {
 
 struct IntegrateOptions : SceneOptions {
-    std::string method = "paper";
-    std::string start;
-    std::string units{in_ratios};
-    std::string history, output;
-    bool method_given = false, cycles_given = false;
+    std::string method = "paper", units{in_ratios}, start, history, output;
+    bool method_given = false, cycles_given = false, units_given = false;
     PaperSettings settings;
 };
 
@@ -160,6 +157,7 @@ std::string sampled(const SampledSolution& motion, const std::optional<MotionUni
 std::string freed(const UnloadedScene& unloaded, const SceneText& part, const IntegrateOptions& options, ExitStatus& status) {
     if (options.method_given && options.method == "paper") throw InputError("method", "must be exact where force is 0", "paper");
     const SceneSource source = source_of(SceneText{unloaded.text, part.line, part.alone}, options.damping);
+    if (options.units_given && options.units == in_ratios) throw InputError("units", "must be scene where force is 0", in_ratios);
     if (options.start.empty()) throw InputError("start", "must be given where force is 0", "");
     const std::size_t N = number_of_masses(source->in_double().system);
     check(options.settings, N);
@@ -182,7 +180,7 @@ std::string freed(const UnloadedScene& unloaded, const SceneText& part, const In
     if (options.settings.samples > 0 && !history) return "";
     if (options.settings.samples > 0)
         return sampled({history->times, history->states}, MotionUnits{unloaded.omega, 1}, history->directions, options.output);
-    const std::optional<int> periods = options.cycles_given ? std::optional(options.settings.cycles) : std::nullopt;
+    const auto periods = options.cycles_given ? std::optional(options.settings.cycles) : std::nullopt;
     const Json json = free_motion_json(unloaded, source, start, periods, history);
     return options.json ? json.dump() + "\n" : free_motion_table(json);
 }
@@ -292,6 +290,7 @@ void add_integrate_command(CLI::App& app, ExitStatus& status) {
         "Other masses that nothing damps may set the contact in motion for ever: --cycles then ends the answer.");
     command->callback([options, command, &status] {
         options->method_given = command->count("--method") > 0;
+        options->units_given = command->count("--units") > 0;
         options->cycles_given = command->count("--cycles") > 0;
         answer(*options, status);
     });

@@ -23,11 +23,12 @@ namespace denhartog::program {
 namespace {
 
 struct MapOptions : SceneOptions {
-    std::string r, beta, frequency_hz, friction, output;
+    std::string r, beta, frequency, frequency_hz, friction, force, unbalance, output;
     std::vector<long> masses;
     std::string start = "rest";
     bool boundaries = false;
     bool from_ground = false;
+    bool phases = false;
     unsigned threads = 0;
 };
 
@@ -87,55 +88,78 @@ std::vector<Mass> masses_of(const std::vector<long>& numbers, const Scene<double
     return masses;
 }
 
-// The grid in one kind of numbers: ratios, or the units of the scene.
-bool asks_for_units(const MapOptions& options) {
+// An axis that a user gave: one of several ways to give it.
+struct GivenAxis {
+    const char* name;
+    const std::string* text;
+};
+
+// The one that is given of several; throws InputError where there are two. Null where there is none.
+const GivenAxis* only_one_of(const std::vector<GivenAxis>& ways) {
+    const GivenAxis* given = nullptr;
+    for (const GivenAxis& each : ways) {
+        if (each.text->empty()) continue;
+        if (given != nullptr) throw InputError(each.name, std::string("must not be given together with ") + given->name, "");
+        given = &each;
+    }
+    return given;
+}
+
+// The columns in one kind of numbers, ratios or the units of the scene, and what of the rows is not of that kind.
+GivenAxis columns_of(const MapOptions& options) {
     const bool ratios = !options.r.empty() || !options.beta.empty();
-    const bool units = !options.frequency_hz.empty() || !options.friction.empty();
+    const bool units = !options.frequency_hz.empty() || !options.frequency.empty() || !options.friction.empty() ||
+                       !options.force.empty() || !options.unbalance.empty();
     if (ratios && units) throw InputError("frequency_hz and friction", "must not be given together with r and beta", "");
-    if (units && options.frequency_hz.empty()) throw InputError("frequency_hz", "must be given as FROM:TO:COUNT", "");
-    if (!units && options.r.empty()) throw InputError("r", "must be given as FROM:TO:COUNT (or frequency_hz in its place)", "");
-    return units;
+    const std::vector<GivenAxis> ways{
+        {"frequency_hz", &options.frequency_hz}, {"frequency", &options.frequency}, {"r", &options.r}};
+    if (const GivenAxis* given = only_one_of(ways)) return *given;
+    throw units ? InputError("frequency_hz", "must be given as FROM:TO:COUNT", "")
+                : InputError("r", "must be given as FROM:TO:COUNT (or frequency_hz in its place)", "");
 }
 
 void answer_boundaries(const MapOptions& options, const Scene<double>& scene, bool units, bool npy) {
-    MapAxis axis{"r", {}};
-    std::vector<BoundaryPoint> curves;
-    if (units) {
-        axis = {"frequency_hz", grid_values("frequency_hz", options.frequency_hz)};
-        curves = curves_in_units(scene, frequencies_in_units(scene, axis.values));
-    } else {
-        axis.values = grid_values("r", options.r);
-        curves = boundary_curves(scene, axis.values);
-    }
+    const GivenAxis given = columns_of(options);
+    const MapAxis axis{given.name, grid_values(given.name, *given.text)};
+    const std::vector<BoundaryPoint> curves =
+        units ? curves_in_units(scene, frequencies_in_units(scene, axis.name, axis.values)) : boundary_curves(scene, axis.values);
     write_output(options.output, npy ? curves_npy(axis, curves) : curves_csv(axis, curves));
 }
 
 void answer(const MapOptions& options, ExitStatus& status) {
-    const bool npy = as_npy(options.output), units = asks_for_units(options);
+    const bool npy = as_npy(options.output);
+    const GivenAxis columns = columns_of(options);
+    const bool units = columns.text != &options.r;
     const Scene<double> scene = scene_of(options.scene, options.damping);
     if (options.boundaries) return answer_boundaries(options, scene, units, npy);
-    const std::string rows = units ? "friction" : "beta", &text_of_rows = units ? options.friction : options.beta;
-    MapGrid grid{{units ? "frequency_hz" : "r", {}}, {rows, {}}, {}};
-    grid.frequency.values = units ? grid_values("frequency_hz", options.frequency_hz) : grid_values("r", options.r);
-    if (text_of_rows.empty()) throw InputError(rows, "must be given as FROM:TO:COUNT", "");
-    grid.friction.values = grid_values(rows, text_of_rows);
+    MapGrid grid{{columns.name, grid_values(columns.name, *columns.text)}, {}, {}};
+    const std::vector<GivenAxis> ways{
+        {"friction", &options.friction}, {"force", &options.force}, {"unbalance", &options.unbalance}};
+    const GivenAxis in_ratio{"beta", &options.beta};
+    const GivenAxis* rows = units ? only_one_of(ways) : options.beta.empty() ? nullptr : &in_ratio;
+    if (rows == nullptr) throw InputError(units ? "friction" : "beta", "must be given as FROM:TO:COUNT", "");
+    grid.rows = {rows->name, grid_values(rows->name, *rows->text)};
+    const RowsOf rows_of = rows->text == &options.force       ? RowsOf::force
+                           : rows->text == &options.unbalance ? RowsOf::unbalance
+                                                              : RowsOf::friction;
     grid.masses = masses_of(options.masses, scene);
     MapRequest request;
     request.masses = grid.masses;
     request.start = options.start == "sliding" ? MapStart::sliding : MapStart::rest;
     request.effort = allowed_operations(options.effort);
     request.from_ground = options.from_ground;
+    request.phases = options.phases;
     request.threads = options.threads != 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
     if (!options.output.empty()) check_writable(options.output);
     const Interruptible interruptible(stop);
     const auto progress = [&](std::size_t done) { show_columns(done, grid.frequency.values.size()); };
     RegimeMap map;
     if (units) {
-        map = map_in_units(scene, frequencies_in_units(scene, grid.frequency.values), grid.friction.values, request, stop,
-                           progress);
+        map = map_in_units(scene, frequencies_in_units(scene, grid.frequency.name, grid.frequency.values), rows_of,
+                           grid.rows.values, request, stop, progress);
     } else {
         request.r = grid.frequency.values;
-        request.beta = grid.friction.values;
+        request.beta = grid.rows.values;
         map = regime_map(scene, request, stop, progress);
     }
     if (map.complete) return write_output(options.output, npy ? map_npy(grid, map) : map_csv(grid, map));
@@ -154,7 +178,11 @@ void add_map_command(CLI::App& app, ExitStatus& status) {
                         "friction ratios, FROM:TO:COUNT with both ends; ascending values help each other");
     command->add_option("--frequency-hz", options->frequency_hz,
                         "frequencies in periods per unit of time, instead of --r, for a scene of masses and stiffnesses");
-    command->add_option("--friction", options->friction, "friction forces, instead of --beta; goes with --frequency-hz");
+    command->add_option("--frequency", options->frequency, "the same in radians per unit of time");
+    command->add_option("--friction", options->friction,
+                        "friction forces, instead of --beta; goes with --frequency-hz or --frequency");
+    command->add_option("--force", options->force, "levels of the load instead, with the friction of the scene");
+    command->add_option("--unbalance", options->unbalance, "unbalances of a scene with one instead, with its friction");
     command
         ->add_option("--mass", options->masses, "mass whose amplitude is wanted; may be repeated; by default the mass in contact")
         ->allow_extra_args(false);
@@ -163,6 +191,8 @@ void add_map_command(CLI::App& app, ExitStatus& status) {
         ->capture_default_str();
     command->add_flag("--from-ground", options->from_ground,
                       "amplitudes of absolute displacements, for a scene whose base or wall moves");
+    command->add_flag("--phases", options->phases,
+                      "phases as well, phase_K of each mass K: lags behind the force; every point is answered as by solve");
     command->add_flag("--boundaries", options->boundaries, "the four boundaries over r, without a grid of beta");
     command->add_option("--output", options->output,
                         "file to write, .csv or .npy; it appears when it is complete. Default: CSV on standard output");
@@ -182,9 +212,11 @@ void add_map_command(CLI::App& app, ExitStatus& status) {
         "With mu = 1 and damping in every mode the velocities do not depend on the start. Otherwise --start rest follows the\n"
         "start from rest at every point, as solve does; sliding takes the sliding motion as far as it exists and from there\n"
         "the motion that is reached as beta rises. With mu = 1 both take the motion from the boundaries.\n"
-        "With --frequency-hz and --friction the map is in the units of the scene: columns frequency_hz and friction in place of\n"
-        "r and beta, amplitudes and boundaries as lengths and forces; the scene needs its force, base_displacement\n"
-        "or base_acceleration.\n"
+        "With --frequency-hz (or --frequency) and --friction the map is in the units of the scene: columns frequency_hz and\n"
+        "friction in place of r and beta, amplitudes and boundaries as lengths and forces; the scene needs its force, "
+        "unbalance,\n"
+        "base_displacement or base_acceleration. With --force or --unbalance the load varies in place of friction, which the\n"
+        "scene then has.\n"
         "--boundaries: r, exact, paper, approximate, sticking as `boundary` has them, status; sticking is nan if no\n"
         "friction holds the contact. An interruption leaves no file; the exit status is then 128 plus the signal.");
     command->callback([options, &status] { off_poles([&] { answer(*options, status); }); });

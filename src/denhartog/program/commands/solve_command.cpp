@@ -5,6 +5,7 @@
 
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
+#include "denhartog/program/json/energy_json.hpp"
 #include "denhartog/program/json/solution_json.hpp"
 #include "denhartog/program/output/result_files.hpp"
 #include "denhartog/scene/limits.hpp"
@@ -23,6 +24,7 @@ struct SolveOptions : SceneOptions {
     std::optional<long> mass;
     long samples = 0;
     bool condition = false;
+    bool energy = false;
     std::string units{in_ratios};
 };
 
@@ -51,6 +53,15 @@ void add_condition(Json& answer, const SceneText& part, const SolveOptions& opti
     }
 }
 
+// Says so where the amplitudes hang on the last digits of the scene.
+void add_warning(Json& answer, const SceneSource& source) {
+    const std::optional<SensitiveMode> mode = sensitive_mode(source);
+    if (!mode) return;
+    answer["warning"] = "a unit in the last place of the frequency, of a mass or of a stiffness changes amplitudes by some " +
+                        number_in_digits(mode->change, 2) + " of themselves: mode " + std::to_string(mode->mode + 1) +
+                        " has next to no damping, and R = " + number_to_text(mode->R);
+}
+
 std::string condition_table(const Json& answer) {
     if (!answer.contains("condition")) return "";
     Rows rows{{"relative change of the amplitude of mass"}};
@@ -72,6 +83,8 @@ std::string solved(const SceneText& part, const SolveOptions& options) {
     if (options.samples > 0 && options.json) throw InputError("samples", "must not be given with --json: samples are CSV", "");
     if (options.condition && (options.samples > 0 || options.mass || options.ask == "regime"))
         throw InputError("condition", "must be given without --samples, --mass and --ask regime", "");
+    if (options.energy && (options.samples > 0 || options.mass || options.ask != "motion"))
+        throw InputError("energy", "must be given without --samples, --mass and any --ask but motion", "");
     if (options.samples > 0 && options.mass) throw InputError("samples", "must be given without --mass", "");
     const SceneSource source = source_of(part, options.damping);
     const std::size_t N = number_of_masses(source->in_double().system);
@@ -86,11 +99,15 @@ std::string solved(const SceneText& part, const SolveOptions& options) {
     add_damping(answer, source);
     add_dimensional(answer, source, solution, NumberWriter{options.digits});
     add_place_of_rest(answer, source);
+    if (solution.regime.regime != Regime::permanent_sticking) add_warning(answer, source);
+    if (options.energy)
+        add_energies(answer, source, solution, energies(source, solution, options.digits), NumberWriter{options.digits});
     if (options.condition) add_condition(answer, part, options);
     if (options.json) return answer.dump() + "\n";
     const std::string damping = damping_line(answer);
-    return solution_table(answer) + damping + (damping.empty() ? "" : "\n") + place_of_rest_lines(answer) +
-           from_ground_table(answer) + dimensional_table(answer) + condition_table(answer);
+    const std::string warning = answer.contains("warning") ? "warning: " + answer.at("warning").get<std::string>() + "\n\n" : "";
+    return solution_table(answer) + warning + damping + (damping.empty() ? "" : "\n") + place_of_rest_lines(answer) +
+           from_ground_table(answer) + dimensional_table(answer) + energy_table(answer) + condition_table(answer);
 }
 
 } // namespace
@@ -112,6 +129,9 @@ void add_solve_command(CLI::App& app, ExitStatus& status) {
         "v_1..v_N (derivatives with respect to tau)");
     command->add_flag("--condition", options->condition,
                       "say how much each amplitude changes with each number of the scene: relative change over relative change");
+    command->add_flag(
+        "--energy", options->energy,
+        "say what contact and dampers dissipate, friction as an equivalent dashpot, and the forces on wall and base");
     add_units_option(*command, options->units);
     command->footer(
         "The answer is that of `response` if the contact slides throughout. If it sticks and slips, amplitudes and phases\n"
@@ -133,9 +153,18 @@ void add_solve_command(CLI::App& app, ExitStatus& status) {
         "from_ground: if base, wall or both move, the absolute displacement of each mass, its transmissibility, which is that\n"
         "over base_amplitude, and its phase behind them.\n"
         "damping: for a damping matrix that couples the modes, whether the coupling was included, and how large it is.\n"
+        "warning: if a unit in the last place of a number of the scene changes amplitudes by more than a thousandth.\n"
         "condition (--condition): an estimate for each mass by each number of the scene that is not zero, null if it is not "
         "known\n"
         "to two digits.\n"
+        "energy (--energy), proved in every regime: contact and dampers, what they dissipate in a period of the force, in units\n"
+        "of P^2 / k_1, as a mean if the motion is longer; friction, the largest friction force, and on_base, the largest force "
+        "of\n"
+        "springs and dampers on the base, in units of P, without a constant load; equivalent_damping c = W / (pi omega X^2) "
+        "with\n"
+        "the contact's energy W and amplitude X, in units of sqrt(k_1 m_1), and equivalent_damping_ratio c / (2 sqrt(k_1 m_1)).\n"
+        "textbook: contact, 4 F X; amplitude, that of a dashpot 4 F / (pi omega X) in place of friction; contact_off and\n"
+        "amplitude_off, by what part of the true numbers these are off.\n"
         "--all: motions lists each motion found, with its stability, from, a state at the maximum of the force that leads to\n"
         "it, and found, where that start comes from. A motion that is not listed may still exist.\n"
         "If no steady motion is found, or not to the digits asked for, the answer has a reason and the exit status is 3.");

@@ -55,9 +55,11 @@ double number(double x, bool known) { return known ? x : std::nan(""); }
 } // namespace
 
 std::string map_csv(const MapGrid& grid, const RegimeMap& map) {
-    const std::vector<double>&columns = grid.frequency.values, &rows = grid.friction.values;
-    std::string csv = grid.frequency.name + "," + grid.friction.name + ",regime,stops_per_period,periods";
+    const std::vector<double>&columns = grid.frequency.values, &rows = grid.rows.values;
+    std::string csv = grid.frequency.name + "," + grid.rows.name + ",regime,stops_per_period,periods";
     for (const Mass k : grid.masses) csv += ",amplitude_" + std::to_string(k.index + 1);
+    if (!map.phases.empty())
+        for (const Mass k : grid.masses) csv += ",phase_" + std::to_string(k.index + 1);
     csv += ",status\n";
     const std::size_t masses = grid.masses.size();
     std::vector<std::string> beta, regimes, statuses;
@@ -75,6 +77,8 @@ std::string map_csv(const MapGrid& grid, const RegimeMap& map) {
             csv.append(r).append(beta[n]).append(known ? regimes[static_cast<std::size_t>(p.regime)] : none);
             csv.append(csv_cell(p.stops, known)).append(none).append(csv_cell(p.periods, known));
             for (std::size_t k = 0; k < masses; ++k) csv.append(none).append(csv_cell(map.amplitudes[point * masses + k]));
+            for (std::size_t k = 0; k < masses && !map.phases.empty(); ++k)
+                csv.append(none).append(csv_cell(map.phases[point * masses + k]));
             csv.append(statuses[static_cast<std::size_t>(p.status)]);
         }
     }
@@ -82,10 +86,12 @@ std::string map_csv(const MapGrid& grid, const RegimeMap& map) {
 }
 
 std::string map_npy(const MapGrid& grid, const RegimeMap& map) {
-    const std::vector<double>&columns = grid.frequency.values, &rows = grid.friction.values;
+    const std::vector<double>&columns = grid.frequency.values, &rows = grid.rows.values;
     std::vector<NpyField> fields{
-        {grid.frequency.name, "f8"}, {grid.friction.name, "f8"}, {"regime", "i1"}, {"stops_per_period", "i4"}, {"periods", "i4"}};
+        {grid.frequency.name, "f8"}, {grid.rows.name, "f8"}, {"regime", "i1"}, {"stops_per_period", "i4"}, {"periods", "i4"}};
     for (const Mass k : grid.masses) fields.push_back({"amplitude_" + std::to_string(k.index + 1), "f8"});
+    if (!map.phases.empty())
+        for (const Mass k : grid.masses) fields.push_back({"phase_" + std::to_string(k.index + 1), "f8"});
     fields.push_back({"status", "i1"});
     std::string bytes = npy_header(fields, {columns.size(), rows.size()});
     const std::size_t masses = grid.masses.size();
@@ -98,6 +104,7 @@ std::string map_npy(const MapGrid& grid, const RegimeMap& map) {
         append(bytes, known ? p.stops : std::int32_t(-1));
         append(bytes, known ? p.periods : std::int32_t(-1));
         for (std::size_t k = 0; k < masses; ++k) append(bytes, map.amplitudes[point * masses + k]);
+        for (std::size_t k = 0; k < masses && !map.phases.empty(); ++k) append(bytes, map.phases[point * masses + k]);
         append(bytes, static_cast<std::int8_t>(p.status));
     }
     return bytes;

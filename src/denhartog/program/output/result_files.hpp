@@ -14,7 +14,7 @@ class App;
 
 namespace denhartog::program {
 
-// An axis of a map: frequencies (r, or frequency_hz), or friction (beta, or friction).
+// An axis of a map: frequencies (r, frequency or frequency_hz), or its rows (beta, friction, force or unbalance).
 struct MapAxis {
     std::string name; // as the file has it
     std::vector<double> values;
@@ -22,12 +22,12 @@ struct MapAxis {
 
 // What a file of a map says of its grid.
 struct MapGrid {
-    MapAxis frequency, friction;
+    MapAxis frequency, rows;
     std::vector<Mass> masses; // whose amplitudes the map has
 };
 
 // A map as CSV: a line a point, columns r, beta (or what the axes are called), regime, stops_per_period, periods, amplitude_K for
-// each mass K, status. A point without numbers has nan in their place and no regime.
+// each mass K, phase_K likewise where the map has phases, status. A point without numbers has nan in their place and no regime.
 [[nodiscard]] std::string map_csv(const MapGrid& grid, const RegimeMap& map);
 
 // A map as NPY: an array of records, frequency ratio by friction ratio, with the columns of the CSV as fields. regime is 0

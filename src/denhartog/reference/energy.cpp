@@ -1,0 +1,225 @@
+#include "denhartog/reference/energy.hpp"
+
+#include "denhartog/reference/maximum.hpp"
+
+namespace denhartog::reference {
+namespace {
+
+using Number = Complex<Ball>;
+
+Number product(const Number& a, const Number& b) { return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re}; }
+Number difference(const Number& a, const Number& b) { return {a.re - b.re, a.im - b.im}; }
+Number quotient(const Number& a, const Number& b) { return Ball(Ball(1) / squared_modulus(b)) * product(a, {b.re, -b.im}); }
+Number turned_back(const Ball& tau) { return {cos(tau), -sin(tau)}; } // e^(-i tau)
+
+// The size of a complex number, also of one that may be zero.
+Ball size_of(const Number& x) { return root_of_positive(squared_modulus(x)); }
+
+Number load_on(const SceneInBalls& s, slong k) { return {s.p(k), s.p_i.rows() > 0 ? s.p_i(k) : Ball(0)}; }
+
+// A^-1 p and A^-1 w: the harmonic motions that the load and a unit force on the contact make by themselves.
+struct HarmonicMotions {
+    std::vector<Number> of_load{}, of_contact{};
+    Number g{}, h{}; // of the contact: w^T A^-1 p and w^T A^-1 w
+
+    explicit HarmonicMotions(const SceneInBalls& s) {
+        const slong N = s.N();
+        BallMatrix b(2 * N, 2), x;
+        for (slong k = 0; k < N; ++k) {
+            b(k, 0) = load_on(s, k).re;
+            b(N + k, 0) = load_on(s, k).im;
+            b(k, 1) = s.w(k);
+        }
+        if (!solved(dynamic_stiffness(s, N), b, x)) throw Unproved("the system may resonate without friction");
+        g = h = {Ball(0), Ball(0)};
+        for (slong k = 0; k < N; ++k) {
+            of_load.push_back({x(k, 0), x(N + k, 0)});
+            of_contact.push_back({x(k, 1), x(N + k, 1)});
+            g = g + s.w(k) * of_load.back();
+            h = h + s.w(k) * of_contact.back();
+        }
+    }
+
+    // X, with the first harmonic of friction.
+    [[nodiscard]] std::vector<Number> with(const Number& friction) const {
+        std::vector<Number> X;
+        for (std::size_t k = 0; k < of_load.size(); ++k) X.push_back(difference(of_load[k], product(of_contact[k], friction)));
+        return X;
+    }
+
+    // The textbooks' amplitude |Y| of the contact, with 4 beta / (pi |Y|) for a dashpot:
+    // g = Y (1 + 4 i beta h / (pi |Y|)).
+    [[nodiscard]] std::optional<Ball> by_textbooks(const Ball& beta) const {
+        const Ball b = 4 * beta / pi<Ball>(), left = squared_modulus(g) - b * b * h.re * h.re;
+        if (!(left > Ball(0))) return std::nullopt;
+        const Ball Y = b * h.im + sqrt(left);
+        return Y > Ball(0) ? std::optional(Y) : std::nullopt;
+    }
+};
+
+// What base or wall take up: the force on the base is the row `of_x` of the displacements, `of_v` of their rates.
+struct ForceOnBase {
+    std::vector<Ball> of_x{}, of_v{};
+    Ball of_d_x{}, of_d_v{}; // the same of the base's own motion d cos tau
+    bool none = true;        // no spring and no damper touches the base
+
+    ForceOnBase(const SceneInBalls& s, const Ball& d) {
+        for (slong k = 0; k < s.N(); ++k) {
+            Ball x(0), v(0);
+            for (slong n = 0; n < s.N(); ++n) {
+                x += s.K(n, k);
+                v += s.r * s.C(n, k);
+            }
+            of_d_x += x * d;
+            of_d_v += v * d;
+            none = none && x.is_zero() && v.is_zero();
+            of_x.push_back(x);
+            of_v.push_back(v);
+        }
+    }
+
+    // Of a harmonic motion.
+    [[nodiscard]] Number of(const std::vector<Number>& X) const {
+        Number force{-of_d_x, -of_d_v};
+        for (std::size_t k = 0; k < X.size(); ++k) force = force + of_x[k] * X[k] + of_v[k] * times_i(X[k]);
+        return force;
+    }
+};
+
+// Fills in the energies of a motion with the first harmonic X, whose contact dissipates what is in `e` already.
+//
+// In the frame of the displacements the load does the work pi sum Im(conj(X_k) p_k). Where the base moves by d cos tau there,
+// dampers are strained by x - 1 d cos tau, and not by x.
+void balance(const SceneInBalls& s, const std::vector<Number>& X, const ForceOnBase& force, const Ball& d, EnergiesInBalls& e) {
+    Ball work(0);
+    e.at_most = Ball(0);
+    for (std::size_t k = 0; k < X.size(); ++k) {
+        const Number p = load_on(s, static_cast<slong>(k));
+        work += p.im * X[k].re - p.re * X[k].im;
+        e.at_most += pi<Ball>() * size_of(p) * size_of(X[k]);
+        work -= 2 * d * force.of_v[k] * X[k].re;
+    }
+    e.dampers = pi<Ball>() * (work + d * force.of_d_v) - e.contact;
+}
+
+// The integral of e^(-i n tau) between two instants.
+Number integral(const Ball& from, const Ball& to, int n) {
+    return Ball(Ball(1) / n) * times_i(difference(turned_back(n * to), turned_back(n * from)));
+}
+
+// A_w^T (r^2 M (x' + i x) + r C x) e^(-i tau) of a state.
+Number of_boundary(const SceneInBalls& s, const HarmonicMotions& A, const BallMatrix& Z, const Ball& sigma, const Ball& tau) {
+    const slong N = s.N();
+    Number sum{Ball(0), Ball(0)};
+    for (slong k = 0; k < N; ++k) {
+        Ball re(0), im(0);
+        for (slong n = 0; n < N; ++n) {
+            re += s.r * s.r * s.M(k, n) * sigma * Z(N + n) + s.r * s.C(k, n) * Z(n);
+            im += s.r * s.r * s.M(k, n) * Z(n);
+        }
+        sum = sum + product(A.of_contact[static_cast<std::size_t>(k)], {re, im});
+    }
+    return product(sum, turned_back(tau));
+}
+
+} // namespace
+
+Ball motion_of_base_in_frame(BaseMotion motion) {
+    return Ball(motion == BaseMotion::alone ? 1 : motion == BaseMotion::wall ? -1 : 0);
+}
+
+EnergiesInBalls energies_of_sliding(const SceneInBalls& s, const ResponsesInBalls& r, const Ball& d) {
+    const Ball& beta = *s.beta;
+    const HarmonicMotions A(s);
+    const ForceOnBase force(s, d);
+    const SlidingContactInBalls contact = contact_in_balls(r, beta);
+    EnergiesInBalls e;
+    e.amplitude = contact.X_j;
+    e.friction = beta;
+    e.contact = 4 * beta * contact.X_j;
+    e.by_textbooks = A.by_textbooks(beta);
+    // The velocity is minus the sine of the time from the maximum of the contact, in sign.
+    const std::vector<Number> X = A.with(Ball(4 * beta / pi<Ball>()) * times_i(turned_back(contact.phi_j)));
+    balance(s, X, force, d, e);
+    if (force.none) return e;
+    if (beta.is_zero()) {
+        e.on_base = size_of(force.of(X));
+        return e;
+    }
+    std::vector<SlidingMassInBalls> start;
+    for (std::size_t k = 0; k < r.contact(); ++k) start.push_back(start_of_mass_in_balls(r, contact, beta, k, false));
+    const LargestBothWays largest = largest_size_of([&](const Ball& tau) {
+        const Series t = Series::time(tau) + Series(contact.phi_j);
+        Series sum = Series(Ball(-force.of_d_x)) * cos(t) + Series(force.of_d_v) * sin(t);
+        for (std::size_t k = 0; k < start.size(); ++k) {
+            if (force.of_x[k].is_zero() && force.of_v[k].is_zero()) continue;
+            const Series x = displacement_in_balls(r, start[k], beta, k, tau);
+            sum = sum + Series(force.of_x[k]) * x + Series(force.of_v[k]) * x.derivative();
+        }
+        return sum;
+    });
+    e.on_base = largest.up ? largest.up->value : Ball(0);
+    if (largest.down) e.on_base = largest.up ? larger(e.on_base, largest.down->value) : largest.down->value;
+    return e;
+}
+
+EnergiesInBalls energies_of_orbit(const SceneInBalls& s, const OrbitInPhases& motion, const Ball& d) {
+    const ProvedOrbit& orbit = motion.orbit;
+    const OrbitUnknowns& at = orbit.at;
+    const HarmonicMotions A(s);
+    const ForceOnBase force(s, d);
+    const BallMatrix place = orbit.s.place();
+    Number conjugate{Ball(0), Ball(0)}, Y{Ball(0), Ball(0)}; // A_w^T conj(p); the integral of the contact's displacement
+    for (slong k = 0; k < s.N(); ++k) {
+        const Number p = load_on(s, k);
+        conjugate = conjugate + product(A.of_contact[static_cast<std::size_t>(k)], {p.re, -p.im});
+    }
+    const Ball half = Ball(1) / 2;
+    Ball path(0);
+    bool stops = false;
+    for (slong i = 1; i <= at.m(); ++i) {
+        const BallMatrix &before = orbit.Z[static_cast<std::size_t>(i - 1)], &after = orbit.Z[static_cast<std::size_t>(i)];
+        const Ball from = at.instant(i - 1), to = at.instant(i), x = (place * before)(0);
+        const Number once = integral(from, to, 1);
+        const int direction = at.direction(i);
+        if (direction == 0) {
+            stops = true;
+            Y = Y + x * once;
+            continue;
+        }
+        path += Ball(direction) * ((place * after)(0) - x);
+        Y = Y + Ball(half * (to - from)) * A.g + half * product(conjugate, integral(from, to, 2));
+        Y = difference(Y, product(A.h, Ball(Ball(direction) * *s.beta) * once));
+        Y = difference(Y,
+                       difference(of_boundary(s, A, after, orbit.s.sigma, to), of_boundary(s, A, before, orbit.s.sigma, from)));
+    }
+    const Ball stretches = Ball(at.mirrored ? 2 : 1) / Ball(at.periods); // in a period of the force
+    Y = Ball(stretches / pi<Ball>()) * Y;
+    EnergiesInBalls e;
+    e.amplitude = peak_of_contact(orbit).size;
+    e.friction = stops ? s.mu * *s.beta : *s.beta;
+    e.contact = stretches * *s.beta * path;
+    e.by_textbooks = A.by_textbooks(*s.beta);
+    balance(s, A.with(quotient(difference(A.g, Y), A.h)), force, d, e);
+    if (force.none) return e;
+    BallMatrix row(1, orbit.s.n());
+    for (slong k = 0; k < s.N(); ++k) {
+        row(0, k) = force.of_x[static_cast<std::size_t>(k)];
+        row(0, s.N() + k) = orbit.s.sigma * force.of_v[static_cast<std::size_t>(k)];
+    }
+    row(0, 2 * s.N()) = -force.of_d_x;
+    row(0, 2 * s.N() + 1) = force.of_d_v;
+    e.on_base = largest_of_row(orbit, motion.phases, row);
+    return e;
+}
+
+EnergiesInBalls energies_of_rest(const SceneInBalls& s, const StuckInBalls& stuck, const Ball& d) {
+    const ForceOnBase force(s, d);
+    EnergiesInBalls e;
+    e.friction = size_of(stuck.load);
+    balance(s, stuck.X, force, d, e);
+    if (!force.none) e.on_base = size_of(force.of(stuck.X));
+    return e;
+}
+
+} // namespace denhartog::reference

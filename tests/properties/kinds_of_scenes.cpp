@@ -1,0 +1,80 @@
+// Scenes of every kind, random, against routes that share nothing with the answer: the half-period by the exponential of the
+// state in more digits, which knows no modes and no coordinates of the contact; and the paper's Runge-Kutta.
+#include "tests/properties/against_witness.hpp"
+#include "tests/support/coupled_scenes.hpp"
+#include "tests/support/phased_scenes.hpp"
+#include "tests/support/vector_scenes.hpp"
+
+using namespace denhartog;
+
+namespace {
+
+// A kind of scenes: one in `every` is compared, and `least` must be comparable.
+struct Kind {
+    const char* name;
+    std::vector<RandomScene<double>> (*scenes)(std::uint64_t seed);
+    std::uint64_t seed;
+    struct Taken {
+        std::size_t every;
+        int least;
+    } to_12_digits, to_45_digits; // the latter of the first scenes only
+    std::size_t first;
+    std::uint64_t seed_of_stops;
+    Taken with_stops;
+    int surveys; // seeds of which every scene is compared
+};
+
+const Kind kinds[] = {{"contact and load as vectors", random_vector_scenes, 20261, {6, 70}, {20, 5}, 120, 20263, {3, 60}, 2},
+                      {"damping that couples the modes", random_coupled_scenes, 20262, {7, 60}, {20, 3}, 80, 20264, {3, 40}, 2},
+                      {"forces out of phase", random_phased_scenes, 20264, {9, 45}, {24, 4}, 120, 20266, {4, 20}, 1},
+                      {"moving bases and walls", random_base_scenes, 20265, {18, 20}, {22, 4}, 110, 20268, {4, 15}, 1}};
+
+} // namespace
+
+TEST_CASE("the closed form agrees with the second witness to 12 digits in scenes of every kind",
+          "[eq:33][eq:34][eq:35][eq:38][eq:39][eq:46][eq:65][vectors][coupled-damping][phases][base][witness]") {
+    for (const Kind& kind : kinds) {
+        INFO(kind.name);
+        check_by_witness<double>(kind.scenes(kind.seed), kind.to_12_digits.every, 12, kind.to_12_digits.least);
+    }
+}
+
+TEST_CASE("the closed form agrees with the second witness to 45 digits in scenes of every kind",
+          "[eq:33][eq:38][vectors][coupled-damping][phases][base][witness]") {
+    for (const Kind& kind : kinds) {
+        INFO(kind.name);
+        std::vector<RandomScene<double>> scenes = kind.scenes(kind.seed + 1);
+        scenes.resize(kind.first);
+        check_by_witness<Real50>(scenes, kind.to_45_digits.every, 45, kind.to_45_digits.least);
+    }
+}
+
+TEST_CASE("every scene of every kind agrees with the second witness",
+          "[.][sweep][vectors][coupled-damping][phases][base][witness]") {
+    for (const Kind& kind : kinds)
+        for (int n = 0; n < kind.surveys; ++n) survey_by_witness(kind.scenes(kind.seed + static_cast<std::uint64_t>(n)));
+}
+
+TEST_CASE("stick-slip in scenes of every kind is the paper's algorithm's",
+          "[eq:74][eq:75][vectors][coupled-damping][phases][base]") {
+    for (const Kind& kind : kinds) {
+        INFO(kind.name);
+        const int most = kind.with_stops.least;
+        CHECK(compare_stick_slip_with_paper(kind.scenes(kind.seed_of_stops), kind.with_stops.every, most) == most);
+    }
+}
+
+TEST_CASE("map and motion of scenes of every kind are those of solve", "[vectors][coupled-damping][phases][base]") {
+    const std::vector<double> r{0.5, 0.75, 1.5}, beta{0.0625, 0.5, 4};
+    const std::string chain =
+        R"({"mass_ratios": [1, 2, 1.5], "stiffness_ratios": [1, 0.75, 1.25], "damping_ratios": [0.05, 0.04, 0.06], "r": 0.75,
+            "beta": 0.0625, "contact": )";
+    for (const char* kind : {R"([1, 2], "load": [0.25, 1, 0.5]})", R"(2, "load": [1, 0.5, 0.25], "load_phases": [0, 1.25, -2]})",
+                             R"(2, "base_motion": "alone"})", R"(2, "base_motion": "wall"})"}) {
+        INFO(kind);
+        CHECK(check_map_by_solve(scene(chain + kind), r, beta) > 0);
+    }
+    CHECK(check_map_by_solve(scene(R"({"masses": [10, 10, 10], "stiffnesses": [1000, 1000, 1000], "force": 100, "friction": 1,
+        "frequency": 4, "damping_matrix": [[20, 0, 0], [0, 60, -60], [0, -60, 60]], "contact": 2, "load": 1})"),
+                             {0.3, 0.5, 1.5}, {0.01, 0.3, 0.9, 4}) > 0);
+}
