@@ -104,7 +104,7 @@ std::vector<Mistake> mistakes_of_print() {
                                 c.demand_as_printed = true;
                                 c.instants = Instants{pi<double>() / 1000, pi<double>() / 1000, 999};
                             }),
-                {"S_j"})};
+                {"S_j", "beta_lim_exact", "beta_lim_paper"})};
 }
 
 std::vector<Mistake> mistakes_of_form() {
