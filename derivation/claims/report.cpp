@@ -274,7 +274,7 @@ std::string found_markdown(const ReportParts& p) {
         << three_digits(system.at("r")) << " |\n|---|---|---|\n| $"
         << example.at("statement").get<std::string>() << "$ | $" << example.at("correction").get<std::string>() << "$ | "
         << three_digits(scene.at("printed")) << " as printed; the boundary (69) is at " << three_digits(scene.at("holds"))
-        << " there: off by " << percent(loss_of(example)) << " |\n\nThe costliest on actual systems:";
+        << " there: off by " << percent(loss_of(example)) << " |\n\nUsed as printed on a system that shows it, these are off most, as a share of the correct value:";
     for (std::size_t n = 0; n < std::min<std::size_t>(5, refuted.size()); ++n)
         out << (n == 0 ? " " : ", ") << "(" << refuted[n].at("equation").get<std::string>() << ") "
             << percent(loss_of(refuted[n]));

@@ -28,7 +28,7 @@ RegimeMap map_of_top(const Scene<double>& scene, const std::vector<double>& hert
     request.masses = {top};
     request.threads = threads();
     const std::atomic<bool> stop{false};
-    RegimeMap map = map_in_units(scene, frequencies_in_units(scene, hertz), friction, request, stop, [](std::size_t) {});
+    RegimeMap map = map_in_units(scene, frequencies_in_units(scene, "frequency_hz", hertz), friction, request, stop, [](std::size_t) {});
     for (double& each : map.amplitudes) each *= 1000;
     return map;
 }

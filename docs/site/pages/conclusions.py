@@ -13,9 +13,9 @@ from .records import record_of
 from .text import Fault, digits, typeset
 
 # What a verdict means to a reader, and the colour of its mark.
-ANSWERS = {"proved": ("holds, proved", "proved"), "argued": ("holds, by an argument of ours", "argued"),
+ANSWERS = {"proved": ("holds, proved", "proved"), "argued": ("holds, by an argument that is given", "argued"),
            "measured": ("holds where it was measured", "measured"), "refuted": ("false", "refuted"),
-           "refuted at a threshold of ours": ("false by a number of ours", "illegible"), "assumption": ("assumed", "assumption"),
+           "refuted at a threshold of ours": ("false at the threshold that was chosen", "illegible"), "assumption": ("assumed", "assumption"),
            "slip of reference": ("cites the wrong equation or figure", "illegible"), "not decided": ("not decided", "open")}
 NUMBER_WORDS = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"]
 SECTIONS = {"1": "Introduction", "3.2.1": "Time responses", "3.2.2": "Amplitudes, phases and regimes", "5": "Concluding remarks"}

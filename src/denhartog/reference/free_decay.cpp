@@ -21,7 +21,8 @@ std::optional<Ball> first_fall(const CurveInBalls& c, int order, double a = 0, d
         Ball zero = Ball::within(a, b);
         for (int n = 0; n < 64; ++n) { // Newton's method on intervals
             const Ball m = middle(zero), slope = derivative_over(c, 1, std::max(a, zero.low()), std::min(b, zero.high()));
-            const Ball next = narrower(m - derivative(c, 0, m) / slope, zero);
+            Ball next = m - derivative(c, 0, m) / slope;
+            if (arb_intersection(next.a, next.a, zero.a, ball_bits) == 0) next = zero; // rounding leaves nothing
             const bool shrinks = radius_of(next) * Ball(2) < radius_of(zero);
             zero = next;
             if (!shrinks) break;

@@ -73,9 +73,9 @@ std::string energy_table(const Json& answer) {
     if (e.contains("textbook")) {
         const Json &here = e.at("textbook"), &scene = there.at("textbook");
         add(here, scene, "contact", "textbooks: energy 4 F X");
-        add(here, scene, "contact_off", "  off by the part");
+        add(here, scene, "contact_off", "  relative error");
         add(here, scene, "amplitude", "textbooks: amplitude by that damping");
-        add(here, scene, "amplitude_off", "  off by the part");
+        add(here, scene, "amplitude_off", "  relative error");
     }
     return aligned(rows) + "\n";
 }
