@@ -40,7 +40,7 @@ struct Thresholds {
     double consistency = 0.95;  ///< explained answers over the sum of those and the ones that contradict it
     double of_solvers = 0.9;    ///< the same for a mistake of solvers, whose answers agree with it in a few digits only
     double of_its_own = 0.5;    ///< explained answers over all answers that it would have made wrong
-    double of_the_wrong = 0.75; ///< explained answers over the wrong ones to the quantities of its core, or that it explains
+    double of_the_wrong = 0.7;  ///< explained answers over the wrong ones to the quantities of its core, or that it explains
     double agreement = 0;       ///< the agreement asked of a mistake is at least this, which the program's method can reach
     std::size_t words = 17;     ///< words and counts, if it explains nothing else: 2^-17 times the mistakes is below 1/1000
 };
