@@ -40,27 +40,35 @@ bool agrees(const Vector& v, const Value& given, const Value& mistaken, double n
     return apart <= nearer_than_truth * difference(asked, given.numbers, v.nearest).size;
 }
 
-// The answers with what each says about one mistake, as far as that is known.
+// The answers with what each says about one mistake, made alone or together with those found before, as far as that is known.
 struct Evidence {
     std::span<Judged> judged;
     const Mistake& mistake;
     double agreement;
-    std::map<std::size_t, Says> memory{};
+    std::vector<const Answering*> with{}; // the mistakes found before, and this one
+    std::map<std::size_t, Says> alone{}, together{};
 
     Evidence(std::span<Judged> all, const Mistake& m, double least_agreement)
         : judged(all), mistake(m), agreement(std::max(m.agreement, least_agreement)) {}
 
     [[nodiscard]] Says says(std::size_t n) {
-        const auto known = memory.find(n);
-        if (known != memory.end()) return known->second;
-        return memory[n] = look(n);
+        const auto known = alone.find(n);
+        const Says of_one =
+            known != alone.end() ? known->second : (alone[n] = look(n, mistake.answer(judged[n].vector->question)));
+        if (with.empty() || of_one == Says::agrees || !is_wrong_value(judged[n].verdict)) return of_one;
+        const auto tried = together.find(n);
+        const Says of_all = tried != together.end() ? tried->second : (together[n] = look_together(n));
+        return of_all == Says::agrees ? of_all : of_one;
     }
 
-    [[nodiscard]] Says look(std::size_t n) const {
+    [[nodiscard]] Says look_together(std::size_t n) const {
+        const ProtocolQuestion& q = judged[n].vector->question;
+        return mistake.answer.touches(q) ? look(n, answer_with_several(with, q)) : Says::nothing;
+    }
+
+    [[nodiscard]] Says look(std::size_t n, const std::optional<Value>& value) const {
         const Judged& one = judged[n];
-        if (!one.answered || !one.vector->reject.empty()) return Says::nothing;
-        const std::optional<Value> value = mistake.answer(one.vector->question);
-        if (!value) return Says::nothing;
+        if (!one.answered || !one.vector->reject.empty() || !value) return Says::nothing;
         if (is_wrong_value(one.verdict) && agrees(*one.vector, one.given, *value, agreement)) return Says::agrees;
         return is_wrong(*one.vector, *value, agreement) ? Says::contradicts : Says::nothing;
     }
@@ -69,16 +77,22 @@ struct Evidence {
 // A mistake with all that speaks for it and against it.
 struct Weighed {
     Finding finding;
+    std::size_t own = 0;        // answers explained by which it is weighed: those to the quantities of its core, or all
     std::size_t numbers = 0;    // of those explained
     std::size_t made_wrong = 0; // all answers that it would make wrong
-    std::size_t wrong = 0;      // wrong answers in the links of the chain in which it explains something
+    std::size_t wrong = 0;      // wrong answers to the quantities of its core, or to those of which it explains some answer
     bool numbers_asked = false; // whether a number is among these
     bool rough = false;         // whether its answers agree in few digits
-    bool has_core = false;      // whether it explains a quantity of its own equation
 };
 
-bool counts_against(const Judged& one, const std::set<std::string>& explained) {
-    return is_right(one.verdict) || explained.contains(one.vector->question.quantity);
+// The quantities of a mistake's core that were answered; all, if none was.
+std::set<std::string> answered_core(std::span<const Judged> judged, const Mistake& mistake) {
+    std::set<std::string> core;
+    for (const Judged& one : judged) {
+        const std::string& asked = one.vector->question.quantity;
+        if (one.answered && std::ranges::find(mistake.core, asked) != mistake.core.end()) core.insert(asked);
+    }
+    return core;
 }
 
 Weighed weigh(std::span<Judged> judged, Evidence& evidence, const std::vector<std::size_t>& left,
@@ -86,33 +100,29 @@ Weighed weigh(std::span<Judged> judged, Evidence& evidence, const std::vector<st
     Weighed weighed;
     Finding& finding = weighed.finding;
     finding.mistake = evidence.mistake;
+    const std::set<std::string> core = answered_core(judged, evidence.mistake);
     std::set<std::string> of;
-    std::set<std::size_t> links;
     std::optional<std::size_t> example;
+    const auto is_own = [&](std::size_t n) { return core.empty() || core.contains(judged[n].vector->question.quantity); };
     for (const std::size_t n : left) {
         if (evidence.says(n) != Says::agrees) continue;
         ++finding.explained;
+        weighed.own += is_own(n);
         weighed.numbers += !is_word(*judged[n].vector);
         of.insert(judged[n].vector->question.quantity);
-        links.insert(place_in_chain(judged[n].vector->question));
         if (!example || judged[n].error.value_or(0) > judged[*example].error.value_or(0)) example = n;
     }
-    if (!example || finding.explained < std::min(least_explained, left.size())) return weighed;
-    for (const std::size_t n : left) weighed.wrong += links.contains(place_in_chain(judged[n].vector->question));
+    if (!example || weighed.own < std::min(least_explained, left.size())) return weighed;
+    const auto is_explained = [&](std::size_t n) { return of.contains(judged[n].vector->question.quantity); };
+    for (const std::size_t n : left) weighed.wrong += core.empty() ? is_explained(n) : is_own(n);
     finding.example = &judged[*example];
-    finding.mistaken = finding.mistake.answer(finding.example->vector->question).value_or(Value{});
-    const std::vector<std::string>& core = finding.mistake.core;
-    const auto reaches = [&](const std::string& quantity) {
-        return core.empty() || of.contains(quantity) || std::find(core.begin(), core.end(), quantity) != core.end();
-    };
     for (std::size_t n = 0; n < judged.size(); ++n) {
-        if (set_aside.contains(n) || !reaches(judged[n].vector->question.quantity) || evidence.says(n) == Says::nothing) continue;
+        if (set_aside.contains(n) || !is_own(n) || evidence.says(n) == Says::nothing) continue;
         ++weighed.made_wrong;
         weighed.numbers_asked = weighed.numbers_asked || !is_word(*judged[n].vector);
-        if (evidence.says(n) == Says::contradicts && counts_against(judged[n], of)) ++finding.contradicted;
+        const bool counts = is_right(judged[n].verdict) || !core.empty() || is_explained(n);
+        if (evidence.says(n) == Says::contradicts && counts) ++finding.contradicted;
     }
-    weighed.has_core =
-        core.empty() || std::any_of(core.begin(), core.end(), [&](const std::string& q) { return of.contains(q); });
     finding.quantities.assign(of.begin(), of.end());
     constexpr double rough = 1e-4;
     weighed.rough = evidence.agreement > rough;
@@ -121,13 +131,11 @@ Weighed weigh(std::span<Judged> judged, Evidence& evidence, const std::vector<st
 }
 
 bool is_accepted(const Weighed& weighed, std::size_t wrong, const Thresholds& least) {
-    const Finding& finding = weighed.finding;
-    if (finding.explained < std::min(least_explained, wrong) || !weighed.has_core) return false;
-    if (weighed.numbers_asked ? weighed.numbers == 0 : finding.explained < std::min(least.words, wrong)) return false;
+    if (weighed.own < std::min(least_explained, wrong)) return false;
+    if (weighed.numbers_asked ? weighed.numbers == 0 : weighed.own < std::min(least.words, wrong)) return false;
     const double consistency = weighed.rough ? least.of_solvers : least.consistency;
-    return share(finding.explained, finding.explained + finding.contradicted) >= consistency &&
-           share(finding.explained, weighed.made_wrong) >= least.of_its_own &&
-           share(finding.explained, weighed.wrong) >= least.of_the_wrong;
+    return share(weighed.own, weighed.own + weighed.finding.contradicted) >= consistency &&
+           share(weighed.own, weighed.made_wrong) >= least.of_its_own && share(weighed.own, weighed.wrong) >= least.of_the_wrong;
 }
 
 // Some answers to every quantity, wrong ones that are left and right ones, from all over the list.
@@ -177,7 +185,7 @@ std::optional<Told> most_telling(std::span<Judged> judged, std::vector<Evidence>
     for (Evidence& candidate : candidates) {
         if (!is_possible(judged, candidate, some)) continue;
         Weighed weighed = weigh(judged, candidate, left, set_aside);
-        if (weighed.finding.explained == 0 || !is_accepted(weighed, wrong, least)) continue;
+        if (weighed.finding.example == nullptr || !is_accepted(weighed, wrong, least)) continue;
         if (!best || is_before(weighed, best->weighed)) best = Told{std::move(weighed), &candidate};
     }
     return best;
@@ -195,18 +203,50 @@ std::vector<Finding> findings_of(std::span<Judged> judged, std::span<const Mista
                                  std::set<std::size_t>& set_aside, const Thresholds& least, bool of_the_left) {
     std::vector<Finding> findings;
     std::vector<Evidence> candidates;
+    std::vector<const Answering*> found;
     for (const Mistake& mistake : known) candidates.emplace_back(judged, mistake, least.agreement);
     const std::size_t wrong = left.size();
     while (std::optional<Told> best =
                most_telling(judged, candidates, left, set_aside, of_the_left ? left.size() : wrong, least)) {
+        const Mistake& mistake = best->evidence->mistake;
+        Finding& finding = best->weighed.finding;
+        const ProtocolQuestion& example = finding.example->vector->question;
+        const std::optional<Value> alone = mistake.answer(example);
+        const bool is_of_one =
+            alone && agrees(*finding.example->vector, finding.example->given, *alone, best->evidence->agreement);
+        finding.mistaken = (is_of_one ? alone : answer_with_several(best->evidence->with, example)).value_or(Value{});
         std::erase_if(left, [&](std::size_t n) {
             if (best->evidence->says(n) != Says::agrees) return false;
-            call_as_printed(judged[n], best->weighed.finding.mistake);
+            call_as_printed(judged[n], mistake);
             return set_aside.insert(n).second;
         });
-        findings.push_back(std::move(best->weighed.finding));
+        findings.push_back(finding);
+        for (const std::string& name : mistake.besides) {
+            const auto other = std::ranges::find(known, name, &Mistake::name);
+            if (other == known.end()) continue;
+            finding.mistake = *other;
+            findings.push_back(finding);
+        }
+        if (!mistake.answer.touches) continue;
+        found.push_back(&mistake.answer);
+        for (Evidence& candidate : candidates) {
+            if (!candidate.mistake.answer.touches) continue;
+            candidate.with = found;
+            candidate.with.push_back(&candidate.mistake.answer);
+            candidate.together.clear();
+        }
     }
     return findings;
+}
+
+// The answers that belong to the first link of the chain to which any of them does.
+std::vector<const Judged*> in_first_link(const std::vector<const Judged*>& wrong) {
+    std::vector<const Judged*> first;
+    std::size_t place = static_cast<std::size_t>(-1);
+    for (const Judged* one : wrong) place = std::min(place, place_in_chain(one->vector->question));
+    std::ranges::copy_if(wrong, std::back_inserter(first),
+                         [&](const Judged* one) { return place_in_chain(one->vector->question) == place; });
+    return first;
 }
 
 } // namespace
@@ -217,6 +257,7 @@ std::vector<Mistake> fitted_to(std::span<const Judged> judged, std::vector<Mista
             if (!fitted || mistake.name != fitted->name) continue;
             mistake.number = fitted->number;
             mistake.answer = fitted->answer;
+            mistake.besides = fitted->besides;
         }
     }
     return known;
@@ -237,7 +278,7 @@ Diagnosis diagnose(std::span<Judged> judged, std::span<const Mistake> known, con
     if (guess && left.size() >= least_explained)
         diagnosis.simple = findings_of(judged, guesses_at(diagnosis.unexplained), left, set_aside, least, true);
     diagnosis.by_quantity = by_quantity(diagnosis.unexplained, judged);
-    diagnosis.in_common = properties_in_common(diagnosis.unexplained, judged);
+    diagnosis.in_common = properties_in_common(in_first_link(diagnosis.unexplained), judged);
     return diagnosis;
 }
 

@@ -3,17 +3,18 @@
 /// in common.
 ///
 /// A mistake is a signature. It explains a wrong answer that agrees with the answer of the mistake, to the mistake's own
-/// `agreement`, and that is at least ten times nearer to it than to the truth. A right answer to any quantity contradicts the
-/// mistake if the mistake would have made it wrong. A wrong answer contradicts it if it explains others to the same quantity, but
-/// not this one.
+/// `agreement`, and that is at least ten times nearer to it than to the truth. A right answer contradicts the mistake if the
+/// mistake would have made it wrong. A wrong answer contradicts it if it explains others to the same quantity, but not this one.
 ///
-/// The diagnosis names a mistake if all of this holds: it explains three answers, or all if fewer are wrong, and then the finding
-/// is called weak; it reaches the shares of `Thresholds`; and it explains a number, if it would have made a number wrong. A
-/// mistake in an equation has to explain a quantity of that equation, and need not explain others. Words and counts agree by
-/// chance, so there must be more of them than chance explains.
+/// A mistake in an equation is weighed by the answers to the quantities of that equation, its core: each wrong one of them that it
+/// does not explain contradicts it, and no other answer counts. If none of them was answered, or if the mistake has no core, all
+/// answers count. The diagnosis names a mistake if all of this holds: it explains three answers, or all if fewer are wrong, and
+/// then the finding is called weak; it reaches the shares of `Thresholds`; and it explains a number, if it would have made a
+/// number wrong. Words and counts agree by chance, so there must be more of them than chance explains.
 ///
 /// The report begins with the mistake for which explained minus contradicted answers are most; of two equal ones, with the one
-/// that fewer answers contradict. The answers that it explains are set aside, and the search starts again with the rest.
+/// that fewer answers contradict. The answers that it explains are set aside, and the search starts again with the rest. From then
+/// on a mistake may explain an answer by itself, or together with those that were found before it.
 #pragma once
 
 #include <map>
@@ -36,12 +37,12 @@ namespace denhartog::conformance {
 
 /// @brief What a mistake must reach to be named. docs/diagnosis.md shows what happens without each threshold.
 struct Thresholds {
-    double consistency = 0.95; ///< explained answers over the sum of those and the ones that contradict it
-    double of_solvers = 0.9;   ///< the same for a mistake of solvers, whose answers agree with it in a few digits only
-    double of_its_own = 0.5;   ///< explained answers over all answers, to any quantity, that it would have made wrong
-    double of_the_wrong = 0.5; ///< explained answers over the wrong ones in those links of the chain in which it explains any
-    double agreement = 0;      ///< the agreement asked of a mistake is at least this, which the program's method can reach
-    std::size_t words = 17;    ///< words and counts, if it explains nothing else: 2^-17 times the mistakes is below 1/1000
+    double consistency = 0.95;  ///< explained answers over the sum of those and the ones that contradict it
+    double of_solvers = 0.9;    ///< the same for a mistake of solvers, whose answers agree with it in a few digits only
+    double of_its_own = 0.5;    ///< explained answers over all answers that it would have made wrong
+    double of_the_wrong = 0.7;  ///< explained answers over the wrong ones to the quantities of its core, or that it explains
+    double agreement = 0;       ///< the agreement asked of a mistake is at least this, which the program's method can reach
+    std::size_t words = 17;     ///< words and counts, if it explains nothing else: 2^-17 times the mistakes is below 1/1000
 };
 
 /// @brief A known mistake that was found, or a guess, which has a name and a sentence alone and does not say where to look.
@@ -73,13 +74,13 @@ struct Link {
 
 /// @brief The diagnosis of an implementation.
 struct Diagnosis {
-    std::size_t wrong = 0;                       ///< number of answers that are wrong or inaccurate
-    std::vector<Finding> findings;               ///< the mistakes that were found, the strongest evidence first
-    std::vector<const Judged*> unexplained;      ///< wrong answers that no mistake found explains
-    std::vector<Link> chain;                     ///< the chain of quantities with the unexplained answers in each link
-    std::vector<Finding> simple;                 ///< guesses at the unexplained answers, the best first
-    std::vector<InCommon> by_quantity;           ///< the unexplained answers by quantity; `asked` counts all answers to it
-    std::vector<InCommon> in_common;             ///< properties that unexplained answers have more often than right ones
+    std::size_t wrong = 0;                  ///< number of answers that are wrong or inaccurate
+    std::vector<Finding> findings;          ///< the mistakes that were found, the strongest evidence first
+    std::vector<const Judged*> unexplained; ///< wrong answers that no mistake found explains
+    std::vector<Link> chain;                ///< the chain of quantities with the unexplained answers in each link
+    std::vector<Finding> simple;            ///< guesses at the unexplained answers, the best first
+    std::vector<InCommon> by_quantity;      ///< the unexplained answers by quantity; `asked` counts all answers to it
+    std::vector<InCommon> in_common;        ///< properties that those in the first wrong link have more often than right answers
     std::map<std::string, std::size_t> accepted; ///< rules broken by questions that were answered, and how many questions
 };
 

@@ -23,13 +23,13 @@ constexpr std::array<Quantity, 25> table{{
     {"second_damping_function", "35", Shape::number, true, false, 8},
     {"H_j", "64", Shape::number, false, false, 9},
     {"S_j", "55", Shape::number, false, false, 10},
-    {"amplitude", "38", Shape::number, true, false, 12},
-    {"phase", "39", Shape::number, true, true, 13},
-    {"amplitude_monoharmonic", "52", Shape::number, true, false, 12},
-    {"phase_monoharmonic", "53", Shape::number, true, true, 13},
-    {"initial_displacement", "44", Shape::number, true, false},
-    {"initial_velocity", "45", Shape::number, true, false},
-    {"displacement", "46", Shape::number, true, false},
+    {"amplitude", "38", Shape::number, true, false, 16},
+    {"phase", "39", Shape::number, true, true, 17},
+    {"amplitude_monoharmonic", "52", Shape::number, true, false, 15},
+    {"phase_monoharmonic", "53", Shape::number, true, true, 15},
+    {"initial_displacement", "44", Shape::number, true, false, 13},
+    {"initial_velocity", "45", Shape::number, true, false, 13},
+    {"displacement", "46", Shape::number, true, false, 14},
     {"beta_lim_exact", "69", Shape::number, false, false, 11},
     {"beta_lim_paper", "69", Shape::number, false, false, 11},
     {"beta_lim_approximate", "67", Shape::number, false, false, 11},
@@ -38,7 +38,7 @@ constexpr std::array<Quantity, 25> table{{
     {"regime", "69", Shape::word, false, false, 11},
     {"stops_per_period", "", Shape::number, false, false},
     {"stop_durations", "", Shape::durations, false, false},
-    {"rest_interval", "", Shape::number, false, false},
+    {"rest_interval", "", Shape::number, false, false, 12},
     {"motion_under_force", "", Shape::samples, true, false},
 }};
 
@@ -199,6 +199,12 @@ const Quantity& quantity(std::string_view name) {
     const auto found = std::find_if(table.begin(), table.end(), [&](const Quantity& q) { return q.name == name; });
     if (found == table.end()) throw InputError("quantity", "must be one of the protocol's", std::string(name));
     return *found;
+}
+
+std::size_t place_in_chain(const ProtocolQuestion& q) {
+    const std::size_t place = quantity(q.quantity).link;
+    const bool of_one_mass = q.mass_ratios.size() == 1 && place >= 6 && place <= 8;
+    return of_one_mass ? place - 3 : place;
 }
 
 bool is_overdamped(const ProtocolQuestion& q) {

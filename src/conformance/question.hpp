@@ -33,7 +33,7 @@ struct Quantity {
     Shape shape;               ///< how many numbers
     bool of_mass;              ///< whether a question names the mass k
     bool angle;                ///< whether it is an angle: compared round the circle, in radians
-    std::size_t link = 14;     ///< its place in the chain of quantities, each made of those before it, see `chain_of`
+    std::size_t link = 18;     ///< its place in the chain of quantities, each made of those before it, see `chain_of`
 };
 
 /// @brief All quantities, in the order of the protocol. @return the quantities
@@ -44,6 +44,12 @@ struct Quantity {
 /// @return      the quantity
 /// @throws      InputError if no quantity has the name
 [[nodiscard]] const Quantity& quantity(std::string_view name);
+
+struct ProtocolQuestion;
+
+/// @brief Which link of the chain of quantities a question belongs to. @param q the question
+/// @return   its place from 0 on; the functions of one mass come before the sums over modes
+[[nodiscard]] std::size_t place_in_chain(const ProtocolQuestion& q);
 
 /// @brief A question. Its numbers may break any rule of a scene, because an implementation must reject some questions.
 struct ProtocolQuestion {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <tuple>
 
 #include "elementary/elementary.hpp"
 
@@ -98,10 +99,11 @@ std::vector<const Judged*> worst_first(std::span<const Judged> judged) {
     const auto size = [](const Judged& one) {
         return error_over_tolerance(one).value_or(std::numeric_limits<double>::infinity());
     };
-    std::stable_sort(worst.begin(), worst.end(), [&](const Judged* a, const Judged* b) {
-        if (badness(a->verdict) != badness(b->verdict)) return badness(a->verdict) > badness(b->verdict);
-        return size(*a) > size(*b);
-    });
+    const auto order = [&](const Judged* one) {
+        const int bad = badness(one->verdict);
+        return std::tuple(bad < 5, !one->vector->word.empty(), place_in_chain(one->vector->question), -bad, -size(*one));
+    };
+    std::ranges::stable_sort(worst, {}, order);
     return worst;
 }
 

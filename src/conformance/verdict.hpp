@@ -90,7 +90,8 @@ struct Score {
 /// @brief Error divided by the tolerance of `pass`. @param judged an answer @return the quotient; empty without an error
 [[nodiscard]] std::optional<double> error_over_tolerance(const Judged& judged);
 
-/// @brief The answers that are not right, the worst first: by verdict, then by error over tolerance.
+/// @brief The answers that are not right: those of a program that broke, then by links of the chain of quantities, words last;
+/// within a link by verdict, then by error over tolerance.
 /// @param judged  the answers
 /// @return        pointers into them, without the skipped ones
 [[nodiscard]] std::vector<const Judged*> worst_first(std::span<const Judged> judged);

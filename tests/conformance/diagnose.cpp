@@ -154,7 +154,9 @@ TEST_CASE("where nothing matches, what the wrong answers have in common is told"
     REQUIRE(d.by_quantity.size() == 1);
     CHECK(d.by_quantity.front().property == "amplitude");
     CHECK(d.by_quantity.front().asked == 10);
-    REQUIRE(d.in_common.size() == 1);
+    REQUIRE(d.in_common.size() == 3);
+    CHECK(d.in_common[1].property == "the answer is too large");
+    CHECK(d.in_common[2].property == "the answer has no more than 3 digits");
     CHECK(d.in_common.front().property == "mu > 1");
     CHECK(d.in_common.front().wrong == 5);
     CHECK(d.in_common.front().asked == 5);

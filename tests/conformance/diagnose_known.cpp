@@ -45,7 +45,7 @@ TEST_CASE("each known mistake is found by its answers, it alone", "[conformance]
         for (const Vector& v : vectors) answers[mistake.name][v.question.id] = answer_with_mistake(mistake.name, v.question);
     std::vector<Mistake> remembered(mistakes().begin(), mistakes().end());
     for (Mistake& mistake : remembered)
-        mistake.answer = [&of_one = answers.at(mistake.name)](const ProtocolQuestion& q) { return of_one.at(q.id); };
+        mistake.answer.alone = [&of_one = answers.at(mistake.name)](const ProtocolQuestion& q) { return of_one.at(q.id); };
     for (const Mistake& mistake : mistakes()) {
         std::vector<Judged> judged;
         for (const Vector& v : vectors)

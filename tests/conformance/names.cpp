@@ -96,7 +96,9 @@ Program program(std::string rule, std::string told, std::vector<std::string> all
     }
     std::vector<Mistake> remembered(mistakes().begin(), mistakes().end());
     for (Mistake& mistake : remembered)
-        mistake.answer = [&of_one = known_answers().at(mistake.name)](const ProtocolQuestion& q) { return of_one.at(q.id); };
+        mistake.answer.alone = [&of_one = known_answers().at(mistake.name)](const ProtocolQuestion& q) {
+            return of_one.at(q.id);
+        };
     p.known = fitted_to(p.judged, std::move(remembered));
     return p;
 }
@@ -133,7 +135,7 @@ const std::vector<Program>& programs() {
         }
         // The second half has numbers of its own, drawn after the thresholds were chosen.
         std::vector<UnknownMistake> unknown = unknown_mistakes(2022);
-        const std::vector<UnknownMistake> drawn_later = unknown_mistakes(20261123);
+        const std::vector<UnknownMistake> drawn_later = unknown_mistakes(20261129);
         for (std::size_t n = 1; n < unknown.size(); n += 2) unknown[n] = drawn_later[n];
         for (std::size_t n = 0; n < unknown.size(); ++n)
             add(unknown[n].rule, unknown[n].told, {}, n % 2 == 1,

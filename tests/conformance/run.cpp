@@ -53,12 +53,46 @@ TEST_CASE("a wrong must is status 1 and told with answer, truth and error", "[co
 
 TEST_CASE("a wrong should or stress is told and no failure; a needed quantity must not be skipped", "[conformance][program]") {
     const std::string program = table_program("lax", replaced(right_answers, "amplitude-2 value 0x1p-1", "amplitude-2 value 1"));
-    CHECK(run("", program).status == 0);
+    const Run lax = run("", program);
+    CHECK(lax.status == 0);
+    CHECK(contains(lax.output, "\nConforms in must; 1 answer is wrong in stress.\n"));
+    CHECK(run("--strict", program).status == 4);
+    CHECK(run("--strict", table_program("right", right_answers)).status == 0);
+    const std::string wrong = table_program("strict", replaced(right_answers, "amplitude-1 value 0.25", "amplitude-1 value 1"));
+    CHECK(run("--strict", wrong).status == 1);
     const std::string skipping = table_program("skipping", replaced(right_answers, "phase-1 value 3", "phase-1 skip later"));
     CHECK(run("", skipping).status == 0);
     CHECK(run("--need amplitude,phase", skipping).status == 1);
     CHECK(run("--need amplitude,regime", skipping).status == 0);
-    CHECK(run("", table_program("nothing", "")).status == 1);
+    const Run nothing = run("", table_program("nothing", ""));
+    CHECK(nothing.status == 1);
+    CHECK(contains(nothing.output, "\nDoes not conform, because no question was answered.\n"));
+}
+
+TEST_CASE("quantities are chosen by their names", "[conformance][program]") {
+    const Run r = run("--quantity amplitude,phase", table_program("right", right_answers));
+    CHECK(r.status == 0);
+    CHECK(contains(r.output, "Table of answers (plain): 3 questions"));
+    const Run none = run("--quantity amplitudes", table_program("right", right_answers));
+    CHECK(none.status == 2);
+    CHECK(contains(none.error, "quantity must name quantities of the protocol"));
+}
+
+TEST_CASE("a program that keeps something from question to question is told of", "[conformance][program]") {
+    const std::string keeping = script("keeping.sh", "read -r greeting\necho 'denhartog-conform 1 plain Keeps'\nn=0\n"
+                                                     "while read -r id rest; do n=$((n + 1)); echo \"$id value $n\"; done\n");
+    CHECK(contains(run("--quantity amplitude,phase", keeping).output,
+                   "\n  The program keeps something from question to question: "));
+    const std::string wrong = table_program("wrong", replaced(right_answers, "amplitude-1 value 0.25", "amplitude-1 value 0.5"));
+    CHECK_FALSE(contains(run("", wrong).output, "The program keeps something"));
+}
+
+TEST_CASE("the diagnosis is in the XML as well", "[conformance][program]") {
+    const std::string wrong = table_program("wrong", replaced(right_answers, "amplitude-1 value 0.25", "amplitude-1 value 0.5"));
+    const std::string xml = run("--format junit", wrong).output;
+    CHECK(contains(xml, "<system-out>&#10;Diagnosis (1 answer is wrong or inaccurate):"));
+    CHECK(contains(xml, "Does not conform.&#10;</system-out>"));
+    CHECK_FALSE(contains(run("--format junit", table_program("right", right_answers)).output, "system-out"));
 }
 
 TEST_CASE("several processes give the same verdicts as one", "[conformance][program][threads]") {
@@ -169,6 +203,7 @@ TEST_CASE("verdicts are tracked: what got better and worse is told, and worse fa
         const Run worse = run("--track '" + file + "'", bad);
         CHECK(worse.status == 1);
         CHECK(contains(worse.output, "worse  phase-1: pass -> wrong"));
+        CHECK(contains(worse.error, "was left as it was, because something got worse"));
         CHECK(content_of(file) == kept);
     }
     // What is not asked keeps its verdict.
@@ -228,6 +263,12 @@ TEST_CASE("smoke looks at the protocol and at no number", "[conformance][program
     CHECK(good.status == 0);
     CHECK(contains(good.output, "The protocol is kept. No number was checked."));
     CHECK(lines_of(good.output).size() == 1 + 25 + 3 + 2);
+    const std::string lax = script("lax-smoke.sh", "read -r greeting; echo 'denhartog-conform 1 plain Smoke'\n"
+                                                   "while read -r id q rest; do case $id in\n"
+                                                   "smoke-rejected) echo \"$id value 17\";; *) echo \"$id skip\";; esac; done\n");
+    const Run answered = conform("smoke -- " + lax);
+    CHECK(answered.status == 1);
+    CHECK(contains(answered.output, "The protocol is kept, but a question that breaks a rule was answered."));
     const std::string wrong = script("no-smoke.sh", "read -r greeting; echo 'denhartog-conform 1 plain Smoke'\n"
                                                     "while read -r id q rest; do echo \"$id value 1 2 3\"; done; exit 4\n");
     const Run bad = conform("smoke -- " + wrong);

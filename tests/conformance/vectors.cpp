@@ -108,6 +108,8 @@ TEST_CASE("the vectors are enough, of every group, tier and number of masses, wi
     std::map<std::string, int> tiers, places, asked;
     std::set<std::size_t> masses;
     std::map<std::string, std::map<std::string, int>> kinds; // of systems beyond the paper, by regime
+    std::set<double> stops;                                  // that every solver of motions with stops must count
+    std::map<std::string, int> flags;
     bool mu = false, rejected_enough = false;
     for (const Vector& v : vectors()) {
         ++groups[v.group][v.tier];
@@ -115,6 +117,8 @@ TEST_CASE("the vectors are enough, of every group, tier and number of masses, wi
         ++asked[v.question.quantity];
         if (!v.reject.empty()) continue;
         masses.insert(masses_of(v.question));
+        for (const std::string& flag : v.flags) ++flags[flag];
+        if (v.question.quantity == "stops_per_period" && v.tier == "must") stops.insert(v.nearest.front());
         for (const std::string& kind : beyond_the_paper(v.question)) ++kinds[kind][v.regime];
         if (!is_of_the_paper(v.question)) continue;
         const int side = v.question.contact - v.question.load;
@@ -130,6 +134,9 @@ TEST_CASE("the vectors are enough, of every group, tier and number of masses, wi
         CHECK(regimes.at("permanent_sticking") >= 10);
         if (kind != "base-alone") CHECK(regimes.at("stick_slip") >= 6); // it has no damping, and no transient ends
     }
+    CHECK(stops == std::set<double>{1, 2, 3, 4, 6, 8});
+    CHECK(flags["unsymmetric"] >= 20);
+    CHECK(flags["several-periods"] >= 5);
     CHECK(tiers.size() == 3);
     CHECK(masses == std::set<std::size_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
     for (const char* place : {"before", "at", "behind"}) CHECK(places[place] > 100);

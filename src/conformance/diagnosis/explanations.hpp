@@ -12,15 +12,12 @@
 
 namespace denhartog::conformance {
 
-// Which link a question belongs to. From 0; the functions of one mass come before the sums over modes.
-[[nodiscard]] std::size_t place_in_chain(const ProtocolQuestion& q);
-
-// The chain from the frequencies to the motion: natural frequencies, R, shapes, v, u, g, V, U, G, H, S, boundary, amplitude,
-// phase, motion. Links without an answer are left out.
+// The chain from the frequencies to the motion: natural frequencies, R, shapes, v, u, g, V, U, G, H, S, boundary, rest interval,
+// initial values, displacement, monoharmonic response, amplitude, phase, motion and stops. Links without an answer are left out.
 [[nodiscard]] std::vector<Link> chain_of(std::span<const Judged* const> wrong, std::span<const Judged> judged);
 
-// Properties that nine in ten of the wrong answers have, and the other answers to the same quantities less often; those with the
-// largest share of wrong answers first, five at most. Fewer than three wrong answers have nothing in common.
+// Properties that nine in ten of the wrong answers have, and the other answers to the same quantities less often; those that
+// separate best first, three at most. Fewer than three wrong answers have nothing in common.
 [[nodiscard]] std::vector<InCommon> properties_in_common(std::span<const Judged* const> wrong, std::span<const Judged> judged);
 
 // The quantities of wrong answers, most wrong ones first.
@@ -36,9 +33,10 @@ namespace denhartog::conformance {
 // corrected (57): either way the answer depends on the instants. If a program reads off a motion before it has settled, the
 // answer depends on the period. Such a number counts as found if `least_agreeing` answers or more show the same one.
 struct Fitted {
-    std::string name;                                                    // of the mistake
-    std::string number;                                                  // in words: `read off in period 7 from rest`
-    std::function<std::optional<Value>(const ProtocolQuestion&)> answer; // the answer of the mistake with this number
+    std::string name;                      // of the mistake
+    std::string number;                    // in words: `read off in period 7 from rest`
+    Answering answer;                      // the answer of the mistake with this number
+    std::vector<std::string> besides = {}; // names of other mistakes that the answers show as well
 };
 
 inline constexpr std::size_t least_agreeing = 3;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "conformance/diagnosis/explanations.hpp"
 #include "conformance/mistakes/mistake_definition.hpp"
@@ -104,32 +105,48 @@ Instants instants_of(const Grid& grid, const PlainModes& m) {
     return {first, before_end, static_cast<std::size_t>(std::min(steps, 4096.0)) + 1};
 }
 
+// What is done with the load condition (67).
+enum class LoadCondition : std::uint8_t { asked, beyond_68, left_out };
+
+constexpr std::array load_conditions{LoadCondition::asked, LoadCondition::beyond_68, LoadCondition::left_out};
+
 // How a maximum is sought, with or without the print of (57).
 struct WayOfSearch {
     Grid grid;
-    bool as_printed = false, of_each_mode = false, without_load_condition = false;
+    bool as_printed = false, of_each_mode = false;
+    LoadCondition load = LoadCondition::asked;
 };
+
+void choose(Choices& c, LoadCondition load) {
+    c.without_load_condition = c.without_load_condition || load == LoadCondition::left_out;
+    c.sliding_beyond_68 = c.sliding_beyond_68 || load == LoadCondition::beyond_68;
+}
 
 Choices choices_of(const WayOfSearch& search, const PlainModes& m) {
     Choices c;
     c.demand_as_printed = search.as_printed;
     c.instants = instants_of(search.grid, m);
     c.maximum_of_each_mode = search.of_each_mode;
-    c.without_load_condition = search.without_load_condition;
+    choose(c, search.load);
     return c;
 }
 
-// How many answers a search explains with the load condition (67), and without it: the maxima are the same.
-std::array<std::size_t, 2> agreeing(std::span<const Observed> all, const WayOfSearch& search) {
-    std::array<std::size_t, 2> count{};
+using ByLoadCondition = std::array<std::size_t, load_conditions.size()>;
+
+// How many answers a search explains, by what is done with the load condition (67): the maxima are the same.
+ByLoadCondition agreeing(std::span<const Observed> all, const WayOfSearch& search) {
+    ByLoadCondition count{};
     for (const Observed& one : all) {
         const std::string& asked = one.question.quantity;
         const PlainModes& m = one.modes;
         const Choices c = choices_of(search, m);
         const double S = plain_demand(m, c, asked == "beta_lim_paper");
         const auto agrees = [&](double x) { return std::abs(x - one.given) <= of_instants * std::abs(x); };
-        count[0] += agrees(asked == "S_j" ? S : plain_limit(m, c, S));
-        count[1] += agrees(asked == "S_j" ? S : plain_limit_by(m, S));
+        for (std::size_t n = 0; n < count.size(); ++n) {
+            Choices with = c;
+            choose(with, load_conditions[n]);
+            count[n] += agrees(asked == "S_j" ? S : plain_limit(m, with, S));
+        }
     }
     return count;
 }
@@ -141,20 +158,20 @@ std::optional<WayOfSearch> best_of(const std::vector<Observed>& all, bool as_pri
     std::optional<WayOfSearch> best;
     std::size_t most = least_agreeing - 1;
     for (const Grid& grid : grids) {
-        std::array<std::array<std::size_t, 2>, 2> counts{};
+        std::array<ByLoadCondition, 2> counts{};
         for (const bool of_each_mode : {false, true}) {
-            const WayOfSearch search{grid, as_printed, of_each_mode, false};
-            const std::array<std::size_t, 2> seen = agreeing(first, search);
-            if (seen[0] + seen[1] == 0) continue;
+            const WayOfSearch search{grid, as_printed, of_each_mode};
+            const ByLoadCondition seen = agreeing(first, search);
+            if (seen == ByLoadCondition{}) continue;
             counts[of_each_mode] = agreeing(all, search);
-            for (const std::size_t without : {0U, 1U})
-                if (seen[without] == 0) counts[of_each_mode][without] = 0;
+            for (std::size_t n = 0; n < seen.size(); ++n)
+                if (seen[n] == 0) counts[of_each_mode][n] = 0;
         }
-        for (const bool without : {false, true})
+        for (std::size_t n = 0; n < load_conditions.size(); ++n)
             for (const bool of_each_mode : {false, true}) {
-                if (counts[of_each_mode][without] <= most) continue;
-                most = counts[of_each_mode][without];
-                best = WayOfSearch{grid, as_printed, of_each_mode, without};
+                if (counts[of_each_mode][n] <= most) continue;
+                most = counts[of_each_mode][n];
+                best = WayOfSearch{grid, as_printed, of_each_mode, load_conditions[n]};
             }
     }
     return best;
@@ -233,6 +250,24 @@ std::vector<Grid> coarse_grids() {
     return grids;
 }
 
+Answering answer_of(const WayOfSearch& search) {
+    return where_modes_vibrate(
+        by_formulas_of({"S_j", "beta_lim_exact", "beta_lim_paper", "regime"}, [search](Choices& c, const ProtocolQuestion& q) {
+            const Choices of_search = choices_of(search, plain_modes(q, {}));
+            c.demand_as_printed = of_search.demand_as_printed;
+            c.instants = of_search.instants;
+            c.maximum_of_each_mode = c.maximum_of_each_mode || of_search.maximum_of_each_mode;
+            choose(c, search.load);
+        }));
+}
+
+std::vector<std::string> named_besides(const WayOfSearch& search) {
+    std::vector<std::string> names;
+    if (search.of_each_mode) names.emplace_back("56-as-printed");
+    if (search.load == LoadCondition::beyond_68) names.emplace_back("68-as-printed");
+    return names;
+}
+
 std::string told(const WayOfSearch& search) {
     const Grid& grid = search.grid;
     const auto number = [&](double x) { return number_in_digits(x, 4) + (x == 0 ? "" : grid.measure->told); };
@@ -240,7 +275,7 @@ std::string told(const WayOfSearch& search) {
            (grid.before_end ? " to pi - " + number(*grid.before_end) : " on, " + number(grid.step) + " apart") +
            (search.as_printed ? "" : ", " + std::to_string(instants_of(grid, {}).count) + " of them") +
            (search.of_each_mode ? "; the maximum of each mode, (56)" : "; the maximum of the sum over the modes") +
-           (search.without_load_condition ? "; without the load condition (67)" : "");
+           (search.load == LoadCondition::left_out ? "; without the load condition (67)" : "");
 }
 
 } // namespace
@@ -251,12 +286,8 @@ std::optional<Fitted> fitted_instants(std::span<const Judged> judged) {
     std::optional<WayOfSearch> search = best_of(all, true, grids_shown(all));
     if (!search) search = best_of(all, false, coarse_grids());
     if (!search) return std::nullopt;
-    return Fitted{search->as_printed ? "57-as-printed" : "coarse-grid-of-tau", told(*search),
-                  [search = *search](const ProtocolQuestion& q) {
-                      if (is_overdamped(q) || !asks_for(q, {"S_j", "beta_lim_exact", "beta_lim_paper", "regime"}))
-                          return std::optional<Value>();
-                      return plain_answer(q, choices_of(search, plain_modes(q, {})));
-                  }};
+    return Fitted{search->as_printed ? "57-as-printed" : "coarse-grid-of-tau", told(*search), answer_of(*search),
+                  named_besides(*search)};
 }
 
 } // namespace denhartog::conformance

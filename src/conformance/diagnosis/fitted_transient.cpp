@@ -76,7 +76,7 @@ std::optional<Fitted> fitted_transient(std::span<const Judged> judged) {
         }
     }
     const Shown shown = shown_by(all);
-    if (shown.agreeing < least_agreeing) return std::nullopt;
+    if (shown.agreeing < least_agreeing || 2 * shown.agreeing < all.size()) return std::nullopt; // of 200 some agree by chance
     return Fitted{"transient", "read off in period " + std::to_string(shown.period) + " from rest",
                   [period = shown.period](const ProtocolQuestion& q) {
                       if (!asks_for(q, {"amplitude", "phase", "motion_under_force"})) return std::optional<Value>();

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <map>
 
+#include "conformance/mistakes/mistake_definition.hpp"
 #include "conformance/plain/closed_form.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/number/number_text.hpp"
@@ -31,14 +32,12 @@ std::map<std::string, std::vector<const Judged*>> numbers_by_quantity(std::span<
 }
 
 // The right answer to a question with each number changed.
-Mistake changed(std::string told, const std::string& asked, std::function<double(double)> change) {
-    return {"", "", std::move(told), "", [asked, change = std::move(change)](const ProtocolQuestion& q) {
-                if (q.quantity != asked) return std::optional<Value>();
-                std::optional<Value> value = plain_answer(q);
-                if (value)
-                    for (double& x : value->numbers) x = change(x);
-                return value;
-            }};
+Mistake changed_numbers(std::string told, const std::string& asked,
+                        std::function<double(double x, const ProtocolQuestion& q)> change) {
+    return {"", "", std::move(told), "",
+            changed({quantity(asked).name}, [change = std::move(change)](Value& value, const ProtocolQuestion& q) {
+                for (double& x : value.numbers) x = change(x, q);
+            })};
 }
 
 double middle_of(std::vector<double> numbers) {
@@ -63,12 +62,46 @@ void add_changes(std::vector<Mistake>& all, const std::string& asked, const std:
     const double offset = middle_of(offsets);
     const bool angle = quantity(asked).angle;
     if (is_shared(offsets, offset))
-        all.push_back(changed(asked + " plus " + short_text(offset), asked,
-                              [=](double x) { return angle ? wrapped_angle(x + offset) : x + offset; }));
+        all.push_back(changed_numbers(asked + " plus " + short_text(offset), asked, [=](double x, const ProtocolQuestion&) {
+            return angle ? wrapped_angle(x + offset) : x + offset;
+        }));
     if (factors.empty()) return;
     const double factor = middle_of(factors);
     if (is_shared(factors, factor))
-        all.push_back(changed(asked + " times " + short_text(factor), asked, [=](double x) { return factor * x; }));
+        all.push_back(changed_numbers(asked + " times " + short_text(factor), asked,
+                                      [=](double x, const ProtocolQuestion&) { return factor * x; }));
+}
+
+// A number of the scene, to some power of which answers may have a wrong factor.
+struct Base {
+    const char* name;
+    double (*of)(const ProtocolQuestion&);
+};
+
+constexpr Base bases[] = {{"r", [](const ProtocolQuestion& q) { return q.r; }},
+                          {"mu", [](const ProtocolQuestion& q) { return q.mu; }},
+                          {"gamma_j", [](const ProtocolQuestion& q) {
+                               return q.mass_ratios.empty() ? 1 : q.mass_ratios[static_cast<std::size_t>(q.contact - 1)];
+                           }}};
+
+// A power of a number of the scene: the middle exponent of all answers to a quantity.
+void add_powers(std::vector<Mistake>& all, const std::string& asked, const std::vector<const Judged*>& answers) {
+    for (const Base& base : bases) {
+        std::vector<double> exponents;
+        for (const Judged* one : answers) {
+            const double factor = one->given.numbers.front() / one->vector->nearest.front();
+            const double size = base.of(one->vector->question);
+            if (factor > 0 && std::isfinite(factor) && size > 0 && size != 1)
+                exponents.push_back(elementary::log(factor) / elementary::log(size));
+        }
+        if (exponents.empty() || 2 * exponents.size() < answers.size()) continue;
+        const double middle = middle_of(exponents), exponent = std::round(2 * middle) / 2;
+        if (exponent == 0 || std::abs(middle - exponent) > fits || !is_shared(exponents, exponent)) continue;
+        all.push_back(changed_numbers(asked + " times " + base.name + "^" + short_text(exponent), asked,
+                                      [&base, exponent](double x, const ProtocolQuestion& q) {
+                                          return x * elementary::exp(exponent * elementary::log(base.of(q)));
+                                      }));
+    }
 }
 
 struct Input {
@@ -133,7 +166,9 @@ void add_factors(std::vector<Mistake>& all, const Input& input, std::span<const 
     };
     std::vector<double> grid;
     for (int n = 0; n <= pieces; ++n) grid.push_back(elementary::exp(reach * (2.0 * n / pieces - 1)));
-    for (const double factor : sign_changes(apart, grid, 48)) {
+    std::vector<double> factors = sign_changes(apart, grid, 48);
+    for (const double unit : {100.0, 1000.0, 180 / pi<double>()}) factors.insert(factors.end(), {unit, 1 / unit});
+    for (const double factor : factors) {
         Mistake guess = scaled(input, factor);
         if (std::abs(factor - 1) > fits && fits_some(guess, answers)) all.push_back(std::move(guess));
     }
@@ -207,7 +242,10 @@ std::vector<Mistake> guesses_at(std::span<const Judged* const> wrong) {
     std::vector<Mistake> all;
     std::map<std::string, std::vector<const Judged*>> of = numbers_by_quantity(wrong);
     for (const auto& [asked, answers] : of)
-        if (answers.size() >= least) add_changes(all, asked, answers);
+        if (answers.size() >= least) {
+            add_changes(all, asked, answers);
+            add_powers(all, asked, answers);
+        }
     // The first quantity in the protocol's order, which needs the fewest others, tells most of an input.
     for (const Quantity& each : quantities()) {
         const auto found = of.find(std::string(each.name));

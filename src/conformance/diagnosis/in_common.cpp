@@ -2,16 +2,20 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <set>
 #include <string_view>
+
+#include "denhartog/number/number.hpp"
+#include "denhartog/number/number_text.hpp"
 
 namespace denhartog::conformance {
 namespace {
 
 constexpr double share_in_common = 0.9;
 constexpr double least_lift = 1.25;
-constexpr std::size_t most_told = 5;
+constexpr std::size_t most_told = 3;
 constexpr std::size_t least_wrong = 3;
 
 // What a question has, in words; a property stands with its opposite.
@@ -20,6 +24,8 @@ std::set<std::string> properties(const Vector& v) {
     std::set<std::string> all;
     for (const std::string& flag : v.flags) all.insert("flag " + flag);
     all.insert(masses_of(q) > 1 ? "N > 1" : "N = 1");
+    all.insert(masses_of(q) > 2 ? "N > 2" : "N <= 2");
+    if (q.quantity == "displacement") all.insert(q.tau > pi<double>() ? "tau > pi" : "tau <= pi");
     all.insert(q.mu > 1 ? "mu > 1" : "mu = 1");
     all.insert(is_of_the_paper(q) ? "a scene of the paper" : "a system beyond the paper");
     if (q.contact_with == 0 && q.load != 0) {
@@ -40,11 +46,48 @@ bool was_answered(const Judged& one) {
     return one.vector->reject.empty() && (is_right(one.verdict) || is_wrong_value(one.verdict));
 }
 
+template <class List, class Condition>
+std::size_t count_of(const List& list, const Condition& condition) {
+    return static_cast<std::size_t>(std::ranges::count_if(list, condition));
+}
+
 bool larger_share_of_wrong(const InCommon& a, const InCommon& b) {
     return a.wrong * b.asked != b.wrong * a.asked ? a.wrong * b.asked > b.wrong * a.asked : a.wrong > b.wrong;
 }
 
-constexpr std::array<std::string_view, 15> links{"natural frequencies",
+// Whether each number of an answer has so few decimal digits.
+bool has_digits(const Judged& one, int digits) {
+    return !one.given.numbers.empty() &&
+           std::ranges::all_of(one.given.numbers, [&](double x) { return finite_number(number_in_digits(x, digits)) == x; });
+}
+
+bool is_too_small(const Judged& one) {
+    return one.error && std::abs(one.given.numbers[one.worst]) < std::abs(one.vector->nearest[one.worst]);
+}
+
+// What can be seen from the answers: that they are all too small or too large, or have few digits, as all answers have then.
+void add_of_answers(std::vector<InCommon>& found, std::span<const Judged* const> wrong, const std::set<std::string>& quantities,
+                    std::span<const Judged> judged) {
+    const std::size_t numbers = count_of(wrong, [](const Judged* one) { return one->error.has_value(); });
+    const std::size_t small = count_of(wrong, [](const Judged* one) { return is_too_small(*one); });
+    if (numbers < wrong.size()) return;
+    for (const auto& [told, count] : {std::pair("the answer is too small", small), {"the answer is too large", numbers - small}})
+        if (count == numbers) found.push_back({told, count, count, count, count});
+    constexpr int fewest = 3, most = 8;
+    for (int digits = fewest; digits <= most; ++digits) {
+        std::size_t asked = 0, with = 0;
+        for (const Judged& one : judged) {
+            if (!was_answered(one) || !quantities.contains(one.vector->question.quantity)) continue;
+            ++asked;
+            with += has_digits(one, digits);
+        }
+        if (share(with, asked) < share_in_common) continue;
+        found.push_back({"the answer has no more than " + std::to_string(digits) + " digits", numbers, numbers, with, asked});
+        return;
+    }
+}
+
+constexpr std::array<std::string_view, 19> links{"natural frequencies",
                                                  "R = r / r_n, (22)",
                                                  "shapes",
                                                  "v of one mass, (23)",
@@ -56,17 +99,15 @@ constexpr std::array<std::string_view, 15> links{"natural frequencies",
                                                  "H, (64)",
                                                  "S, (56), (57)",
                                                  "boundary",
+                                                 "rest interval",
+                                                 "initial values, (44), (45)",
+                                                 "displacement, (46)",
+                                                 "monoharmonic response, (52), (53)",
                                                  "amplitude",
                                                  "phase",
-                                                 "motion"};
+                                                 "motion and stops"};
 
 } // namespace
-
-std::size_t place_in_chain(const ProtocolQuestion& q) {
-    const std::size_t place = quantity(q.quantity).link;
-    const bool of_one_mass = q.mass_ratios.size() == 1 && place >= 6 && place <= 8;
-    return of_one_mass ? place - 3 : place;
-}
 
 std::vector<Link> chain_of(std::span<const Judged* const> wrong, std::span<const Judged> judged) {
     std::array<Link, links.size()> all;
@@ -101,6 +142,10 @@ std::vector<InCommon> properties_in_common(std::span<const Judged* const> wrong,
     }
     std::stable_sort(found.begin(), found.end(), larger_share_of_wrong);
     if (found.size() > most_told) found.resize(most_told);
+    std::erase_if(found, [&](const InCommon& one) { // what separates much worse than the first says nothing new
+        return share(one.wrong, one.asked) < share_in_common * share(found.front().wrong, found.front().asked);
+    });
+    add_of_answers(found, wrong, quantities, judged);
     return found;
 }
 

@@ -14,11 +14,17 @@ namespace denhartog::conformance {
 // Agreement of the mistakes that time-stepping solvers make.
 inline constexpr double of_steps_in_time = 3e-2;
 
-using Answering = std::function<std::optional<Value>(const ProtocolQuestion&)>;
 using Names = std::vector<std::string_view>;
 
 // The plain closed form with other choices. It affects the quantities `touched`; all if there are none.
 [[nodiscard]] Answering by_formulas(Names touched, std::function<void(Choices&)> choose);
+[[nodiscard]] Answering by_formulas_of(Names touched, std::function<void(Choices&, const ProtocolQuestion&)> choose);
+
+// The same mistake, made only where no mode is overdamped.
+[[nodiscard]] Answering where_modes_vibrate(Answering mistake);
+
+// The right answer to some quantities, changed.
+[[nodiscard]] Answering changed(Names touched, std::function<void(Value& value, const ProtocolQuestion& q)> change);
 
 // The right answer to another question; none if the change leaves the question as it is.
 [[nodiscard]] Answering reading(std::function<void(ProtocolQuestion&)> change);

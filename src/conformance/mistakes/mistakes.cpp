@@ -9,21 +9,80 @@ bool asks_for(const ProtocolQuestion& q, std::initializer_list<std::string_view>
     return std::ranges::find(names, q.quantity) != names.end();
 }
 
-Answering by_formulas(Names touched, std::function<void(Choices&)> choose) {
-    return [touched = std::move(touched), choose = std::move(choose)](const ProtocolQuestion& q) {
-        if (!touched.empty() && std::ranges::find(touched, q.quantity) == touched.end()) return std::optional<Value>();
-        Choices c;
-        choose(c);
-        return plain_answer(q, c);
+namespace {
+
+// Whether a question is about one of some quantities; about any if there are none.
+std::function<bool(const ProtocolQuestion&)> about(Names touched) {
+    return [touched = std::move(touched)](const ProtocolQuestion& q) {
+        return touched.empty() || std::ranges::find(touched, q.quantity) != touched.end();
     };
 }
 
+// What a mistake alone answers follows from what it changes.
+Answering of_changes(Answering mistake) {
+    mistake.alone = [parts = mistake](const ProtocolQuestion& q) {
+        const Answering* const only = &parts;
+        return answer_with_several({&only, 1}, q);
+    };
+    return mistake;
+}
+
+} // namespace
+
+std::optional<Value> answer_with_several(std::span<const Answering* const> several, const ProtocolQuestion& q) {
+    return where_finite([&] {
+        ProtocolQuestion read = q;
+        Choices c;
+        std::vector<const Answering*> made;
+        for (const Answering* mistake : several)
+            if (mistake->touches && mistake->touches(q)) made.push_back(mistake);
+        for (const Answering* mistake : made) {
+            if (mistake->read) mistake->read(read);
+            if (mistake->choose) mistake->choose(c, q);
+        }
+        if (made.empty()) return std::optional<Value>();
+        const bool formulas = std::ranges::any_of(made, [](const Answering* mistake) { return bool(mistake->choose); });
+        std::optional<Value> value = formulas ? plain_answer(read, c) : plain_answer(read);
+        for (const Answering* mistake : made)
+            if (value && mistake->change) mistake->change(*value, q);
+        return value;
+    });
+}
+
+Answering by_formulas_of(Names touched, std::function<void(Choices&, const ProtocolQuestion&)> choose) {
+    Answering mistake;
+    mistake.touches = about(std::move(touched));
+    mistake.choose = std::move(choose);
+    return of_changes(std::move(mistake));
+}
+
+Answering by_formulas(Names touched, std::function<void(Choices&)> choose) {
+    return by_formulas_of(std::move(touched), [choose = std::move(choose)](Choices& c, const ProtocolQuestion&) { choose(c); });
+}
+
+Answering changed(Names touched, std::function<void(Value& value, const ProtocolQuestion& q)> change) {
+    Answering mistake;
+    mistake.touches = about(std::move(touched));
+    mistake.change = std::move(change);
+    return of_changes(std::move(mistake));
+}
+
+Answering where_modes_vibrate(Answering mistake) {
+    mistake.touches = [touches = std::move(mistake.touches)](const ProtocolQuestion& q) {
+        return !is_overdamped(q) && touches(q);
+    };
+    return of_changes(std::move(mistake));
+}
+
 Answering reading(std::function<void(ProtocolQuestion&)> change) {
-    return [change = std::move(change)](const ProtocolQuestion& q) {
+    Answering mistake;
+    mistake.touches = [change](const ProtocolQuestion& q) {
         ProtocolQuestion other = q;
         change(other);
-        return other == q ? std::nullopt : plain_answer(other);
+        return other != q;
     };
+    mistake.read = std::move(change);
+    return of_changes(std::move(mistake));
 }
 
 std::span<const Mistake> mistakes() {
@@ -33,7 +92,7 @@ std::span<const Mistake> mistakes() {
                           mistakes_of_integrators(), mistakes_of_systems()})
             for (Mistake& mistake : part) {
                 // none for a place beyond the chain, or a motion that is none
-                mistake.answer = [answer = std::move(mistake.answer)](const ProtocolQuestion& q) {
+                mistake.answer.alone = [answer = std::move(mistake.answer.alone)](const ProtocolQuestion& q) {
                     return where_finite([&] { return answer(q); });
                 };
                 list.push_back(std::move(mistake));

@@ -33,10 +33,8 @@ Answering other_responses(Complex<double> (*response)(double R, double zeta)) {
 // The paper prints nothing for a mode that does not vibrate. The core: what the equation is printed for.
 Mistake printed(const std::string& equation, std::string told, std::string look_at, Answering answer,
                 std::vector<std::string> core = {}) {
-    Mistake mistake{equation + "-as-printed", equation, std::move(told), std::move(look_at), std::move(answer)};
-    mistake.answer = [vibrating = std::move(mistake.answer)](const ProtocolQuestion& q) {
-        return is_overdamped(q) ? std::nullopt : vibrating(q);
-    };
+    Mistake mistake{equation + "-as-printed", equation, std::move(told), std::move(look_at),
+                    where_modes_vibrate(std::move(answer))};
     mistake.core = std::move(core);
     mistake.as_printed = true;
     return mistake;
@@ -51,7 +49,8 @@ std::vector<Mistake> mistakes_of_print() {
                 "of (A.8).",
                 "the bracket that multiplies (1 + g_i): cos + zeta / sqrt(1 - zeta^2) sin, which is 1 at tau = 0",
                 by_formulas({"displacement", "amplitude", "phase", "motion_under_force"},
-                            [](Choices& c) { c.motion_as_printed = true; })),
+                            [](Choices& c) { c.motion_as_printed = true; }),
+                {"displacement"}),
         printed("44", "(44) as printed: the real part lacks beta U_dj sin(Delta).",
                 "x_k0: the phase phi_j is not zero in V_dk cos(phi_j), read as Re{V_dk exp(i phi_j)}",
                 by_formulas({"initial_displacement", "displacement", "amplitude", "phase", "motion_under_force",
@@ -71,10 +70,11 @@ std::vector<Mistake> mistakes_of_print() {
                 {"phase_monoharmonic"}),
         printed("52", "(52) as printed: U_dk sin(Delta) has the other sign.",
                 "the first bracket of (52): G_k cos(Delta) - U_dk sin(Delta)",
-                by_formulas({"amplitude_monoharmonic"}, [](Choices& c) { c.monoharmonic_as_printed = true; })),
+                by_formulas({"amplitude_monoharmonic"}, [](Choices& c) { c.monoharmonic_as_printed = true; }),
+                {"amplitude_monoharmonic"}),
         printed("56", "The sum of the maxima of the modes, (56), is taken for the maximum of their sum.",
                 "where the maximum over tau is taken: after the sum over the modes",
-                by_formulas({"S_j", "beta_lim_exact", "regime"}, [](Choices& c) { c.maximum_of_each_mode = true; })),
+                by_formulas({"S_j", "beta_lim_exact", "regime"}, [](Choices& c) { c.maximum_of_each_mode = true; }), {"S_j"}),
         printed("63", "The load condition is asked of every mode on its own, as (59) and (63) print it; it holds for the sum.",
                 "(59) and (63): sum over the modes with psi_ji before comparing with mu beta",
                 by_formulas({"beta_lim_approximate", "beta_lim_exact", "beta_lim_paper", "regime"},
@@ -82,57 +82,97 @@ std::vector<Mistake> mistakes_of_print() {
                 {"beta_lim_approximate"}),
         printed("68", "The contact is said to slide beyond (68) as printed, which also needs H_j > mu / (gamma_j r^2).",
                 "the condition (68): drop it, since (58) and (68) never hold at once",
-                by_formulas({"beta_lim_exact", "beta_lim_paper", "regime"}, [](Choices& c) { c.sliding_beyond_68 = true; })),
+                by_formulas({"beta_lim_exact", "beta_lim_paper", "regime"}, [](Choices& c) { c.sliding_beyond_68 = true; }),
+                {"beta_lim_exact"}),
         printed("86", "(86) as printed has mu in place of its square.", "the root of (86): 4 mu^2 + pi^2",
-                [](const ProtocolQuestion& q) {
-                    if (q.quantity != "beta_lim_high_frequency") return std::optional<Value>();
-                    return std::optional(Value{{as_printed::friction_ratio_limit_at_high_frequency(q.mu)}, ""});
-                }),
+                changed({"beta_lim_high_frequency"},
+                        [](Value& value, const ProtocolQuestion& q) {
+                            value.numbers = {as_printed::friction_ratio_limit_at_high_frequency(q.mu)};
+                        })),
         printed("88", "(88) as printed: the spring next to the contact alone holds it, and the modes are taken as uncoupled.",
                 "(88): all forces on the held contact count, the damping forces of the moving masses among them",
-                by_formulas({"beta_lim_sticking", "regime"},
-                            [](Choices& c) { c.sticking = plain_sticking_limit_by_88; })),
+                by_formulas({"beta_lim_sticking", "regime"}, [](Choices& c) { c.sticking = plain_sticking_limit_by_88; }),
+                {"beta_lim_sticking"}),
         // It has no maximum: what is answered depends on the instants tried, which `fitted_instants` finds from the answers.
         printed("57",
                 "(57) as printed: another bracket multiplies u_di, and cos(tau) is missing, so that it has no maximum; its "
                 "value at one of the instants tried is taken for it, in the sum over the modes or, by (56), mode by mode.",
                 "the expression of (57): (1 + g_i) R_i q_i - u_di R_i^2 (R_i q_i' - cos(tau)) over sin(tau) stays finite at "
                 "both ends",
-                by_formulas({"S_j", "beta_lim_paper", "beta_lim_exact", "regime"}, [](Choices& c) {
-                    c.demand_as_printed = true;
-                    c.instants = Instants{pi<double>() / 1000, pi<double>() / 1000, 999};
-                }))};
+                by_formulas({"S_j", "beta_lim_paper", "beta_lim_exact", "regime"},
+                            [](Choices& c) {
+                                c.demand_as_printed = true;
+                                c.instants = Instants{pi<double>() / 1000, pi<double>() / 1000, 999};
+                            }),
+                {"S_j", "beta_lim_exact", "beta_lim_paper"})};
 }
 
 std::vector<Mistake> mistakes_of_form() {
     return {
-        {"88-without-damping-forces", "88", "The damping forces of the moving masses on the held contact are left out of (88).",
+        {"88-without-damping-forces",
+         "88",
+         "The damping forces of the moving masses on the held contact are left out of (88).",
          "(88): row j of the damping matrix is not zero off its diagonal",
-         by_formulas({"beta_lim_sticking", "regime"},
-                     [](Choices& c) { c.sticking = plain_sticking_limit_without_damping; })},
-        {"approximate-limit", "67", "(67) is taken for the boundary (69): (72) stands in place of the maximum over tau.",
+         by_formulas({"beta_lim_sticking", "regime"}, [](Choices& c) { c.sticking = plain_sticking_limit_without_damping; }),
+         1e-6,
+         {"beta_lim_sticking"}},
+        {"88-by-sub-matrices",
+         "88",
+         "(88) from the first or last rows and columns of M, C and K, as its text has it: of the forces on the held contact only "
+         "that of one spring counts.",
+         "(88): all forces on the held contact count, the damping forces of all moving masses among them",
+         by_formulas({"beta_lim_sticking", "regime"}, [](Choices& c) { c.sticking = plain_sticking_limit_by_sub_matrices; }),
+         1e-6,
+         {"beta_lim_sticking"}},
+        {"approximate-limit",
+         "67",
+         "(67) is taken for the boundary (69): (72) stands in place of the maximum over tau.",
          "whether the maximum over tau of the sum over modes is sought at all",
-         by_formulas({"S_j", "beta_lim_exact", "beta_lim_paper", "regime"}, [](Choices& c) { c.demand_at_start = true; })},
-        {"load-condition-left-out", "67",
+         by_formulas({"S_j", "beta_lim_exact", "beta_lim_paper", "regime"}, [](Choices& c) { c.demand_at_start = true; }),
+         1e-6,
+         {"S_j", "beta_lim_exact", "beta_lim_paper"}},
+        {"load-condition-left-out",
+         "67",
          "The boundary (69) is taken from the maximum over tau alone; the load condition (67) may end the sliding before.",
          "whether the larger of S_j and H_j + mu / (gamma_j r^2) stands in (69)",
-         by_formulas({"beta_lim_exact", "beta_lim_paper", "regime"}, [](Choices& c) { c.without_load_condition = true; })},
+         by_formulas({"beta_lim_exact", "beta_lim_paper", "regime"}, [](Choices& c) { c.without_load_condition = true; }),
+         1e-6,
+         {"beta_lim_approximate", "beta_lim_exact", "beta_lim_paper"}},
+        {"mu-missing-in-67",
+         "67",
+         "mu is left out of (67): the load is compared with kinetic friction.",
+         "mu in H_j + mu / (gamma_j r^2), and in the load condition of (69)",
+         by_formulas({"beta_lim_approximate", "beta_lim_exact", "beta_lim_paper", "regime"},
+                     [](Choices& c) { c.change_sums = [](PlainModes& m) { m.sum_of_squares /= m.mu; }; }),
+         1e-6,
+         {"beta_lim_approximate"}},
         // The number of instants is found from the answers by `fitted_instants`.
-        {"coarse-grid-of-tau", "57",
+        {"coarse-grid-of-tau",
+         "57",
          "The maximum over tau is that of a few instants, 14 for example; the true one lies between two of them.",
          "how the maximum over tau is found: refine it around the largest sample",
          by_formulas({"S_j", "beta_lim_exact", "beta_lim_paper", "regime"},
                      [](Choices& c) {
                          c.instants = Instants{pi<double>() / 15, pi<double>() / 15, 14};
-                     })},
-        {"sign-of-mu-in-67", "67", "mu / (gamma_j r^2) has the other sign in (67) and (69), which is (68).",
+                     }),
+         1e-6,
+         {"S_j", "beta_lim_exact", "beta_lim_paper"}},
+        {"sign-of-mu-in-67",
+         "67",
+         "mu / (gamma_j r^2) has the other sign in (67) and (69), which is (68).",
          "H_j + mu / (gamma_j r^2) in (67)",
          by_formulas({"beta_lim_approximate", "beta_lim_exact", "beta_lim_paper", "regime"},
-                     [](Choices& c) { c.change_sums = [](PlainModes& m) { m.sum_of_squares = -m.sum_of_squares; }; })},
-        {"r-not-squared-in-65", "65", "The sum of squares in (65) is taken as 1 / (gamma_j r); it is 1 / (gamma_j r^2).",
+                     [](Choices& c) { c.change_sums = [](PlainModes& m) { m.sum_of_squares = -m.sum_of_squares; }; }),
+         1e-6,
+         {"beta_lim_approximate"}},
+        {"r-not-squared-in-65",
+         "65",
+         "The sum of squares in (65) is taken as 1 / (gamma_j r); it is 1 / (gamma_j r^2).",
          "mu / (gamma_j r^2) in (67)",
          by_formulas({"beta_lim_approximate", "beta_lim_exact", "beta_lim_paper", "regime"},
-                     [](Choices& c) { c.change_sums = [](PlainModes& m) { m.sum_of_squares *= m.r; }; })},
+                     [](Choices& c) { c.change_sums = [](PlainModes& m) { m.sum_of_squares *= m.r; }; }),
+         1e-6,
+         {"beta_lim_approximate"}},
         {"psi-not-scaled-with-r", "17", "Mode shapes are normalised with diag(m_i / m_1); (17) has r^2 diag(m_i / m_1).",
          "the normalisation of the mode shapes: they go as 1 / r",
          scaled_shapes([](const PlainModes& m, std::size_t) { return m.r; })},
@@ -153,12 +193,8 @@ std::vector<Mistake> mistakes_of_form() {
          })},
         {"modes-descending", "15", "Modes are listed by descending natural frequency; answers list them ascending.",
          "the order in which the eigenvalue routine returns the modes",
-         [](const ProtocolQuestion& q) {
-             std::optional<Value> value;
-             if (quantity(q.quantity).shape == Shape::modes) value = plain_answer(q, Choices{});
-             if (value) std::reverse(value->numbers.begin(), value->numbers.end());
-             return value;
-         }},
+         changed({"natural_frequency_ratios", "modal_frequency_ratios", "mode_shape_products"},
+                 [](Value& value, const ProtocolQuestion&) { std::ranges::reverse(value.numbers); })},
         {"no-2-in-23", "23", "The 2 of 2 zeta_i R_i is missing in (23).", "the imaginary part of (23)",
          other_responses([](double R, double zeta) { return paper::complex_response(R, double(zeta / 2)); })},
         {"hysteretic-damping", "23", "Damping is hysteretic: (23) has 2 zeta_i in place of 2 zeta_i R_i.",

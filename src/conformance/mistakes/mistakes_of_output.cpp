@@ -8,14 +8,10 @@ namespace denhartog::conformance {
 namespace {
 
 // The right answer to some quantities, each of its numbers changed.
-Answering changed(Names touched, std::function<void(double& x, const ProtocolQuestion& q)> change) {
-    return [touched = std::move(touched), change = std::move(change)](const ProtocolQuestion& q) {
-        std::optional<Value> value;
-        if (std::ranges::find(touched, q.quantity) != touched.end()) value = plain_answer(q);
-        if (value)
-            for (double& x : value->numbers) change(x, q);
-        return value;
-    };
+Answering each_changed(Names touched, std::function<void(double& x, const ProtocolQuestion& q)> change) {
+    return changed(std::move(touched), [change = std::move(change)](Value& value, const ProtocolQuestion& q) {
+        for (double& x : value.numbers) change(x, q);
+    });
 }
 
 const Names angles{"phase", "phase_monoharmonic"};
@@ -78,32 +74,32 @@ std::optional<Value> without_stops(const ProtocolQuestion& q) {
 std::vector<Mistake> mistakes_of_output() {
     return {
         {"degrees", "39", "Angles are given in degrees; the protocol has radians.", "the unit of every phase",
-         changed(angles, [](double& x, const ProtocolQuestion&) { x *= 180 / pi<double>(); })},
+         each_changed(angles, [](double& x, const ProtocolQuestion&) { x *= 180 / pi<double>(); })},
         {"phase-sign", "39", "Phases are given as lead; the protocol has the lag behind the force.",
          "the sign of every phase: positive where the mass is late",
-         changed(angles, [](double& x, const ProtocolQuestion&) { x = wrapped_angle(-x); })},
+         each_changed(angles, [](double& x, const ProtocolQuestion&) { x = wrapped_angle(-x); })},
         {"phase-wrap", "39", "Phases are wrapped to [0, 2 pi); the protocol has (-pi, pi].",
          "the interval to which phases are wrapped",
-         changed(angles, [](double& x, const ProtocolQuestion&) { x = x < 0 ? x + 2 * pi<double>() : x; })},
+         each_changed(angles, [](double& x, const ProtocolQuestion&) { x = x < 0 ? x + 2 * pi<double>() : x; })},
         {"phase-behind-contact", "47", "Phases are given behind the mass in contact; the protocol has the lag behind the force.",
          "whether phi_j is added in (47) and (53)",
-         changed(angles,
-                 [](double& x, const ProtocolQuestion& q) { x = slides(q) ? wrapped_angle(x - phase_of_contact(q)) : x; })},
+         each_changed(angles,
+                      [](double& x, const ProtocolQuestion& q) { x = slides(q) ? wrapped_angle(x - phase_of_contact(q)) : x; })},
         {"peak-to-peak", "38", "Amplitudes are given peak to peak; the protocol has the largest displacement.",
          "a factor of 2 in the amplitude",
-         changed({"amplitude", "amplitude_monoharmonic"}, [](double& x, const ProtocolQuestion&) { x *= 2; })},
+         each_changed({"amplitude", "amplitude_monoharmonic"}, [](double& x, const ProtocolQuestion&) { x *= 2; })},
         {"amplitude-halved", "38", "Amplitudes are halved, as if the motion had been taken peak to peak before.",
          "a factor of 1/2 in the amplitude",
-         changed({"amplitude", "amplitude_monoharmonic"}, [](double& x, const ProtocolQuestion&) { x /= 2; })},
+         each_changed({"amplitude", "amplitude_monoharmonic"}, [](double& x, const ProtocolQuestion&) { x /= 2; })},
         {"root-mean-square", "38", "Amplitudes are those of a harmonic motion over sqrt(2): its root mean square.",
          "how the amplitude is read off the motion",
-         changed({"amplitude", "amplitude_monoharmonic"}, [](double& x, const ProtocolQuestion&) { x /= std::sqrt(2.0); })},
+         each_changed({"amplitude", "amplitude_monoharmonic"}, [](double& x, const ProtocolQuestion&) { x /= std::sqrt(2.0); })},
         {"static-deflection-of-loaded-mass", "5",
          "Displacements are in units of the static deflection of the loaded mass; (5) has P / k_1.",
          "the unit of displacements: the stiffness of the first spring",
-         changed({"amplitude", "amplitude_monoharmonic", "initial_displacement", "initial_velocity", "displacement",
-                  "complex_response", "motion_under_force", "rest_interval"},
-                 [](double& x, const ProtocolQuestion& q) { x /= static_deflection(q); })},
+         each_changed({"amplitude", "amplitude_monoharmonic", "initial_displacement", "initial_velocity", "displacement",
+                       "complex_response", "motion_under_force", "rest_interval"},
+                      [](double& x, const ProtocolQuestion& q) { x /= static_deflection(q); })},
         {"tau-from-force",
          "46",
          "tau = 0 is taken at the maximum of the force; the closed form has it at that of the contact.",

@@ -56,8 +56,8 @@ double phase_of_mass(const PlainModes& m, const Choices& c, std::size_t k) {
 }
 
 double monoharmonic_cosine(const PlainModes& m, const Choices& c, std::size_t k) {
-    if (c.motion_from_start) return plain_start(m, c, k).x; // (49)
-    return c.cosine_as_printed ? as_printed::monoharmonic_cosine(m.V[k], m.V[m.j], m.U[m.j], m.G[k], m.beta)
+    if (c.cosine_as_printed) return as_printed::monoharmonic_cosine(m.V[k], m.V[m.j], m.U[m.j], m.G[k], m.beta);
+    return c.motion_from_start ? plain_start(m, c, k).x // (49)
                                : paper::monoharmonic_cosine(m.V[k], m.V[m.j], m.U[m.j], m.G[k], m.beta);
 }
 
@@ -67,11 +67,11 @@ double monoharmonic_sine(const PlainModes& m, const Choices& c, std::size_t k) {
 }
 
 double monoharmonic_amplitude(const PlainModes& m, const Choices& c, std::size_t k) {
+    if (c.monoharmonic_as_printed)
+        return as_printed::displacement_transmissibility(m.V[k], m.V[m.j], m.U[m.j], m.U[k], m.G[k], m.beta);
     if (c.amplitude_from_parts || c.motion_from_start)
         return elementary::hypot(monoharmonic_cosine(m, c, k), monoharmonic_sine(m, c, k));
-    return c.monoharmonic_as_printed
-               ? as_printed::displacement_transmissibility(m.V[k], m.V[m.j], m.U[m.j], m.U[k], m.G[k], m.beta)
-               : paper::displacement_transmissibility(m.V[k], m.V[m.j], m.U[m.j], m.U[k], m.G[k], m.beta);
+    return paper::displacement_transmissibility(m.V[k], m.V[m.j], m.U[m.j], m.U[k], m.G[k], m.beta);
 }
 
 bool is_of_motion(const std::string& quantity) {

@@ -20,10 +20,11 @@ namespace denhartog::conformance {
 [[nodiscard]] double plain_approximate_limit(const PlainModes& m, const Choices& c);
 
 // The smallest beta at which the contact never moves; the same by (88) as printed, no number where that has none, and without the
-// damping forces on the contact.
+// damping forces on the contact; and by (88) from sub-matrices of M, C and K, as its text has it.
 [[nodiscard]] double plain_sticking_limit(const ProtocolQuestion& q, const PlainModes& m, const Choices& c);
 [[nodiscard]] double plain_sticking_limit_by_88(const ProtocolQuestion& q);
 [[nodiscard]] double plain_sticking_limit_without_damping(const ProtocolQuestion& q);
+[[nodiscard]] double plain_sticking_limit_by_sub_matrices(const ProtocolQuestion& q);
 
 // The answer of the plain closed form to a question; beyond the sliding regime the exact solver answers in double. The
 // scene is of the paper; the formulas are used as they stand even if it breaks a rule of friction. None if the answer is not

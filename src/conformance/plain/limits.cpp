@@ -1,5 +1,6 @@
 #include "conformance/plain/closed_form.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
@@ -15,6 +16,7 @@
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
+#include "elementary/elementary.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -123,6 +125,42 @@ double plain_sticking_limit_without_damping(const ProtocolQuestion& q) {
     const System<double> system = paper_system(q);
     const StuckConfiguration stuck = stuck_configuration(system, modal_basis(system));
     return paper::sticking_limit(stuck_response(stuck, system.load, q.r).elastic_load, q.mu);
+}
+
+double plain_sticking_limit_by_sub_matrices(const ProtocolQuestion& q) {
+    const PlainModes m = plain_modes(q, {});
+    if (m.j == m.l) return 1 / q.mu;
+    const bool before = m.l < m.j; // the masses that the load moves
+    const std::size_t first = before ? 0 : m.j + 1, n = before ? m.j : q.mass_ratios.size() - first;
+    const auto size = static_cast<Eigen::Index>(n);
+    Matrix<double> A = Matrix<double>::Zero(2 * size, 2 * size); // of real and imaginary parts
+    const auto add = [&](std::size_t a, std::size_t b, double elastic, double viscous) {
+        const auto i = static_cast<Eigen::Index>(a), k = static_cast<Eigen::Index>(b);
+        A(i, k) += elastic;
+        A(i + size, k + size) += elastic;
+        A(i, k + size) -= viscous;
+        A(i + size, k) += viscous;
+    };
+    for (std::size_t a = 0; a < n; ++a) {
+        const std::size_t mass = first + a, next = mass + 1;
+        add(a, a, q.stiffness_ratios[mass] - q.mass_ratios[mass] * (q.r * q.r), 0);
+        if (next < q.mass_ratios.size()) add(a, a, q.stiffness_ratios[next], 0);
+        if (a + 1 < n) {
+            add(a, a + 1, -q.stiffness_ratios[next], 0);
+            add(a + 1, a, -q.stiffness_ratios[next], 0);
+        }
+        for (std::size_t b = 0; b < n; ++b) { // r C = r^3 M psi diag(2 zeta_i r_ni) psi^T M, with psi of (17)
+            double sum = 0;
+            for (std::size_t i = 0; i < m.R.size(); ++i) sum += m.psi[mass][i] * m.psi[first + b][i] * 2 * m.zeta[i] * m.r_n[i];
+            add(a, b, 0, q.r * (q.r * q.r) * q.mass_ratios[mass] * q.mass_ratios[first + b] * sum);
+        }
+    }
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(2 * size);
+    load(static_cast<Eigen::Index>(m.l - first)) = 1;
+    const Eigen::VectorXd X = Eigen::PartialPivLU<Matrix<double>>(A).solve(load);
+    const Eigen::Index neighbour = before ? size - 1 : 0;
+    const double spring = q.stiffness_ratios[before ? m.j : m.j + 1];
+    return spring * elementary::hypot(X(neighbour), X(neighbour + size)) / q.mu;
 }
 
 double plain_demand(const PlainModes& m, const Choices& c, bool of_paper) {

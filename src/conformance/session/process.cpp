@@ -178,7 +178,10 @@ Reply Process::no_line(double second_half, double processor_time_at_half) {
     if (activity->stopped) return {"", Verdict::stall, "it is stopped by a signal" + part};
     const double used = activity->processor_seconds - processor_time_at_half;
     if (used > share_of_a_waiting_program * second_half) return {"", Verdict::timeout, "it was still computing" + part};
-    return {"", Verdict::stall, "it waits and computes nothing: does it flush its output after each line?" + part};
+    return {"", Verdict::stall,
+            "it waits and computes nothing: does it flush its output after each line, and does it read a line at "
+            "a time, without waiting for more input?" +
+                part};
 }
 
 Reply Process::broken_off() {

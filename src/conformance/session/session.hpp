@@ -77,9 +77,10 @@ struct Conversation {
 
 // One thing looked at.
 struct SmokeCheck {
-    std::string what;  // e.g. `amplitude`
-    std::string found; // what the program did, in words
-    bool good = false; // whether the protocol allows it
+    std::string what;      // e.g. `amplitude`
+    std::string found;     // what the program did, in words
+    bool good = false;     // whether the protocol allows it
+    bool of_input = false; // whether the fault is one of checking input, and the protocol is kept
 };
 
 // What a look at the protocol found.

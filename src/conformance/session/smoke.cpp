@@ -93,7 +93,8 @@ Smoke smoke(const RunSettings& settings) {
     q.mass_ratios.back() = -1;
     look("negative mass", line_for(partner, q), q.id, [](const Answer& answer) {
         const bool good = std::holds_alternative<Rejected>(answer) || std::holds_alternative<Skipped>(answer);
-        return SmokeCheck{"negative mass", good ? "rejected or skipped" : "must be rejected", good};
+        return SmokeCheck{"negative mass", good ? "rejected or skipped" : "must be rejected", good,
+                          std::holds_alternative<Value>(answer)};
     });
     if (found.broken) return found;
     const std::string end = partner.process->finish(settings.seconds);

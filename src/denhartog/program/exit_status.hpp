@@ -14,10 +14,11 @@ struct ExitStatus {
     bool digits_missing = false; // an answer not to the digits asked for: status 3
     bool failed = false;         // an implementation under test does not conform: status 1
     bool broken = false;         // an implementation under test broke: status 3
+    bool beyond_must = false;    // an implementation under test conforms, but not as --strict asks: status 4
     int signal = 0;              // the signal that interrupted the program: status 128 plus its number
 
     [[nodiscard]] int value() const {
-        return signal != 0 ? 128 + signal : bad_input ? 2 : digits_missing || broken ? 3 : failed ? 1 : 0;
+        return signal != 0 ? 128 + signal : bad_input ? 2 : digits_missing || broken ? 3 : failed ? 1 : beyond_must ? 4 : 0;
     }
 };
 

@@ -2,7 +2,8 @@
 
     pytest --denhartog-function=module:function [--denhartog-group=GROUPS] [--denhartog-filter=REGEX] [--denhartog-tier=TIERS]
 
-The function is called as `denhartog.conformance.run` calls it. What it skips is skipped here.
+From a source tree, with src/python in PYTHONPATH, `-p denhartog.pytest_plugin` makes it known. The function is called as
+`denhartog.conformance.run` calls it. What it skips is skipped here. The summary ends with the diagnosis of the wrong answers.
 """
 from __future__ import annotations
 
@@ -13,6 +14,7 @@ from typing import Any, Callable
 import pytest
 
 GOOD = ("pass", "pass-loose", "rejected")
+REPORT = pytest.StashKey[Any]()
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -66,6 +68,16 @@ def pytest_collection_modifyitems(session: pytest.Session, config: pytest.Config
     @functools.lru_cache(maxsize=None)
     def report() -> Any:
         """The answers to all questions that are left after pytest's own selection, judged at once."""
-        return vectors.ask(function, [item.question for item in session.items if isinstance(item, Asked)])
+        config.stash[REPORT] = vectors.ask(function, [item.question for item in session.items if isinstance(item, Asked)])
+        return config.stash[REPORT]
 
     items += [Asked.from_parent(session, name=q["id"], question=q, report=report) for q in questions]
+
+
+def pytest_terminal_summary(terminalreporter: Any, config: pytest.Config) -> None:
+    """What the report says about wrong answers as a whole: from the diagnosis on."""
+    report = config.stash.get(REPORT, None)
+    _, start, told = report.text.partition("\nDiagnosis (") if report is not None else ("", "", "")
+    if start:
+        terminalreporter.section("denhartog")
+        terminalreporter.write_line((start + told).strip())

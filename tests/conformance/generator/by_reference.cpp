@@ -28,7 +28,14 @@ SceneSource source_of(const ProtocolQuestion& q) {
 }
 
 OrbitGuess guess_of(const OrbitSeen& seen) {
-    OrbitGuess guess{{-seen.phases.back().direction}, true, 1, seen.at_rest.x, seen.at_rest.x_prime, {}, {}};
+    const bool mirrored = seen.halves % 2 == 1;
+    OrbitGuess guess{{seen.sign() * seen.phases.back().direction},
+                     mirrored,
+                     mirrored ? seen.halves : seen.halves / 2,
+                     seen.at_rest.x,
+                     seen.at_rest.x_prime,
+                     {},
+                     {}};
     for (const Phase& p : seen.phases) {
         guess.directions.push_back(p.direction);
         guess.events.push_back(p.start);
@@ -184,8 +191,7 @@ std::optional<std::vector<T>> certain(const std::vector<Ball>& numbers, bool ang
 template <class T>
 class ByReference : public Route<T> {
 public:
-    ByReference(const ProtocolQuestion& q, Regime regime, const OrbitSeen* seen)
-        : source_(source_of(q)), regime_(regime) {
+    ByReference(const ProtocolQuestion& q, Regime regime, const OrbitSeen* seen) : source_(source_of(q)), regime_(regime) {
         if (seen != nullptr) seen_ = *seen;
     }
 

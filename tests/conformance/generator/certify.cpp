@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "conformance/mistakes/mistake_definition.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/conformance/generator/number_digits.hpp"
@@ -145,7 +146,7 @@ void certify_numbers(Vector& v, SceneRoutes& routes, Certified& all, const Case&
     std::sort(v.condition.begin(), v.condition.end()); // by name, as JSON objects are read
     if (largest > 1e9) throw Undecided("a condition number is above 1e9");
     v.tolerance = tolerance_of(q, largest);
-    v.tier = tier_of(c, largest, v.margin);
+    v.tier = harder(tier_of(c, largest, v.margin), v.tier);
     // What is so small is what modes leave that cancel each other: in double digits are lost, whatever the condition numbers.
     if (is_of_systems(v) && v.scale < 0x1p-16) v.tier = "stress";
 }
@@ -174,6 +175,20 @@ bool comes_from_rest(const ProtocolQuestion& q, Regime regime) {
     } catch (const std::exception&) {
         return false;
     }
+}
+
+// A motion with stops: what is asked about must not depend on the start. Where it does not mirror itself, its mirror image is a
+// steady motion too; and what is said of a period must hold in each.
+void look_at_motion(Vector& v, const OrbitSeen& seen) {
+    const std::string& asked = v.question.quantity;
+    const bool mirrored = seen.halves % 2 == 1, several = seen.halves > 2;
+    if (is_of_systems(v) && (!mirrored || several)) throw Undecided("the motion does not mirror itself in one period");
+    if (several && asked != "amplitude") throw Undecided("the motion repeats after several periods");
+    if (!mirrored && asks_for(v.question, {"phase", "motion_under_force"})) throw Undecided("the motion does not mirror itself");
+    if (!mirrored) v.flags.emplace_back("unsymmetric");
+    if (several) v.flags.emplace_back("several-periods");
+    std::sort(v.flags.begin(), v.flags.end());
+    if (several) v.tier = "should"; // who looks for one period of the force does not find it
 }
 
 // A question that has to be rejected: the rules of the library have to find it.
@@ -234,6 +249,8 @@ Certified certify(const Case& with_part, const std::set<std::string>& only) {
             if (with_friction && !*from_rest) throw Undecided("the motion from rest is another");
             if (regimes) v.regime = name(regime);
             if (with_friction) v.margin = margin_of(*regimes, beta);
+            if (with_friction && regime == Regime::stick_slip && v.question.quantity != "regime")
+                look_at_motion(v, routes->seen());
             v.routes = routes->names(v.question);
             if (v.question.quantity == "regime") {
                 certify_regime(v, *routes, all);

@@ -15,13 +15,14 @@ using Index = Eigen::Index;
 using std::abs;
 
 // Unknowns: x and x' (that of the contact is zero, which gives x_j') at the start of a rest, then the starts of all phases.
-// Equations: at the end of each phase its event, at the end of the last the mirrored state half a period on.
+// Equations: at the end of each phase its event, at the end of the last the state that the stretch began with, mirrored or not.
 template <class T>
 class PhaseProblem : public Route<T> {
 public:
     PhaseProblem(const ProtocolQuestion& q, const OrbitSeen& seen)
         : p_(problem_of<T>(q)), w_(contact_vector(p_)), N_(p_.M.rows()), j_(static_cast<Index>(p_.contact.index)),
-          mu_beta_(T(q.mu) * p_.beta), A_{system_of_phase(p_, -1), system_of_phase(p_, 0), system_of_phase(p_, 1)} {
+          mu_beta_(T(q.mu) * p_.beta), A_{system_of_phase(p_, -1), system_of_phase(p_, 0), system_of_phase(p_, 1)},
+          sign_(seen.sign()), span_(seen.halves * pi<T>()) {
         for (const Phase& phase : seen.phases) {
             directions_.push_back(phase.direction);
             starts_.push_back(T(phase.start));
@@ -46,7 +47,7 @@ public:
         }
         std::vector<T> lengths;
         for (std::size_t n = 0; n < directions_.size(); ++n)
-            if (directions_[n] == 0) lengths.insert(lengths.end(), 2, T(end_of(n) - starts_[n]));
+            if (directions_[n] == 0) lengths.insert(lengths.end(), sign_ < 0 ? 2 : 1, T(end_of(n) - starts_[n]));
         std::sort(lengths.begin(), lengths.end());
         if (q.quantity == "stops_per_period") return {T(static_cast<int>(lengths.size()))};
         if (q.quantity == "stop_durations") return lengths;
@@ -66,13 +67,15 @@ private:
     Index N_, j_; ///< a mass that it moves is j
     T mu_beta_;
     std::array<Matrix<T>, 3> A_; ///< matrices of sliding down, of rest, of sliding up
+    int sign_;                   ///< -1 where the stretch mirrors itself
+    T span_;                     ///< the length of the stretch
     std::vector<int> directions_;
     std::vector<T> starts_;
     Vector<T> x_;
     std::vector<Vector<T>> states_; ///< at the starts of the phases
 
     const Matrix<T>& of(std::size_t n) const { return A_[static_cast<std::size_t>(directions_[n] + 1)]; }
-    T end_of(std::size_t n) const { return n + 1 < starts_.size() ? starts_[n + 1] : T(starts_.front() + pi<T>()); }
+    T end_of(std::size_t n) const { return n + 1 < starts_.size() ? starts_[n + 1] : T(starts_.front() + span_); }
 
     Vector<T> start_state() const {
         Vector<T> z(2 * N_ + 3);
@@ -81,7 +84,8 @@ private:
     }
 
     StateRow<T> event(std::size_t n) const {
-        return end_of_phase(p_, mu_beta_, directions_[n], n + 1 < directions_.size() ? directions_[n + 1] : -directions_.front());
+        return end_of_phase(p_, mu_beta_, directions_[n],
+                            n + 1 < directions_.size() ? directions_[n + 1] : sign_ * directions_.front());
     }
 
     T correct() {
@@ -114,9 +118,9 @@ private:
         Index row = phases;
         for (Index k = 0; k < 2 * N_; ++k) {
             if (k == N_ + j_) continue; // that is the last event
-            F(row) = z(k) + start(k);
+            F(row) = z(k) - sign_ * start(k);
             J.row(row) = slope.row(k);
-            J(row++, column(k)) += T(1);
+            J(row++, column(k)) -= T(sign_);
         }
         const Vector<T> change = Eigen::FullPivLU<Matrix<T>>(J).solve(Vector<T>(-F));
         for (Index k = 0; k < 2 * N_; ++k)
@@ -145,8 +149,8 @@ private:
 
     T displacement(const Vector<T>& d, T tau) const {
         T sign(1);
-        for (; tau < starts_.front(); tau += pi<T>()) sign = -sign;
-        for (; tau >= starts_.front() + pi<T>(); tau -= pi<T>()) sign = -sign;
+        for (; tau < starts_.front(); tau += span_) sign *= sign_;
+        for (; tau >= starts_.front() + span_; tau -= span_) sign *= sign_;
         std::size_t n = 0;
         while (n + 1 < starts_.size() && starts_[n + 1] <= tau) ++n;
         return sign * d.dot(moved(of(n), states_[n], T(tau - starts_[n])).head(N_));

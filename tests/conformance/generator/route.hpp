@@ -48,14 +48,17 @@ template <class T>
 
 /// @brief A stick-slip motion, seen in double: where the two routes to it start.
 struct OrbitSeen {
-    std::vector<Phase> phases; ///< phases over half a period, the first a rest
+    std::vector<Phase> phases; ///< phases over the stretch, the first a rest
     State at_rest;             ///< the state of the masses at the start of the first phase
+    int halves = 1;            ///< half-periods of the force in the stretch; it mirrors itself where they are odd
+
+    [[nodiscard]] int sign() const { return halves % 2 == 1 ? -1 : 1; } ///< what the stretch does to a state
 };
 
 /// @brief The steady motion from rest, cut off after 24 bits: the routes do not depend on the last digits of double.
 /// @param scene  a question about the scene
 /// @return       the motion
-/// @throws       DomainError where it is not a stable symmetric motion of one period with stops
+/// @throws       DomainError where it is not a stable motion with stops
 [[nodiscard]] OrbitSeen orbit_seen(const ProtocolQuestion& scene);
 
 /// @brief The reference: the paper's own formulas on balls, every number proved.
@@ -67,7 +70,7 @@ template <class T>
 [[nodiscard]] std::unique_ptr<Route<T>> by_reference(const ProtocolQuestion& scene, Regime regime,
                                                      const OrbitSeen* seen = nullptr);
 
-/// @brief Stick-slip as one boundary-value problem: Newton's method on the state and all instants of the half-period.
+/// @brief Stick-slip as one boundary-value problem: Newton's method on the state and all instants of the stretch.
 ///
 /// The phases are matrix exponentials on physical coordinates.
 /// @param scene  a question about the scene

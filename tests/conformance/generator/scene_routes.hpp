@@ -57,6 +57,9 @@ public:
     [[nodiscard]] std::vector<std::pair<std::string, Real50>> condition(const ProtocolQuestion& q,
                                                                         const std::vector<Real50>& values, const Real50& scale);
 
+    /// @brief The motion with stops of the scene, seen in double. @return the motion @throws DomainError as `orbit_seen`
+    [[nodiscard]] const OrbitSeen& seen();
+
 private:
     template <class T>
     struct Pair {
@@ -71,7 +74,6 @@ private:
     std::vector<std::unique_ptr<Route<Real50>>> near_, near_orbits_;
 
     [[nodiscard]] bool is_orbit(const ProtocolQuestion& q) const;
-    const OrbitSeen& seen();
     template <class T>
     Pair<T>& pair();
     std::vector<Real50> at_neighbour(std::size_t n, const ProtocolQuestion& q);

@@ -1,7 +1,7 @@
 """A time-stepping solver with some friction law: what solvers of the motion answer that make a mistake, and one that makes none.
 
 Each step is exact for the linear system under the load, with friction constant over the step. Usage:
-integrator.py LAW PERIODS [WIDTH], LAW being coulomb, sgn (with sgn(0) = 0) or tanh (of the velocity over WIDTH).
+integrator.py LAW PERIODS [WIDTH], LAW being coulomb, sgn (with sgn(0) = 0), tanh or arctangent (of the velocity over WIDTH).
 """
 import json
 import math
@@ -10,6 +10,7 @@ import sys
 import numpy as np
 
 LAW, PERIODS, WIDTH = sys.argv[1], int(sys.argv[2]), float(sys.argv[3]) if len(sys.argv) > 3 else 0.0
+SMOOTH = {"tanh": math.tanh, "arctangent": lambda x: 2 / math.pi * math.atan(x)}
 STEPS = 2048 if LAW == "coulomb" else 512  # a period of the force
 
 
@@ -54,12 +55,12 @@ class Chain:
         beta = self.beta
         if law == "sgn":
             return -math.copysign(beta, before) if before else 0.0
-        if law == "tanh":
-            low, high = free - gain * beta, free + gain * beta  # the velocity after the step: free - gain beta tanh(v / width)
+        if law in SMOOTH:
+            low, high = free - gain * beta, free + gain * beta  # the velocity after the step: free - gain beta smooth(v / width)
             for _ in range(30):
                 v = (low + high) / 2
-                low, high = (low, v) if v - free + gain * beta * math.tanh(v / width) > 0 else (v, high)
-            return -beta * math.tanh((low + high) / 2 / width)
+                low, high = (low, v) if v - free + gain * beta * SMOOTH[law](v / width) > 0 else (v, high)
+            return -beta * SMOOTH[law]((low + high) / 2 / width)
         to_stop = -free / gain
         if abs(to_stop) <= (self.mu if before == 0 else 1) * beta:
             return to_stop

@@ -67,6 +67,7 @@ class Grading(unittest.TestCase):
                  "no:cacheprovider", "--denhartog-function=mine:f", "--denhartog-filter=^boundary-000"], cwd=folder, text=True,
                 env={**os.environ, "PYTHONPATH": os.pathsep.join([folder, *sys.path])}, stdout=subprocess.PIPE, check=False)
         self.assertRegex(done.stdout, r"\d+ failed, .*\d* skipped", done.stdout)
+        self.assertIn("Diagnosis (", done.stdout)
 
 
 class Documentation(unittest.TestCase):

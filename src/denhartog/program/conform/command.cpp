@@ -183,7 +183,8 @@ void add_conform_command(CLI::App& app, ExitStatus& status, const std::vector<st
     conform->require_subcommand(1);
     conform->footer(
         "Exit status: 0 if every answered question of the tier `must` is right and none of --need was skipped; 1 if not, or if\n"
-        "something got worse since --track; 2 for bad input or usage; 3 if the program under test broke.");
+        "something got worse since --track; 2 for bad input or usage; 3 if the program under test broke; 4 if it conforms, but\n"
+        "answers of other tiers are wrong, with --strict.");
     add_list(*conform);
     add_show(*conform);
     add_smoke(*conform, status, arguments);

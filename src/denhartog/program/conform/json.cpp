@@ -150,12 +150,15 @@ std::optional<Verdicts> tracked_verdicts(const std::string& path) {
 
 Comparison compare(const Verdicts& before, std::span<const Judged> judged) {
     Comparison changes;
+    // Fewer digits of a right answer, and a wrong answer where there was none, are no step back.
+    const auto rank = [](Verdict verdict) { return conformance::is_right(verdict) ? 0 : conformance::badness(verdict); };
     for (const Judged& one : judged) {
         const auto earlier = before.find(one.vector->question.id);
         if (earlier == before.end()) continue;
-        const int change = conformance::badness(one.verdict) - conformance::badness(earlier->second);
+        const int change = rank(one.verdict) - rank(earlier->second);
         if (change < 0) changes.better.push_back({earlier->first, earlier->second, one.verdict});
-        if (change > 0) changes.worse.push_back({earlier->first, earlier->second, one.verdict});
+        if (change > 0 && earlier->second != Verdict::skipped)
+            changes.worse.push_back({earlier->first, earlier->second, one.verdict});
     }
     return changes;
 }

@@ -45,7 +45,7 @@ std::string worst_rows(const ConformReport& report) {
     const std::vector<const Judged*> worst = conformance::worst_first(report.judged);
     if (worst.empty()) return "";
     std::string text =
-        "\n### Worst answers\n\n" + row({"id", "verdict", "answer", "true", "error over tolerance", "why"}) + rule(6);
+        "\n### Wrong answers\n\n" + row({"id", "verdict", "answer", "true", "error over tolerance", "why"}) + rule(6);
     for (std::size_t n = 0; n < worst.size() && (report.verbose || n < most); ++n) {
         const Judged& one = *worst[n];
         const auto ratio = conformance::error_over_tolerance(one);
@@ -73,7 +73,8 @@ std::string diagnosis_rows(const conformance::Diagnosis& d) {
     for (const conformance::Finding& f : d.simple)
         text += said("  - A guess is: ", markdown_cell(f.mistake.told), ". It explains ", f.explained, " of them.\n");
     for (const conformance::InCommon& one : d.in_common)
-        text += said("  - They have in common: ", markdown_cell(one.property), ", in ", one.wrong, " of ", one.all_wrong, ".\n");
+        text += said("  - Of the first wrong quantity they have in common: ", markdown_cell(one.property), ", in ", one.wrong,
+                     " of ", one.all_wrong, ".\n");
     return text;
 }
 
@@ -121,9 +122,7 @@ std::string report_markdown(const ConformReport& report) {
             for (const Change& c : *changes) text += said("- ", way, ": ", c.id, ", ", name(c.before), " to ", name(c.now), "\n");
         if (report.changes->worse.empty() && report.changes->better.empty()) text += "Nothing changed.\n";
     }
-    if (!report.cut_short.empty()) text += "\nCut short: " + markdown_cell(report.cut_short) + ".\n";
-    const bool good = report.status() == 0;
-    return text + (report.broken ? "\nThe program broke.\n" : good ? "\nConforms.\n" : "\nDoes not conform.\n");
+    return text + "\n" + markdown_cell(conclusion(report)) + "\n";
 }
 
 std::string report_junit(const ConformReport& report) {
@@ -148,8 +147,10 @@ std::string report_junit(const ConformReport& report) {
     };
     std::string text =
         said("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites", attribute("name", report.subject), counts(all), ">\n");
+    const std::string found = diagnosis_text(report.diagnosis) + "\n" + conclusion(report) + "\n";
     for (const auto& [group, suite] : suites)
-        text += said(" <testsuite", attribute("name", group), counts(suite), ">\n", suite.cases, " </testsuite>\n");
+        text += said(" <testsuite", attribute("name", group), counts(suite), ">\n", suite.cases,
+                     suite.failures > 0 ? "  <system-out>" + escaped(found) + "</system-out>\n" : "", " </testsuite>\n");
     return text + "</testsuites>\n";
 }
 

@@ -49,6 +49,12 @@ bool is_wanted(const SelectionOptions& options, const conformance::Vector& v) {
     return std::any_of(options.groups.begin(), options.groups.end(), [&](const std::string& each) { return is_named(each, v); });
 }
 
+void require_quantities(const std::string& option, const std::vector<std::string>& names) {
+    for (const std::string& name : names)
+        if (std::ranges::find(conformance::quantities(), name, &conformance::Quantity::name) == conformance::quantities().end())
+            throw InputError(option, "must name quantities of the protocol", legible(name));
+}
+
 } // namespace
 
 void add_selection_options(CLI::App& command, SelectionOptions& options) {
@@ -64,6 +70,9 @@ void add_selection_options(CLI::App& command, SelectionOptions& options) {
         "--systems", options.systems,
         "also ask about systems beyond the paper: contacts between two masses, several loads, moving bases, matrices");
     command.add_option("--tier", options.tiers, "tiers, separated by commas: must, should, stress; by default all")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command.add_option("--quantity", options.asked, "quantities of the protocol, separated by commas; by default all")
         ->delimiter(',')
         ->allow_extra_args(false);
     command.add_flag("--skip-must-fail", options.skip_must_fail, "leave out the questions that have to be rejected");
@@ -91,6 +100,8 @@ void add_report_options(CLI::App& command, ConformOptions& options) {
         ->capture_default_str();
     command.add_option("--output", options.output, "file of the report, instead of standard output");
     command.add_flag("--verbose", options.verbose, "list every answer");
+    command.add_flag("--strict", options.strict,
+                     "end with status 4 where the program conforms, but answers of other tiers than must are wrong");
 }
 
 conformance::RunSettings run_settings(const ConformOptions& options) {
@@ -106,14 +117,13 @@ conformance::RunSettings run_settings(const ConformOptions& options) {
 }
 
 std::set<std::string> needed_quantities(const ConformOptions& options) {
-    for (const std::string& name : options.needed)
-        if (std::ranges::find(conformance::quantities(), name, &conformance::Quantity::name) == conformance::quantities().end())
-            throw InputError("need", "must name quantities of the protocol", name);
+    require_quantities("need", options.needed);
     return {options.needed.begin(), options.needed.end()};
 }
 
 std::vector<const conformance::Vector*> selected(const SelectionOptions& options, const std::vector<conformance::Vector>& all) {
     const std::regex filter = filter_of(options.filter);
+    require_quantities("quantity", options.asked);
     for (const std::string& tier : options.tiers)
         if (tier != "must" && tier != "should" && tier != "stress")
             throw InputError("tier", "must be must, should or stress", tier);
@@ -122,8 +132,8 @@ std::vector<const conformance::Vector*> selected(const SelectionOptions& options
             throw InputError("group", "must be one of the vectors' (`denhartog conform list --summary` has them)", group);
     std::vector<const conformance::Vector*> chosen;
     for (const conformance::Vector& v : all)
-        if (is_wanted(options.tiers, v.tier) && is_wanted(options, v) && !(options.skip_must_fail && !v.reject.empty()) &&
-            matches(v.question.id, filter, options.filter))
+        if (is_wanted(options.tiers, v.tier) && is_wanted(options.asked, v.question.quantity) && is_wanted(options, v) &&
+            !(options.skip_must_fail && !v.reject.empty()) && matches(v.question.id, filter, options.filter))
             chosen.push_back(&v);
     if (chosen.empty()) {
         const bool more =

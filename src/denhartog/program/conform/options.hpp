@@ -21,6 +21,7 @@ struct SelectionOptions {
     std::vector<std::string> groups; // groups, `systems` for all of systems beyond the paper; empty for those of the paper
     bool systems = false;            // those of systems beyond the paper besides
     std::vector<std::string> tiers;  // tiers; empty for all
+    std::vector<std::string> asked;  // quantities; empty for all
     bool skip_must_fail = false;     // without the questions that have to be rejected
 };
 
@@ -38,6 +39,7 @@ struct ConformOptions : SelectionOptions {
     std::string format = "text";      // of the report
     std::string output;               // file of the report; empty for standard output
     bool verbose = false;             // every answer
+    bool strict = false;              // a status of its own where answers of other tiers than must are wrong
 };
 
 // Adds the options that choose vectors; PROGRAM and its arguments; the options of a report. They must outlive the parse.

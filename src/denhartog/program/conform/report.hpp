@@ -6,6 +6,7 @@
 #include <span>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "conformance/diagnose.hpp"
@@ -57,10 +58,14 @@ struct ConformReport {
     bool conforms = false;                   // nothing is to be said against it
     bool broken = false;                     // the program broke over and over
     bool verbose = false;                    // every answer is told
+    bool strict = false;                     // answers of other tiers than must have to be right as well
     std::string cut_short;                   // why not every question was asked; empty where all were
 
+    // Answers of a tier that are not right, skipped ones left out.
+    [[nodiscard]] std::size_t wrong_in(std::string_view tier) const;
+
     // The exit status.
-    [[nodiscard]] int status() const { return broken ? 3 : conforms && (!changes || changes->worse.empty()) ? 0 : 1; }
+    [[nodiscard]] int status() const;
 };
 
 // The report as text for people, as Markdown, as JSON (docs/conformance-output.md), and as XML for programs that show test results:
@@ -72,6 +77,15 @@ struct ConformReport {
 
 // One answer for people: verdict and reason, answer and truth, in decimal and hexadecimal, error and condition, each line indented.
 [[nodiscard]] std::string answer_text(const conformance::Judged& one, const std::string& indent);
+
+// What the matter is with wrong answers.
+[[nodiscard]] std::string diagnosis_text(const conformance::Diagnosis& d);
+
+// What is concluded, as a sentence: whether it conforms, and how many answers of other tiers are wrong.
+[[nodiscard]] std::string conclusion(const ConformReport& report);
+
+// Answers with the verb that follows: `1 answer is`, `7 answers are`.
+[[nodiscard]] std::string answers_are(std::size_t count);
 
 // How many answers contradict an explanation, as a clause.
 [[nodiscard]] std::string contradicted_by(std::size_t answers);

@@ -76,13 +76,45 @@ void finish(ConformReport& report, const ConformOptions& options, const std::opt
     report.diagnosis = conformance::diagnose(report.judged, conformance::fitted_to(report.judged), least);
     report.needed = options.needed;
     report.verbose = options.verbose;
+    report.strict = options.strict;
     report.conforms = report.cut_short.empty() && conformance::conforms(report.judged, needed_quantities(options));
     if (earlier) report.changes = compare(*earlier, report.judged);
     write_output(options.output, text_in_format(report, options.format));
-    if (!options.track.empty() && report.cut_short.empty() && (!report.changes || report.changes->worse.empty()))
+    const std::string not_kept = !report.cut_short.empty()                          ? "not every question was asked"
+                                 : report.changes && !report.changes->worse.empty() ? "something got worse"
+                                                                                    : "";
+    if (!options.track.empty() && not_kept.empty())
         write_file(options.track, tracked_text(earlier.value_or(Verdicts{}), report.judged));
+    if (!options.track.empty() && !not_kept.empty())
+        denhartog::program::report(legible(options.track) + " was left as it was, because " + not_kept);
     status.broken = report.broken;
     status.failed = report.status() == 1;
+    status.beyond_must = report.status() == 4;
+}
+
+// Asks some wrong questions again, each in a process of its own: what is answered otherwise then depends on the questions before.
+void note_what_is_kept(ConformReport& report, conformance::RunSettings settings) {
+    constexpr std::size_t most = 4;
+    std::vector<const Judged*> wrong;
+    for (const Judged& one : report.judged)
+        if (conformance::is_wrong_value(one.verdict) && one.answered) wrong.push_back(&one);
+    settings.jobs = 1;
+    const std::size_t count = std::min(most, wrong.size());
+    for (std::size_t n = 0; n < count; ++n) {
+        const Judged& one = *wrong[n * wrong.size() / count + wrong.size() / (2 * count)];
+        const conformance::ProtocolQuestion* const question = &one.vector->question;
+        try {
+            const conformance::Conversation again = conformance::converse(settings, {&question, 1}, [](std::size_t) {});
+            const Judged alone = conformance::judge(*one.vector, again.exchanges.at(0));
+            if (!alone.answered || (alone.given.numbers == one.given.numbers && alone.given.word == one.given.word)) continue;
+            report.notes.push_back(
+                "The program keeps something from question to question: asked alone, as --repro asks, it answers " +
+                question->id + " otherwise.");
+            return;
+        } catch (const conformance::BrokenProgram&) { // it is asked no more
+            return;
+        }
+    }
 }
 
 std::string runner_command(const ConformOptions& options, const Vector& v) {
@@ -180,6 +212,7 @@ void conform_run(const ConformOptions& options, ExitStatus& status) {
     report.broken = conversation.broken;
     for (std::size_t n = 0; n < chosen.size(); ++n)
         report.judged.push_back(conformance::judge(*chosen[n], conversation.exchanges[n]));
+    if (!report.broken && report.cut_short.empty()) note_what_is_kept(report, settings);
     finish(report, options, earlier, status);
 }
 
@@ -215,13 +248,15 @@ void conform_smoke(const ConformOptions& options, ExitStatus& status) {
         return;
     }
     Rows rows;
-    bool good = true;
+    bool good = true, kept = true;
     for (const conformance::SmokeCheck& check : found.checks) {
         rows.push_back({check.good ? "good" : "BAD", check.what, check.found});
         good = good && check.good;
+        kept = kept && (check.good || check.of_input);
     }
-    write_standard_output(aligned(rows) +
-                          (good ? "\nThe protocol is kept. No number was checked.\n" : "\nThe protocol is not kept.\n"));
+    write_standard_output(aligned(rows) + (good   ? "\nThe protocol is kept. No number was checked.\n"
+                                           : kept ? "\nThe protocol is kept, but a question that breaks a rule was answered.\n"
+                                                  : "\nThe protocol is not kept.\n"));
     status.broken = found.broken;
     status.failed = !good;
 }

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdio>
 #include <map>
+#include <span>
 
 #include "conformance/method.hpp"
 #include "conformance/verdict.hpp"
@@ -15,7 +16,7 @@ namespace {
 using conformance::Judged;
 using conformance::Verdict;
 
-constexpr std::size_t worst_told = 10;
+constexpr std::size_t worst_told = 10, most_of_a_quantity = 2;
 
 std::string joined(const std::vector<std::string>& words) {
     std::string text;
@@ -65,13 +66,18 @@ std::string digits_text(const ConformReport& report) {
 std::string worst_text(const ConformReport& report) {
     const std::vector<const Judged*> worst = conformance::worst_first(report.judged);
     if (worst.empty()) return "";
-    const std::size_t told = report.verbose ? worst.size() : std::min(worst.size(), worst_told);
-    std::string text = "\nWorst answers" + (told < worst.size() ? said(", ", told, " of ", worst.size()) : "") + ":\n";
-    std::map<std::string, std::size_t> groups;
-    if (told < worst.size())
-        for (const Judged* one : worst) ++groups[group_of(*one)];
-    for (const auto& [group, count] : groups) text += said("  ", count, " ", group, "\n");
-    for (std::size_t n = 0; n < told; ++n) text += answer_text(*worst[n], "  ");
+    std::map<std::string, std::size_t> groups, of_quantity;
+    std::vector<const Judged*> told;
+    for (const Judged* one : worst) {
+        ++groups[group_of(*one)];
+        const bool more = told.size() < worst_told && of_quantity[one->vector->question.quantity]++ < most_of_a_quantity;
+        if (report.verbose || worst.size() <= worst_told || more) told.push_back(one);
+    }
+    std::string text =
+        "\nWrong answers" + (told.size() < worst.size() ? said(", ", told.size(), " of ", worst.size()) : "") + ":\n";
+    if (told.size() < worst.size())
+        for (const auto& [group, count] : groups) text += said("  ", count, " ", group, "\n");
+    for (const Judged* one : told) text += answer_text(*one, "  ");
     return text;
 }
 
@@ -100,31 +106,14 @@ std::string chain_text(const std::vector<conformance::Link>& chain) {
     return "";
 }
 
-std::string diagnosis_text(const conformance::Diagnosis& d) {
-    std::string text;
-    if (d.wrong > 0) text += said("\nDiagnosis (", d.wrong, " answers are wrong or inaccurate):\n");
-    for (std::size_t n = 0; n < d.findings.size(); ++n) text += finding_text(d.findings[n], n + 1, d.wrong);
-    if (!d.unexplained.empty()) {
-        text += said("  Wrong answers that match no known mistake: ", d.unexplained.size(), ".\n", chain_text(d.chain));
-        for (const conformance::Finding& f : d.simple)
-            text += said("    A guess is: ", f.mistake.told, ". It explains ", f.explained, " of them (", joined(f.quantities),
-                         "); ", contradicted_by(f.contradicted), ".\n");
-        for (const conformance::InCommon& one : d.by_quantity)
-            text += said("    For ", one.property, " they are ", one.wrong, " of the ", one.asked, " answers.\n");
-        for (const conformance::InCommon& one : d.in_common)
-            text += said("    They have in common: ", one.property, ", in ", one.wrong, " of the ", one.all_wrong,
-                         ". Of all answers to these quantities ", one.asked, " of ", one.all_asked, " have it.\n");
-    }
-    for (const auto& [rule, count] : d.accepted)
-        text += said(text.empty() ? "\n" : "", "  Questions that the program answered although they break a rule: ", count, " (",
-                     rule, ").\n");
-    return text;
-}
-
-std::string changes_text(const Comparison& changes) {
+std::string changes_text(const Comparison& changes, bool verbose) {
     std::string text = said("\nSince the last run: ", changes.better.size(), " better, ", changes.worse.size(), " worse\n");
-    for (const auto& [way, list] : {std::pair("worse ", &changes.worse), {"better", &changes.better}})
-        for (const Change& c : *list) text += said("  ", way, " ", c.id, ": ", name(c.before), " -> ", name(c.now), "\n");
+    for (const auto& [way, list] : {std::pair("worse ", &changes.worse), {"better", &changes.better}}) {
+        const std::size_t told = verbose ? list->size() : std::min(list->size(), worst_told);
+        for (const Change& c : std::span(*list).first(told))
+            text += said("  ", way, " ", c.id, ": ", name(c.before), " -> ", name(c.now), "\n");
+        if (told < list->size()) text += said("  ", way, " and ", list->size() - told, " more, which --verbose lists\n");
+    }
     return text;
 }
 
@@ -133,11 +122,9 @@ std::string method_text(const ConformReport& report) {
     return own ? "" : ", judged by what " + report.method + " can do";
 }
 
-std::string end_text(const ConformReport& report) {
-    if (report.broken) return "\nThe program broke.\n";
-    if (!report.cut_short.empty()) return "\nCut short: " + report.cut_short + ". No verdict on the whole.\n";
-    if (!report.conforms) return "\nDoes not conform.\n";
-    return report.status() == 0 ? "\nConforms.\n" : "\nConforms, but something got worse.\n";
+std::string all_skipped(const ConformReport& report) {
+    const bool any = std::ranges::any_of(report.judged, [](const Judged& one) { return one.verdict != Verdict::skipped; });
+    return any ? "" : ", because no question was answered";
 }
 
 } // namespace
@@ -181,6 +168,52 @@ Rows score_cells(const ConformReport& report, const std::string& worst, const st
     return rows;
 }
 
+std::string diagnosis_text(const conformance::Diagnosis& d) {
+    std::string text;
+    if (d.wrong > 0) text += said("\nDiagnosis (", answers_are(d.wrong), " wrong or inaccurate):\n");
+    for (std::size_t n = 0; n < d.findings.size(); ++n) text += finding_text(d.findings[n], n + 1, d.wrong);
+    if (!d.unexplained.empty()) {
+        text += said("  Wrong answers that match no known mistake: ", d.unexplained.size(), ".\n", chain_text(d.chain));
+        for (const conformance::InCommon& one : d.in_common)
+            text += said("    These have in common: ", one.property, ", in ", one.wrong, " of the ", one.all_wrong,
+                         ". Of all answers to these quantities ", one.asked, " of ", one.all_asked, " have it.\n");
+        for (const conformance::Finding& f : d.simple)
+            text += said("    A guess is: ", f.mistake.told, ". It explains ", f.explained, " of them (", joined(f.quantities),
+                         "); ", contradicted_by(f.contradicted), ".\n");
+        for (const conformance::InCommon& one : d.by_quantity)
+            text += said("    For ", one.property, " they are ", one.wrong, " of the ", one.asked, " answers.\n");
+    }
+    for (const auto& [rule, count] : d.accepted)
+        text += said(text.empty() ? "\n" : "", "  Questions that the program answered although they break a rule: ", count, " (",
+                     rule, ").\n");
+    return text;
+}
+
+std::string answers_are(std::size_t count) { return count == 1 ? "1 answer is" : said(count, " answers are"); }
+
+std::size_t ConformReport::wrong_in(std::string_view tier) const {
+    return static_cast<std::size_t>(std::ranges::count_if(judged, [&](const Judged& one) {
+        return one.vector->tier == tier && !conformance::is_right(one.verdict) && one.verdict != Verdict::skipped;
+    }));
+}
+
+int ConformReport::status() const {
+    if (broken) return 3;
+    if (!conforms || (changes && !changes->worse.empty())) return 1;
+    return strict && wrong_in("should") + wrong_in("stress") > 0 ? 4 : 0;
+}
+
+std::string conclusion(const ConformReport& report) {
+    if (report.broken) return "The program broke.";
+    if (!report.cut_short.empty()) return "Cut short: " + report.cut_short + ". No verdict on the whole.";
+    if (!report.conforms) return "Does not conform" + all_skipped(report) + ".";
+    std::string beyond;
+    for (const char* tier : {"should", "stress"})
+        if (const std::size_t wrong = report.wrong_in(tier); wrong > 0)
+            beyond += said(beyond.empty() ? " in must; " : ", ", answers_are(wrong), " wrong in ", tier);
+    return "Conforms" + beyond + (report.status() == 1 ? ", but something got worse." : ".");
+}
+
 std::string contradicted_by(std::size_t answers) {
     if (answers == 0) return "no answer contradicts it";
     return answers == 1 ? "1 answer contradicts it" : said(answers, " answers contradict it");
@@ -212,8 +245,8 @@ std::string report_text(const ConformReport& report) {
     }
     if (!report.notes.empty()) text += "\nNotes:\n";
     for (const std::string& note : report.notes) text += "  " + note + "\n";
-    if (report.changes) text += changes_text(*report.changes);
-    return text + end_text(report);
+    if (report.changes) text += changes_text(*report.changes, report.verbose);
+    return text + "\n" + conclusion(report) + "\n";
 }
 
 } // namespace denhartog::program
