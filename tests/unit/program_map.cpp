@@ -247,6 +247,14 @@ TEST_CASE("absolute phases of a map are those of solve", "[program][map][base]")
     CHECK(content_of(npy).find("'phase_2', '<f8'") != std::string::npos);
 }
 
+TEST_CASE("without friction the ratio of static to kinetic friction makes no difference to a map with phases", "[program][map]") {
+    const std::string begin = R"({"mass_ratios": [1, 1.1], "stiffness_ratios": [1, 2.7], "damping_ratios": 0, "contact": 1, "load": 2, )";
+    const std::string asked = "map - --r 0.61:0.61:1 --beta 0:0:1 --phases";
+    const Run larger = run_program(asked, begin + R"("mu": 1.15})");
+    CHECK(larger.output.find("continuous,0,1") != std::string::npos);
+    CHECK(larger.output == run_program(asked, begin + R"("mu": 1})").output);
+}
+
 TEST_CASE("levels of a load that a scene does not have are refused", "[program][map][bad-input]") {
     const std::string rest = R"({"masses": [1], "stiffnesses": [1], "damping_ratios": 0.1, "contact": 1, )";
     const std::string forced = rest + R"("load": 1, "force": 1, "friction": 0.5, "frequency": 2})",

@@ -247,7 +247,8 @@ private:
 MapPoint map_point(const AnswerOrNone& answer) {
     const Solution& s = answer.solution;
     if (answer.outcome == Outcome::at_a_pole) return {PointStatus::at_a_pole};
-    const bool is_another_motion = !s.not_from_rest.empty() && ((s.mu.value > 1 && !s.rest_interval) || s.start);
+    const bool may_choose = s.mu.value > 1 && s.beta && s.beta->value > 0 && !s.rest_interval;
+    const bool is_another_motion = !s.not_from_rest.empty() && (may_choose || s.start);
     if (!answer.is_answered() || is_another_motion) return {PointStatus::failed};
     return {s.regime.on_boundary ? PointStatus::on_boundary : PointStatus::answered, s.regime.regime,
             static_cast<std::int32_t>(s.stops.size()), s.periods};
