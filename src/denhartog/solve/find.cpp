@@ -44,7 +44,7 @@ std::vector<double> first_places(const VariedNumber& varied, const Json& scene, 
                     if (const double x = r_n * unit * (1 + beside); x > varied.from && x < varied.to) at.push_back(x);
     }
     std::ranges::sort(at);
-    at.erase(std::ranges::unique(at).begin(), at.end());
+    at.erase(std::unique(at.begin(), at.end()), at.end());
     return at;
 }
 
