@@ -2,6 +2,8 @@
 /// @brief Proved numbers as they are handed out. Included by sources only.
 #pragma once
 
+#include <algorithm>
+
 #include "denhartog/answer/solution.hpp"
 #include "denhartog/number/ball.hpp"
 #include "denhartog/number/bounded.hpp"
@@ -20,6 +22,9 @@ namespace denhartog {
 
 /// @brief Bits of a decimal digit.
 inline constexpr double bits_of_digit = 3.3219280948873626;
+
+/// @brief Bits with which a proof of so many digits begins.
+[[nodiscard]] inline slong bits_for(int digits) { return static_cast<slong>(std::max(128.0, bits_of_digit * digits + 64)); }
 
 /// @brief Numbers of an answer as they are written, and whether those that are asked for have their digits.
 class WrittenNumbers {

@@ -260,7 +260,7 @@ bool has_reference() { return true; }
 
 AnswerOrNone solution_by_reference(const SceneSource& source, const ReferenceQuestion& q,
                                    const std::function<std::vector<OrbitGuess>()>& made) {
-    const auto first = static_cast<slong>(std::max(128.0, bits_of_digit * q.digits + 64));
+    const slong first = bits_for(q.digits);
     const slong most = std::max<slong>(8192, 4 * first);
     OrbitGuesses guesses(made);
     AnswerOrNone answer{Outcome::answered};

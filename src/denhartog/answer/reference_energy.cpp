@@ -36,12 +36,8 @@ EnergiesInBalls energies_in_balls(const SceneSource& source, const Solution& sol
             return e;
         });
     const PointInBalls p = point_in_balls(source, !solution.rest_interval);
-    if (solution.rest_interval) {
-        if (!p.stuck) throw Unproved(Why::may_resonate_held);
-        return energies_of_rest(p.scene, *p.stuck, d);
-    }
-    if (*p.scene.beta >= p.boundary->exact) throw Disproved(Why::does_not_slide);
-    if (!(*p.scene.beta < p.boundary->exact)) throw Unproved({Why::may_be_boundary, 0});
+    if (solution.rest_interval) return energies_of_rest(p.scene, required_stuck(p), d);
+    require_sliding(p);
     return energies_of_sliding(p.scene, *p.responses, d);
 }
 
@@ -67,7 +63,7 @@ Energies energies_by_reference(const SceneSource& source, const Solution& soluti
                                const std::function<std::vector<OrbitGuess>()>& made) {
     OrbitGuesses guesses(made);
     Energies all;
-    const auto first = static_cast<slong>(std::max(128.0, bits_of_digit * digits + 64));
+    const slong first = bits_for(digits);
     with_enough_bits(number_of_masses(source->in_double().system), first, std::max<slong>(8192, 4 * first),
                      [&](slong bits, bool last) {
                          WrittenNumbers w(digits, last);

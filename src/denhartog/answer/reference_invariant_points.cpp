@@ -55,7 +55,7 @@ std::vector<InvariantPointsOfMass<Certified>> invariant_points(const SceneSource
     if (!system.load_phases.empty())
         throw InputError("load_phases", "must not be given for invariant points: (87) is for forces in phase", "");
     const int digits = aim_of(asked_for).digits;
-    const auto first = static_cast<slong>(std::max(128.0, bits_of_digit * digits + 64));
+    const slong first = bits_for(digits);
     const slong most = asked_for ? std::max<slong>(1024, 4 * first) : 2 * first;
     std::size_t undecided_before = 0;
     std::vector<InvariantPointsOfMass<Certified>> masses;

@@ -94,11 +94,14 @@ std::optional<Ball> paper_limit_of_modes(const SceneInBalls& s, const Ball& exac
 
 } // namespace
 
-BallMatrix shapes_of(const ModesInBalls& m) {
-    BallMatrix Psi(m.N, m.N);
-    for (slong k = 0; k < m.N; ++k)
-        for (slong i = 0; i < m.N; ++i) Psi(k, i) = m.psi[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)];
-    return Psi;
+const StuckInBalls& required_stuck(const PointInBalls& p) {
+    if (!p.stuck) throw Unproved(Why::may_resonate_held);
+    return *p.stuck;
+}
+
+void require_sliding(const PointInBalls& p) {
+    if (*p.scene.beta >= p.boundary->exact) throw Disproved(Why::does_not_slide);
+    if (!(*p.scene.beta < p.boundary->exact)) throw Unproved({Why::may_be_boundary, 0});
 }
 
 BallMatrix damping_of_modes(const SceneInBalls& s, const ModesInBalls& m) {

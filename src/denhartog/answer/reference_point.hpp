@@ -31,9 +31,6 @@ struct PointInBalls {
 /// @brief The same at r = 1, where psi of (17) is phi, under the load that it has at its own r.
 [[nodiscard]] reference::SceneInBalls scene_at_one(const SceneSource& source);
 
-/// @brief The mode shapes of the masses, Psi of (17), mass by mode.
-[[nodiscard]] BallMatrix shapes_of(const reference::ModesInBalls& modes);
-
 /// @brief The damping matrix in the modes, \f$ \boldsymbol\Psi^T\mathbf{C}\boldsymbol\Psi \f$, whose diagonal has the damping of
 /// each by itself.
 /// @eq{18}
@@ -44,5 +41,13 @@ struct PointInBalls {
 
 /// @brief A point of a scene, which may be of no use without its boundary.
 [[nodiscard]] PointInBalls point_in_balls(const SceneSource& source, bool needs_boundary);
+
+/// @brief The stuck response at a point.
+/// @throws  Unproved where the system with its contact held may resonate
+[[nodiscard]] const reference::StuckInBalls& required_stuck(const PointInBalls& p);
+
+/// @brief Requires that a point with its boundary lies below (69).
+/// @throws  Disproved, Unproved
+void require_sliding(const PointInBalls& p);
 
 } // namespace denhartog

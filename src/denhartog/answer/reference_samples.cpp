@@ -57,15 +57,12 @@ MotionInBalls motion_with_stops(const SceneSource& source, const Solution& solut
 }
 
 MotionInBalls motion_at_rest(const PointInBalls& p) {
-    if (!p.stuck) throw Unproved(Why::may_resonate_held);
-    return [X = p.stuck->X](const Ball& tau) { return harmonic_in_balls(X, static_cast<slong>(X.size()), tau); };
+    return [X = required_stuck(p).X](const Ball& tau) { return harmonic_in_balls(X, static_cast<slong>(X.size()), tau); };
 }
 
 MotionInBalls sliding_motion(const PointInBalls& p) {
-    const Ball& beta = *p.scene.beta;
-    if (beta >= p.boundary->exact) throw Disproved(Why::does_not_slide);
-    if (!(beta < p.boundary->exact)) throw Unproved({Why::may_be_boundary, 0});
-    const auto motion = std::make_shared<const SlidingMotionInBalls>(*p.responses, beta);
+    require_sliding(p);
+    const auto motion = std::make_shared<const SlidingMotionInBalls>(*p.responses, *p.scene.beta);
     return [motion](const Ball& tau) { return motion->at(tau); };
 }
 

@@ -226,11 +226,13 @@ LargestInBalls largest_over_sine(const FunctionOfTime& numerator, const Function
         const auto trend_by_ends = [&] { return trend_by(Z, a, b, [&](double t) { return at_end(t) ? Ball(0) : W(Ball(t)); }); };
         if (at_end(a) || at_end(b)) return SeenOverStretch<Ball>{quotient(n, t, true), trend_by_ends()};
         // from the middle, W goes on by Z sin and the quotient by W over the square of the sine
-        const Ball m = middle(t), d = t - m, s = sin(t), W_t = W(m) + d * (Z * s);
+        const Ball m = middle(t), d = t - m, s = sin(t);
+        const Series thin = n_of(m);
+        const Ball W_t = W_of(thin, m) + d * (Z * s);
         const TrendOnStretch trend = W_t.low() >= 0    ? TrendOnStretch::rises
                                      : W_t.high() <= 0 ? TrendOnStretch::falls
                                                        : trend_by_ends();
-        return SeenOverStretch<Ball>{narrower(n.rate(0) / s, quotient(n_of(m), m, false) + d * (W_t / (s * s))), trend};
+        return SeenOverStretch<Ball>{narrower(n.rate(0) / s, quotient(thin, m, false) + d * (W_t / (s * s))), trend};
     };
     const LargestOnStretches found = [&] {
         const Bits few(seen.bits);

@@ -237,18 +237,24 @@ SceneInBalls with_load_of_base(SceneInBalls s) {
     return s;
 }
 
+BallMatrix shapes_of(const ModesInBalls& m) {
+    BallMatrix Psi(m.N, m.N);
+    for (slong k = 0; k < m.N; ++k)
+        for (slong i = 0; i < m.N; ++i) Psi(k, i) = m.psi[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)];
+    return Psi;
+}
+
 BallMatrix damping_matrix_in_balls(const SceneInBalls& s, const ModesInBalls& m) {
     // C = M Phi diag(2 zeta omega) (M Phi)^T, with phi = r psi and omega = r / R.
     const slong N = s.N();
-    BallMatrix Phi(N, N), D(N, N);
+    BallMatrix D(N, N);
     std::vector<Ball> rates;
     for (slong i = 0; i < N; ++i) {
         const auto n = static_cast<std::size_t>(i);
         rates.push_back(2 * m.zeta[n] * s.r / m.R[n]);
         D(i, i) = rates.back();
-        for (slong k = 0; k < N; ++k) Phi(k, i) = m.psi[static_cast<std::size_t>(k)][n] * s.r;
     }
-    const BallMatrix shapes = s.M * Phi;
+    const BallMatrix shapes = s.M * (shapes_of(m) * s.r);
     BallMatrix C = shapes * D * transposed(shapes);
     std::vector<std::vector<Ball>> of_masses(static_cast<std::size_t>(N));
     for (slong k = 0; k < N; ++k)

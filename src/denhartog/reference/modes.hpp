@@ -91,6 +91,9 @@ private:
 ///               one cluster have different damping ratios
 [[nodiscard]] ModesInBalls modes_in_balls(const SceneInBalls& scene);
 
+/// @brief The mode shapes of the masses, Psi of (17), mass by mode.
+[[nodiscard]] BallMatrix shapes_of(const ModesInBalls& modes);
+
 /// @brief The damping matrix that gives the modes their damping ratios. @eq{19}
 [[nodiscard]] BallMatrix damping_matrix_in_balls(const SceneInBalls& scene, const ModesInBalls& modes);
 

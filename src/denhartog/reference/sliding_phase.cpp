@@ -29,11 +29,8 @@ struct ForcedCoordinate {
 } // namespace
 
 SlidingPhases::SlidingPhases(const SceneInBalls& s, ModesInBalls modes, const Ball& sigma)
-    : m_(std::move(modes)), shapes_(m_.N, m_.N), sigma_(sigma), beta_(*s.beta) {
-    for (slong k = 0; k < m_.N; ++k)
-        for (slong i = 0; i < m_.N; ++i) shapes_(k, i) = m_.psi[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)];
-    from_state_ = transposed(shapes_) * s.M * (s.r * s.r); // (17)
-}
+    : m_(std::move(modes)), shapes_(shapes_of(m_)), from_state_(transposed(shapes_) * s.M * (s.r * s.r)), sigma_(sigma),
+      beta_(*s.beta) {}
 
 BallMatrix SlidingPhases::after(const BallMatrix& Z, const Ball& length, int direction) const {
     const slong N = m_.N, columns = Z.columns();
@@ -52,12 +49,12 @@ BallMatrix SlidingPhases::after(const BallMatrix& Z, const Ball& length, int dir
         const Complex<Ball> forced{square * (response.re * load.re - response.im * load.im),
                                    square * (response.re * load.im + response.im * load.re)};
         const Ball held = Ball(-direction) * beta_ * m_.at_contact()[n] * square;
-        const Ball d = paper::d(length, R, zeta), q = paper::q(length, R, zeta), of_rate = R * q; // (A.8), (A.9)
-        const Ball d_prime = -q / R, q_prime = d - 2 * zeta * q;
+        const Ball d = paper::d(length, R, zeta), q = R * paper::q(length, R, zeta), // (A.8), (A.9)
+            d_prime = paper::d_prime(length, R, zeta), q_prime = R * paper::q_prime(length, R, zeta);
         for (slong c = 0; c < columns; ++c) { // (21): what is not forced moves freely
             const ForcedCoordinate before(forced, Z(2 * N, c), Z(2 * N + 1, c)), then(forced, later(2 * N, c), later(2 * N + 1, c));
             const Ball rest = held * Z(2 * N + 2, c), from = x(i, c) - before.x - rest, rate = v(i, c) - before.v;
-            x(i, c) = then.x + rest + d * from + of_rate * rate;
+            x(i, c) = then.x + rest + d * from + q * rate;
             v(i, c) = then.v + d_prime * from + q_prime * rate;
         }
     }

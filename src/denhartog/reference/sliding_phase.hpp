@@ -23,7 +23,7 @@ public:
 private:
     ModesInBalls m_;
     BallMatrix shapes_;     // psi_ki
-    BallMatrix from_state_; // its inverse
+    BallMatrix from_state_; // its inverse, by (17)
     Ball sigma_, beta_;
 };
 
