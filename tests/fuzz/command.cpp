@@ -7,7 +7,6 @@
 #include <sstream>
 #include <vector>
 
-#include "denhartog/number/effort.hpp"
 #include "denhartog/program/program.hpp"
 #include "tests/fuzz/claims.hpp"
 
@@ -62,12 +61,13 @@ bool can_be_run(const std::vector<std::string>& words) {
 }
 
 int run(std::vector<std::string> words, std::string input) {
+    const auto chosen = [](const std::string& word) { return word.starts_with("--effort"); };
+    if (std::none_of(words.begin(), words.end(), chosen)) words.push_back("--effort=" + std::to_string(operations));
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     std::FILE* const before = stdin;
     stdin = fmemopen(input.data(), input.size(), "r");
-    const QuestionEffort effort(0, operations);
     const int status = program::run_program(static_cast<int>(words.size()), arguments.data(), {});
     std::fclose(stdin);
     stdin = before;

@@ -100,18 +100,18 @@ TEST_CASE("far above resonance, where the functions of (87) cancel, the invarian
     scene.r = 1;
     const SceneSource source = scene_source(scene);
     for (const char* const r : {"20", "50", "200"}) {
-        const QuestionEffort enough(3);
+        QuestionEffort enough(3);
         std::size_t points = 0;
-        for (const InvariantPointsOfMass<Certified>& mass : invariant_points(source, {"1", r})) {
+        for (const InvariantPointsOfMass<Certified>& mass : invariant_points(with_effort(source, &enough), {"1", r})) {
             points += mass.points.size();
             CHECK(mass.undecided.empty());
         }
-        std::printf("invariant points 1:%s: %ld operations, %zu points\n", r, enough.spent(), points);
+        std::printf("invariant points 1:%s: %ld operations, %zu points\n", r, enough.spent, points);
         CHECK(points == 4);
-        CHECK(enough.spent() <= 200'000);
+        CHECK(enough.spent <= 200'000);
     }
-    const QuestionEffort little(3, 1000);
-    CHECK_FALSE(invariant_points(source, {"1", "50"}).back().undecided.empty());
+    QuestionEffort little(3, 1000);
+    CHECK_FALSE(invariant_points(with_effort(source, &little), {"1", "50"}).back().undecided.empty());
 }
 
 TEST_CASE("finding modes is paid for, and ends where nothing is left to pay or somebody cancels", "[effort][eq:15]") {
@@ -121,23 +121,19 @@ TEST_CASE("finding modes is paid for, and ends where nothing is left to pay or s
     general.stiffness_ratios.clear();
     graded.stiffness_ratios.clear();
     graded.mass_ratios.back() = 1e-9;
-    const auto need_end = [&](const char* what, long most, const std::function<void()>& find) {
+    const auto need_end = [&](const char* what, long most, const System<double>& system) {
         INFO(what);
-        {
-            const QuestionEffort enough(60);
-            find();
-            CHECK(enough.spent() > most);
-            std::printf("modes of 60 masses, %s: %ld operations\n", what, enough.spent());
-        }
-        {
-            const QuestionEffort little(60, most);
-            CHECK_THROWS_AS(find(), PrecisionError);
-        }
-        const QuestionEffort cancelled(60, {}, [] { return true; });
-        CHECK_THROWS_WITH(find(), Catch::Contains("cancelled"));
-        CHECK(cancelled.spent() < most);
+        QuestionEffort enough(60), little(60, most), cancelled(60, {}, [] { return true; });
+        (void)modal_basis(system, &enough);
+        CHECK(enough.spent > most);
+        std::printf("modes of 60 masses, %s: %ld operations\n", what, enough.spent);
+        CHECK_THROWS_AS(modal_basis(system, &little), PrecisionError);
+        CHECK_THROWS_WITH(modal_basis(system, &cancelled), Catch::Contains("cancelled"));
+        CHECK(cancelled.spent <= enough.spent);
     };
-    need_end("masses far apart in double", 100'000, [&] { (void)modal_basis(graded); });
+    need_end("a chain", 500, chain);
+    need_end("any matrices", 1000, general);
+    need_end("masses far apart", 100'000, graded);
 }
 
 TEST_CASE("many masses with stops have their digits, or the answer says that the work is spent",
@@ -155,42 +151,42 @@ TEST_CASE("many masses with stops have their digits, or the answer says that the
     CHECK(found.stops.size() == 2);
     int answered = 0;
     for (const long allowed : {6'000'000L, 8'000'000L, 9'200'000L, 10'000'000L, 12'000'000L, 20'000'000L}) {
-        const QuestionEffort effort(24, allowed);
+        QuestionEffort effort(24, allowed);
         try {
-            const bool reached = solve(building(24), {.digits = 20}).digits_reached;
+            const bool reached = solve(with_effort(building(24), &effort), {.digits = 20}).digits_reached;
             CHECK(reached);
             ++answered;
         } catch (const PrecisionError& e) {
             CHECK_THAT(e.what(), Catch::Contains("the work allowed is spent"));
         }
-        CHECK(effort.spent() < allowed + 2'000'000);
+        CHECK(effort.spent < allowed + 2'000'000);
     }
     CHECK(answered > 0);
 }
 
-TEST_CASE("a question has one budget for all its searches, and the outermost scope counts", "[effort]") {
+TEST_CASE("a question has one budget for all its searches, and what is given to it counts", "[effort]") {
+    QuestionEffort question(3, 1000);
     {
-        const QuestionEffort question(3, 1000);
-        {
-            SearchEffort first(10);
-            CHECK(first.left() == 1000); // the user's choice, all of it
-            first.spend(900);
-            const QuestionEffort inner(3);
-            CHECK_FALSE(QuestionEffort::exhausted());
-        }
-        SearchEffort second(10);
+        SearchEffort first(10, &question);
+        CHECK(first.left() == 1000); // the user's choice, all of it
+        first.spend(900);
+        CHECK_FALSE(question.exhausted()); // not before the search ends
+    }
+    {
+        SearchEffort second(10, &question);
         CHECK(second.left() == 100);
         second.spend(200);
         CHECK(second.exhausted());
-        CHECK_FALSE(QuestionEffort::exhausted()); // not before the search ends
     }
-    CHECK_FALSE(QuestionEffort::exhausted());
-    const QuestionEffort by_default(3);
-    const SearchEffort search(10);
-    CHECK(search.left() == 10); // its share
-    const QuestionEffort of_more_modes(24);
-    const SearchEffort large(std::numeric_limits<long>::max());
-    CHECK(large.left() == default_effort(24));
+    CHECK(question.exhausted());
+    CHECK(GivenEffort(&question, 24).get() == &question);
+    CHECK(question.allowed == 1000);
+    QuestionEffort by_default(3);
+    CHECK(SearchEffort(10, &by_default).left() == 10); // its share
+    const GivenEffort of_more_modes(&by_default, 24), own(nullptr, 3);
+    CHECK(SearchEffort(std::numeric_limits<long>::max(), &by_default).left() == default_effort(24));
+    CHECK(own.get()->left() == default_effort(3));
+    CHECK_NOTHROW(pay(nullptr, std::numeric_limits<long>::max()));
 }
 
 TEST_CASE("solve ends where its work is spent and says what is certain until then", "[effort][solve]") {
@@ -200,8 +196,8 @@ TEST_CASE("solve ends where its work is spent and says what is certain until the
     scene.r = 0.3;
     scene.beta = 0.4;
     const Question question{Asked::motion, std::nullopt, false};
-    const QuestionEffort little(2, 2000);
-    CHECK_THROWS_WITH(solve(scene_source(scene), question),
+    QuestionEffort little(2, 2000);
+    CHECK_THROWS_WITH(solve(with_effort(scene_source(scene), &little), question),
                       Catch::Contains("the work allowed is spent") && Catch::Contains("This much is certain"));
 }
 
@@ -238,17 +234,17 @@ TEST_CASE("questions that had no end have one within their budget, counted", "[e
     for (const Hard& each : questions) {
         const SceneSource source = scene_source(split_scenes(each.scene).front());
         const std::size_t N = number_of_masses(source->in_double().system);
-        const QuestionEffort effort(N);
+        QuestionEffort effort(N);
         std::string ending = "answered";
         try {
-            (void)solve(source, each.question);
+            (void)solve(with_effort(source, &effort), each.question);
         } catch (const PrecisionError& e) {
             ending = e.what();
         }
-        std::printf("%s: %ld operations; %s\n", each.what, effort.spent(), ending.c_str());
+        std::printf("%s: %ld operations; %s\n", each.what, effort.spent, ending.c_str());
         INFO(each.what << ": " << ending);
-        CHECK(effort.spent() > 0);
-        CHECK(effort.spent() <= default_effort(N) + default_effort(N) / 10);
+        CHECK(effort.spent > 0);
+        CHECK(effort.spent <= default_effort(N) + default_effort(N) / 10);
     }
 }
 
@@ -265,7 +261,7 @@ TEST_CASE("everyday questions cost no more operations than they were seen to", "
     for (const Everyday& each : {curve, Everyday{"five masses, sliding", five_masses<double>(3, 0.01), {0.9}, 0.2, 500, 0},
                                  Everyday{"one mass, stick-slip", single_mass(0.01), {0.1}, 0.2, 304, 41},
                                  Everyday{"one mass, sliding", single_mass(0.01), {0.9}, 0.2, 0, 0}}) {
-        const QuestionEffort effort(number_of_masses(each.system));
+        QuestionEffort effort(number_of_masses(each.system));
         const long phases = phases_propagated();
         Question amplitude;
         amplitude.asked = Asked::amplitude;
@@ -274,10 +270,10 @@ TEST_CASE("everyday questions cost no more operations than they were seen to", "
         scene.beta = each.beta;
         for (const double r : each.r) {
             scene.r = r;
-            (void)solve(scene_source(scene), amplitude);
+            (void)solve(with_effort(scene_source(scene), &effort), amplitude);
         }
-        INFO(each.what << ": " << effort.spent() << " operations");
-        CHECK(effort.spent() <= each.operations);
+        INFO(each.what << ": " << effort.spent << " operations");
+        CHECK(effort.spent <= each.operations);
         CHECK(phases_propagated() - phases <= each.phases);
     }
 }

@@ -350,8 +350,8 @@ TEST_CASE(
         CHECK(found[0].points.size() > 1);
     }
     {
-        const QuestionEffort little(3, 100);
-        CHECK_THROWS_AS(invariant_points(source, {"0.5", "2"}, 30), PrecisionError);
+        QuestionEffort little(3, 100);
+        CHECK_THROWS_AS(invariant_points(with_effort(source, &little), {"0.5", "2"}, 30), PrecisionError);
     }
     for (const auto& [from, to] : {std::pair("0", "1"), std::pair("2", "1"), std::pair("1e-9", "1"), std::pair("a", "1")})
         CHECK_THROWS_AS(invariant_points(source, {from, to}, 30), InputError);

@@ -5,8 +5,8 @@
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/parallel.hpp"
 #include "denhartog/reference/modes.hpp"
-#include "denhartog/solve/solve.hpp"
 #include "denhartog/solve/decision.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/reference/proofs.hpp"
 
@@ -90,10 +90,11 @@ TEST_CASE("modes that were kept are those solved for, to the last bit, and cost 
     const Bits bits(160);
     SceneInBalls alone = tests::matrices_of_text(four_masses), keeps = alone;
     keeps.kept = std::make_shared<KeptModes>();
-    const auto cost = [](const SceneInBalls& s, ModesInBalls& m) {
-        const QuestionEffort effort(4);
+    const auto cost = [](SceneInBalls s, ModesInBalls& m) {
+        QuestionEffort effort(4);
+        s.effort = &effort;
         m = modes_in_balls(s);
-        return effort.spent();
+        return effort.spent;
     };
     ModesInBalls first, again, other;
     const long of_first = cost(alone, first);

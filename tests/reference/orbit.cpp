@@ -308,8 +308,13 @@ TEST_CASE("only the masses asked for are given", "[reference][orbit]") {
 TEST_CASE("a proof ends with the budget of its question", "[reference][orbit]") {
     const Scene<double> scene = at_point(two_masses(), 0.3125, 0.25);
     const OrbitGuess guess = guess_for(scene);
-    const QuestionEffort question(2, 1000);
-    CHECK_THROWS_AS(proved_orbit(in_bits(scene), guess, 128), PrecisionError);
+    QuestionEffort question(2, 1000);
+    const auto paid = [&] {
+        reference::SceneInBalls s = in_bits(scene)();
+        s.effort = &question;
+        return s;
+    };
+    CHECK_THROWS_AS(proved_orbit(paid, guess, 128), PrecisionError);
 }
 
 } // namespace

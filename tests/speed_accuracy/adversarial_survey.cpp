@@ -17,10 +17,9 @@
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/denhartog.hpp"
 #include "denhartog/model/modal_basis.hpp"
-#include "denhartog/number/effort.hpp"
+#include "denhartog/solve/decision.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/solve/decision.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/sums/mode_sums.hpp"
 #include "tests/speed_accuracy/answer_numbers.hpp"
@@ -285,11 +284,9 @@ std::string text_or_reason(const Scene<double>& scene) {
 }
 
 // One question, whatever comes of it.
-AskedQuestion asked(const NamedQuestion& question, const Scene<double>& scene, std::optional<long> effort) {
+AskedQuestion asked(const NamedQuestion& question, const Scene<double>& scene) {
     AskedQuestion result;
     result.question = question.name;
-    std::optional<QuestionEffort> allowed;
-    if (effort) allowed.emplace(number_of_masses(scene.system), effort);
     const Work before{eigen_solves(), mode_evaluations(), phases_propagated()};
     const std::clock_t start = std::clock();
     const auto refused = [&](const char* type, const std::exception& e) {
@@ -312,7 +309,6 @@ AskedQuestion asked(const NamedQuestion& question, const Scene<double>& scene, s
         result.faults = {std::string("an exception of another kind: ") + typeid(e).name()};
     }
     result.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    if (allowed) result.spent = allowed->spent();
     result.eigen_solves = eigen_solves() - before.eigen_solves;
     result.mode_evaluations = mode_evaluations() - before.mode_evaluations;
     result.phases = phases_propagated() - before.phases_propagated;
@@ -328,12 +324,12 @@ struct Place {
 nlohmann::json to_json(const AskedQuestion& a) {
     nlohmann::json all = nlohmann::json::array();
     for (const Contradiction& c : a.compared) all.push_back({c.quantity, c.between, c.ratio, c.difference});
-    return {all,      a.scene,   a.question, a.seconds, a.spent, a.eigen_solves, a.mode_evaluations,
+    return {all,      a.scene,   a.question, a.seconds, a.eigen_solves, a.mode_evaluations,
             a.phases, a.outcome, a.text,     a.faults,  a.json};
 }
 
 AskedQuestion from_json(const nlohmann::json& j) {
-    AskedQuestion a{j[1], j[2], j[3], j[4], j[5], j[6], j[7], j[8], j[9], j[10], {}, j[11]};
+    AskedQuestion a{j[1], j[2], j[3], j[4], j[5], j[6], j[7], j[8], j[9], {}, j[10]};
     for (const nlohmann::json& c : j[0]) a.compared.push_back({c[0], c[1], c[2], c[3]});
     return a;
 }
@@ -352,7 +348,7 @@ void ask_from(Place& place, const AdversarialRun& run, const std::function<void(
             place.scene = n;
             place.question = number;
             begin_question();
-            AskedQuestion result = asked(question, scene, run.effort);
+            AskedQuestion result = asked(question, scene);
             result.scene = n;
             result.json = text_or_reason(scene);
             tell(std::move(result));
@@ -388,13 +384,11 @@ std::string without_numbers(const std::string& text) {
 constexpr std::size_t most_listed = 50;
 
 Table dear_table(const AdversarialSurvey& survey) {
-    Table table{"The most expensive questions",
-                {"seconds", "question", "operations", "eigen-solves", "modes", "phases", "outcome", "scene"},
-                {},
-                ""};
+    Table table{
+        "The most expensive questions", {"seconds", "question", "eigen-solves", "modes", "phases", "outcome", "scene"}, {}, ""};
     for (const AskedQuestion& a : survey.dearest)
-        table.rows.push_back({digits(a.seconds), a.question, std::to_string(a.spent), std::to_string(a.eigen_solves),
-                              std::to_string(a.mode_evaluations), std::to_string(a.phases), a.outcome, a.json});
+        table.rows.push_back({digits(a.seconds), a.question, std::to_string(a.eigen_solves), std::to_string(a.mode_evaluations),
+                              std::to_string(a.phases), a.outcome, a.json});
     return table;
 }
 
@@ -484,8 +478,6 @@ void AdversarialSurvey::add(AskedQuestion a) {
     }
     a.compared.clear();
     if (std::pair<long, std::string>& most = most_phases[a.question]; a.phases > most.first) most = {a.phases, a.json};
-    if (a.spent > 0)
-        if (std::pair<long, std::string>& most = most_spent[a.question]; a.spent > most.first) most = {a.spent, a.json};
     most_eigen_solves = std::max(most_eigen_solves, a.eigen_solves);
     most_mode_evaluations = std::max(most_mode_evaluations, a.mode_evaluations);
     if (dearest.size() == most_listed && a.seconds <= dearest.back().seconds) return;
@@ -562,10 +554,7 @@ std::vector<Table> tables_of(const AdversarialSurvey& survey) {
     for (const auto& [name, of] : survey.quantities)
         compared.rows.push_back({name, std::to_string(of.count), std::to_string(of.violations), digits(of.worst.ratio),
                                  digits(of.worst.difference), of.json, of.shortest});
-    Table spent{"The most operations that a question spent", {"question", "operations", "scene"}, {}, ""};
-    for (const auto& [question, most] : survey.most_spent)
-        spent.rows.push_back({question, std::to_string(most.first), most.second});
-    return {compared, outcomes, listed("Refusals", survey.refusals), listed("Faults", survey.faults), spent, dear_table(survey)};
+    return {compared, outcomes, listed("Refusals", survey.refusals), listed("Faults", survey.faults), dear_table(survey)};
 }
 
 } // namespace denhartog::tests

@@ -213,8 +213,6 @@ int main(int argc, char** argv) {
         sub->add_option("--range", range, "What they are drawn from")->check(CLI::IsMember(ranges));
         sub->add_option("--seconds", run.seconds_a_question, "Processor time that a question may take")
             ->check(CLI::PositiveNumber);
-        sub->add_option("--effort", run.effort, "Operations that a question may spend, if not the default")
-            ->check(CLI::PositiveNumber);
         sub->add_flag("!--without-all", run.all_motions, "Whether all motions are asked for");
     };
     add_adversarial("adversarial", "Every question to scenes from the corners of what a scene may be", true);

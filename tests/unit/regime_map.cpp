@@ -5,10 +5,10 @@
 #include "denhartog/evaluation/contact.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/solve/decision.hpp"
 #include "denhartog/solve/quantities.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/solve/decision.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
@@ -112,8 +112,8 @@ TEST_CASE("a little above the boundary, where no stop can be seen, solve, respon
     CHECK(in_words(solved.regime.reason).find("is not below beta_lim") != std::string::npos);
     // The reference proves the two stops, of 1.3e-7 of a radian, and the words say so.
     CHECK(solved.stops.size() == 2);
-    CHECK(in_words(solved.regime.reason).find(
-              "double precision does not tell whether the contact stops, and the reference proves that it does") !=
+    CHECK(in_words(solved.regime.reason)
+              .find("double precision does not tell whether the contact stops, and the reference proves that it does") !=
           std::string::npos);
     CHECK(in_words(solved.method.why).find("double does not tell whether the contact stops") != std::string::npos);
     const RegimeMap map = regime_map(scene, {{*scene.r}, {*scene.beta}, {Mass{0}, Mass{1}}, MapStart::rest, 1}, never);
@@ -137,8 +137,8 @@ TEST_CASE("where static friction is hardly larger, stops too short for double ar
     const Solution shorter = solve(scene_source(scene), {.digits = 10});
     CHECK(shorter.regime.regime == Regime::stick_slip);
     CHECK(shorter.stops.size() == 2);
-    CHECK(in_words(shorter.regime.reason).find(
-              "double precision does not tell whether the contact stops, and the reference proves that it does") !=
+    CHECK(in_words(shorter.regime.reason)
+              .find("double precision does not tell whether the contact stops, and the reference proves that it does") !=
           std::string::npos);
     const RegimeMap map = regime_map(scene, {{*scene.r}, {*scene.beta}, {Mass{0}, Mass{1}}, MapStart::sliding, 1}, never);
     CHECK(map.points.front().regime == Regime::stick_slip);
@@ -184,8 +184,9 @@ TEST_CASE("of undamped masses too, every question and the map give the stops tha
                 const Solution found = solve(scene_source(scene), question);
                 CHECK(found.regime.regime == Regime::stick_slip);
                 unseen +=
-                    in_words(found.regime.reason).find(
-                        "double precision does not tell whether the contact stops, and the reference proves that it does") !=
+                    in_words(found.regime.reason)
+                        .find(
+                            "double precision does not tell whether the contact stops, and the reference proves that it does") !=
                     std::string::npos;
             }
             const RegimeMap map = regime_map(scene, {{*scene.r}, {*scene.beta}, {Mass{0}}, MapStart::rest, 1}, never);
@@ -207,9 +208,9 @@ TEST_CASE("a question whose work is spent before the reference tells whether the
             INFO("allowed: " << allowed);
             Question question;
             question.asked = asked;
-            const QuestionEffort effort(2, allowed);
+            QuestionEffort effort(2, allowed);
             try {
-                const Regime found = solve(scene_source(two), question).regime.regime;
+                const Regime found = solve(with_effort(scene_source(two), &effort), question).regime.regime;
                 CHECK(found == Regime::stick_slip);
             } catch (const PrecisionError& e) {
                 const std::string message = e.what();
@@ -225,8 +226,8 @@ TEST_CASE("a question whose work is spent before the reference tells whether the
     // With mu = 1 or damping the boundaries tell that there are stops, and double may answer.
     Scene<double> damped = chain({1, 2.0946804396078478}, {1, 0.7414127923646818}, {0.01, 0.02}, 1, 2, 1.0000001, 1.3);
     damped.beta = 0.20606163917974474;
-    const QuestionEffort effort(2, 12'000);
-    CHECK(solve(scene_source(damped), {}).regime.regime == Regime::stick_slip);
+    QuestionEffort effort(2, 12'000);
+    CHECK(solve(with_effort(scene_source(damped), &effort), {}).regime.regime == Regime::stick_slip);
 }
 
 TEST_CASE("next to the boundary the reference tells stops from rounding, to 6 digits as well as to 30, and in a map",

@@ -26,8 +26,8 @@ bool failed(const ExactMotion& run, PaperMotion& motion) {
 // Between two masses the contact moves by the difference of their displacements, of which double has to have some digits.
 void require_digits_of_contact(const ContactSystem& s) {
     if (!s.stuck.contact.b) return;
-    const double of_one = compliance(s.basis, static_cast<Eigen::Index>(s.stuck.contact.a));
-    if (unit_of<double>() * of_one * s.stuck.k_contact > 3e-7) throw PrecisionError(Why::masses_tied);
+    const double compliance_of_one = compliance(s.basis, static_cast<Eigen::Index>(s.stuck.contact.a));
+    if (unit_of<double>() * compliance_of_one * s.stuck.k_contact > 3e-7) throw PrecisionError(Why::masses_tied);
 }
 
 // The modes are those of the reference where double does not have nine digits of their frequencies.

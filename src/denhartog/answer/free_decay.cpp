@@ -60,8 +60,8 @@ std::vector<Certified> place_of_rest(const SceneSource& source) {
     const Scene<double>& scene = source->in_double();
     std::vector<Certified> places;
     if (scene.static_load.empty()) return places;
-    with_enough_bits(number_of_masses(scene.system), first_bits_of_motion, most_bits_of_motion, [&](slong, bool last) {
-        const BallMatrix x = static_displacements(source, scene_as_given(source).K);
+    with_enough_bits(source, first_bits_of_motion, most_bits_of_motion, [&](const SceneSource& paid, slong, bool last) {
+        const BallMatrix x = static_displacements(paid, scene_as_given(paid).K);
         std::vector<Ball> all;
         for (slong k = 0; k < x.rows(); ++k) all.push_back(x(k));
         places.clear();
@@ -85,9 +85,9 @@ FreeDecay free_decay(const SceneSource& source, const State& start, const std::o
             if (!std::isfinite(x)) throw InputError("start", "must be finite", number_to_text(x));
     }
     FreeDecay out;
-    with_enough_bits(N, first_bits_of_motion, most_bits_of_motion, [&](slong, bool last) {
-        const SceneInBalls s = damped_scene_in_balls(source);
-        const BallMatrix at_rest = static_displacements(source, s.K);
+    with_enough_bits(source, first_bits_of_motion, most_bits_of_motion, [&](const SceneSource& paid, slong, bool last) {
+        const SceneInBalls s = damped_scene_in_balls(paid);
+        const BallMatrix at_rest = static_displacements(paid, s.K);
         BallMatrix y(s.N(), 1), y_prime(s.N(), 1);
         for (slong k = 0; k < s.N(); ++k) {
             y(k) = Ball(start.x[static_cast<std::size_t>(k)]) - at_rest(k);

@@ -39,8 +39,8 @@ Matrix<double> errors_of_damping(const Scene<double>& scene, const ModalBasis<Bo
     for (Eigen::Index i = 0; i < N; ++i)
         for (Eigen::Index k = 0; k < N; ++k) {
             const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(k);
-            const double of_both = unit * (rates[a].x + rates[b].x);
-            in_modes(i, k) += of_both;
+            const double rounding_of_both = unit * (rates[a].x + rates[b].x);
+            in_modes(i, k) += rounding_of_both;
             if (k == i) {
                 in_modes(i, i) += rates[a].e;
                 continue;
@@ -111,11 +111,11 @@ struct HeldResponse {
 HeldResponse held_response(const Scene<double>& scene, const StuckConfiguration& stuck, Matrix<double> of_damping) {
     const std::size_t N = stuck.masses.size() + 1, a = stuck.contact.a;
     std::vector<Complex<double>> p = complex_load(scene.system);
-    std::vector<double> of_p = error_of_load(scene.system);
-    const double of_direct = of_p.empty() ? 0 : of_p[a];
+    std::vector<double> errors_of_p = error_of_load(scene.system);
+    const double error_of_direct = errors_of_p.empty() ? 0 : errors_of_p[a];
     if (stuck.contact.b) { // x_a moves as x_b does
         const std::size_t b = *stuck.contact.b;
-        if (!of_p.empty()) of_p[b] += of_p[a];
+        if (!errors_of_p.empty()) errors_of_p[b] += errors_of_p[a];
         const auto row = static_cast<Eigen::Index>(b), of_a = static_cast<Eigen::Index>(a);
         p[b] = p[b] + p[a];
         of_damping.col(row) += of_damping.col(of_a);
@@ -126,7 +126,7 @@ HeldResponse held_response(const Scene<double>& scene, const StuckConfiguration&
     std::vector<Eigen::Index> others;
     for (const Mass& k : stuck.masses) {
         forces.push_back(p[k.index]);
-        if (!of_p.empty()) errors.push_back(of_p[k.index]);
+        if (!errors_of_p.empty()) errors.push_back(errors_of_p[k.index]);
         others.push_back(static_cast<Eigen::Index>(k.index));
     }
     const Bounded<double> r = as_input(*scene.r);
@@ -144,11 +144,10 @@ HeldResponse held_response(const Scene<double>& scene, const StuckConfiguration&
     }
     if (stuck.contact.b) held.X[a] = held.X[*stuck.contact.b];
     const Complex<double> direct = direct_load(stuck, scene.system.load);
-    const auto bounded = [of_direct](double part) {
-        return part == 1 ? Bounded<double>(1) : Bounded<double>(part, as_input(part).e + of_direct);
+    const auto bounded = [error_of_direct](double part) {
+        return part == 1 ? Bounded<double>(1) : Bounded<double>(part, as_input(part).e + error_of_direct);
     };
-    held.load = modulus(
-        paper::load_on_held_contact<Bounded<double>>(C_j, K_j, moving, {bounded(direct.re), bounded(direct.im)}));
+    held.load = modulus(paper::load_on_held_contact<Bounded<double>>(C_j, K_j, moving, {bounded(direct.re), bounded(direct.im)}));
     return held;
 }
 
@@ -160,9 +159,9 @@ SolvedMass mass_of(const Complex<Bounded<double>>& X, double largest) {
         mass.amplitude.error = amplitude + error;
         return mass;
     }
-    const double of_phase = error < amplitude ? largest_turn(error, amplitude) + 4 * unit_of<double>() : pi<double>();
+    const double error_of_phase = error < amplitude ? largest_turn(error, amplitude) + 4 * unit_of<double>() : pi<double>();
     mass.amplitude = certified({amplitude, error});
-    mass.phase = certified({-elementary::atan2(X.im.x, X.re.x), of_phase});
+    mass.phase = certified({-elementary::atan2(X.im.x, X.re.x), error_of_phase});
     return mass;
 }
 

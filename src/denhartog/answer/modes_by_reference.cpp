@@ -83,23 +83,23 @@ void set_damping(const SceneInBalls& s, const ModesInBalls& m, ModalBasis<Bounde
     }
     BallMatrix D = damping_of_modes(s, m);
     const double largest = norm(D);
-    Ball apart(0), of_squares(0), of_damping(0); // AB - BA in the modes, where A is diagonal
+    Ball apart(0), sum_of_squares(0), sum_of_D(0); // AB - BA in the modes, where A is diagonal
     for (slong i = 0; i < s.N(); ++i) {
         if (D(i, i) < Ball(0))
             throw InputError("damping_matrix",
                              "must give mode " + std::to_string(i + 1) + " a damping ratio that is not negative",
                              printed(D(i, i) * m.R[static_cast<std::size_t>(i)] / 2, 17).decimal);
         const Ball &R_i = m.R[static_cast<std::size_t>(i)], square = 1 / (R_i * R_i);
-        of_squares += square * square;
+        sum_of_squares += square * square;
         for (slong k = 0; k < s.N(); ++k) {
             const Ball& R_k = m.R[static_cast<std::size_t>(k)];
             const Ball part = (square - 1 / (R_k * R_k)) * D(i, k);
             apart += part * part;
-            of_damping += D(i, k) * D(i, k);
+            sum_of_D += D(i, k) * D(i, k);
         }
     }
-    if (!of_damping.is_zero())
-        basis.distance_from_classical = in_double(root_of_positive(apart) / root_of_positive(of_squares * of_damping));
+    if (!sum_of_D.is_zero())
+        basis.distance_from_classical = in_double(root_of_positive(apart) / root_of_positive(sum_of_squares * sum_of_D));
     for (slong i = 0; i < s.N(); ++i)
         for (slong k = 0; k < s.N(); ++k) {
             D(i, k) = zero_or_itself(D(i, k), largest);
@@ -184,6 +184,7 @@ std::optional<RoundedModes> held_modes(const SceneInBalls& s, const ModesInBalls
     others.w = others.p = BallMatrix(others.N(), 1);
     others.r = Ball(1);
     others.kept = s.kept;
+    others.effort = s.effort;
     const ModesInBalls m = modes_in_balls(others);
     const BallMatrix D = damping_of_modes(others, m);
     const double largest = norm(D);
@@ -207,9 +208,9 @@ std::optional<RoundedModes> held_modes(const SceneInBalls& s, const ModesInBalls
 
 ModalBasis<Bounded<double>> modes_by_reference(const SceneSource& source, bool coinciding) {
     const System<double>& system = source->in_double().system;
-    return with_more_bits(number_of_masses(system), first_bits, most_bits, [&](slong bits, bool) {
+    return with_more_bits(source, first_bits, most_bits, [&](const SceneSource& paid, slong bits, bool) {
         std::optional<ModalBasis<Bounded<double>>> basis;
-        const SceneInBalls s = scene_at_one(source);
+        const SceneInBalls s = scene_at_one(paid);
         const ModesInBalls m = signed_modes(s);
         if (!coinciding && !told_apart(m, bits)) return basis;
         basis = basis_of(s, m, system);
@@ -221,10 +222,9 @@ ModalBasis<Bounded<double>> modes_by_reference(const SceneSource& source, bool c
 
 std::vector<evaluation::ModeFunctions<Bounded<double>>> mode_functions_by_reference(const SceneSource& source) {
     const double tolerance = tolerance_of(digits_by_default);
-    const std::size_t N = number_of_masses(source->in_double().system);
-    return with_more_bits(N, first_bits, most_bits, [&](slong bits, bool last) {
+    return with_more_bits(source, first_bits, most_bits, [&](const SceneSource& paid, slong bits, bool last) {
         std::optional<std::vector<evaluation::ModeFunctions<Bounded<double>>>> functions;
-        const SceneInBalls s = scene_in_balls(source);
+        const SceneInBalls s = scene_in_balls(paid);
         const ModesInBalls m = modes_in_balls(s);
         if (!told_apart(m, bits)) return functions;
         functions.emplace();
@@ -248,9 +248,9 @@ std::vector<evaluation::ModeFunctions<Bounded<double>>> mode_functions_by_refere
 
 SystemByReference system_by_reference(const SceneSource& source) {
     const System<double>& system = source->in_double().system;
-    return with_more_bits(number_of_masses(system), first_bits, most_bits, [&](slong, bool) {
+    return with_more_bits(source, first_bits, most_bits, [&](const SceneSource& paid, slong, bool) {
         std::optional<SystemByReference> found;
-        SceneInBalls s = scene_at_one(source);
+        SceneInBalls s = scene_at_one(paid);
         const ModesInBalls m = signed_modes(s);
         ModalBasis<Bounded<double>> basis = basis_of(s, m, system);
         if (!is_nearly_rounded(basis)) return found;

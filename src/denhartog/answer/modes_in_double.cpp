@@ -44,7 +44,8 @@ double relative_error(const ModeFunctionsInDouble& functions) {
 constexpr std::size_t most_masses_by_reference = 200; // beyond, the reference takes too long
 
 bool is_for_reference(const SceneSource& source, double error) {
-    if (error <= tolerance_of(digits_by_default) || number_of_masses(source->in_double().system) > most_masses_by_reference) return false;
+    if (error <= tolerance_of(digits_by_default) || number_of_masses(source->in_double().system) > most_masses_by_reference)
+        return false;
     count_precision_step();
     return true;
 }
@@ -52,14 +53,15 @@ bool is_for_reference(const SceneSource& source, double error) {
 } // namespace
 
 ModesInDouble modes_in_double(const SceneSource& source) {
-    const auto found = tried([&] { return modes_with_errors(source->in_double().system); });
+    const auto found = tried([&] { return modes_with_errors(source->in_double().system, source->effort); });
     if (found.value) return {*found.value};
     return {std::make_shared<const ModalBasis<Bounded<double>>>(modes_by_reference(source, true)), found.why};
 }
 
 std::shared_ptr<const ContactSystem> moving_in_double(const SceneSource& source, const ModesInDouble& modes) {
     if (!modes.rounded_because.empty()) return rounded_system(source, modes.rounded_because);
-    Tried<ContactSystem> held = tried([&] { return contact_system(source->in_double().system, *modes.basis); });
+    Tried<ContactSystem> held =
+        tried([&] { return contact_system(source->in_double().system, *modes.basis, nullptr, source->effort); });
     return held.value ? std::make_shared<const ContactSystem>(*std::move(held.value)) : rounded_system(source, held.why);
 }
 

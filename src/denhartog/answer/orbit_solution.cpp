@@ -136,8 +136,8 @@ OrbitSolution orbit_solution(ExactSolver& solver, const PeriodicOrbit& orbit, st
         if (does_not_move(mass.amplitude, orbit.error_bound + rounding, largest))
             return SolvedMass{number(mass.amplitude, orbit.error_bound), std::nullopt, std::nullopt};
         const double velocity_error = orbit.velocity_errors[k] + rounding / 16;
-        const double of_instant = error_of_extremum(on_orbit, k, mass, orbit.periods, velocity_error);
-        const double phase_error = std::min(pi<double>(), of_instant + mass.spread + 4 * unit_of<double>());
+        const double error_of_instant = error_of_extremum(on_orbit, k, mass, orbit.periods, velocity_error);
+        const double phase_error = std::min(pi<double>(), error_of_instant + mass.spread + 4 * unit_of<double>());
         return SolvedMass{number(mass.amplitude, orbit.error_bound), number(mass.phase, phase_error), std::nullopt};
     };
     OrbitSolution solution;

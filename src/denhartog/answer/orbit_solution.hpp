@@ -67,6 +67,7 @@ struct OrbitSolution {
 /// followed. With mu > 1 the motion depends on the start: what is listed was found, and what was not found may still exist. The
 /// starts are the same in every run.
 [[nodiscard]] std::vector<OtherMotion> other_motions(const Scene<double>& scene, const ContactSystem& system,
-                                                     const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis);
+                                                     const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis,
+                                                     Effort* effort);
 
 } // namespace denhartog

@@ -28,11 +28,11 @@ State scaled(State z, double factor) {
 class Explorer {
 public:
     Explorer(const Scene<double>& scene_, const ContactSystem& system_,
-             const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis_)
-        : scene(scene_), system(system_), basis(*basis_), solver(system, at(*scene.r, *scene.beta)), N(system.basis.r_n.size()),
-          size(std::max(N, system.contact.index + 1), 1) {
+             const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis_, Effort* effort_)
+        : scene(scene_), system(system_), basis(*basis_), effort(effort_), solver(system, at(*scene.r, *scene.beta)),
+          N(system.basis.r_n.size()), size(std::max(N, system.contact.index + 1), 1) {
         const auto slides = [&] {
-            const ModeSums<double> sums = values_of(bounded_sums(scene.system, basis, as_input(*scene.r)));
+            const ModeSums<double> sums = values_of(bounded_sums(scene.system, basis, as_input(*scene.r), effort));
             for (std::size_t k = 0; k < size.size(); ++k) size[k] = std::max(modulus(sums.V[k]), 1e-3);
             const Boundary<double> limits = boundary(sums, scene.mu);
             if (*scene.beta < limits.exact) sliding = sliding_at_maximum_of_force(sums, *scene.beta);
@@ -100,8 +100,9 @@ private:
         try_start(*z, found);
     }
 
-    [[nodiscard]] static OrbitSearch search(bool follow_start) {
+    [[nodiscard]] OrbitSearch search(bool follow_start) const {
         OrbitSearch how;
+        how.effort = effort;
         how.most_periods = follow_start ? most_periods_followed : 8;
         how.follow_start = follow_start;
         return how;
@@ -161,6 +162,7 @@ private:
     const Scene<double>& scene;
     const ContactSystem& system;
     const ModalBasis<Bounded<double>>& basis;
+    Effort* effort;
     ExactSolver solver;
     std::size_t N;
     std::vector<double> size; // of the motion without friction
@@ -171,8 +173,8 @@ private:
 } // namespace
 
 std::vector<OtherMotion> other_motions(const Scene<double>& scene, const ContactSystem& system,
-                                       const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis) {
-    return Explorer(scene, system, basis).all();
+                                       const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis, Effort* effort) {
+    return Explorer(scene, system, basis, effort).all();
 }
 
 } // namespace denhartog

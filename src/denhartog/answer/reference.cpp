@@ -195,7 +195,7 @@ OrbitInBalls orbit_in_balls(const SceneSource& source, const ReferenceQuestion& 
     std::vector<std::size_t> wanted;
     if (q.mass) wanted = {q.mass->index};
     const auto scene = [&] { return damped_scene_in_balls(source); };
-    return guesses.first_proved([&](const OrbitGuess& guess) {
+    return guesses.first_proved(source->effort, [&](const OrbitGuess& guess) {
         return proved_orbit(scene, guess, bits, wanted, q.asked == Asked::motion, frame_of(source->in_double(), q, r));
     });
 }
@@ -265,8 +265,9 @@ AnswerOrNone solution_by_reference(const SceneSource& source, const ReferenceQue
     OrbitGuesses guesses(made);
     AnswerOrNone answer{Outcome::answered};
     const auto proved = tried([&] {
-        with_enough_bits(number_of_masses(source->in_double().system), first, most,
-                         [&](slong bits, bool last) { return attempt(source, q, bits, last, guesses, answer); });
+        with_enough_bits(source, first, most, [&](const SceneSource& paid, slong bits, bool last) {
+            return attempt(paid, q, bits, last, guesses, answer);
+        });
         return true;
     });
     if (proved.value) return answer;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "denhartog/number/effort.hpp"
 #include "denhartog/number/why.hpp"
 #include "denhartog/reference/series.hpp"
 
@@ -17,17 +16,19 @@ struct ConstantsOfBalls {
 
 } // namespace
 
-void with_enough_bits(std::size_t N, slong first, slong most, const std::function<bool(slong bits, bool last)>& attempt) {
+void with_enough_bits(const SceneSource& source, slong first, slong most,
+                      const std::function<bool(const SceneSource& paid, slong bits, bool last)>& attempt) {
+    const ScenePaidFor scene(source);
     thread_local const ConstantsOfBalls freed_at_its_end;
-    const QuestionEffort effort(N);
+    const auto N = static_cast<slong>(number_of_masses(source->in_double().system));
     Reasons why;
     for (slong bits = first;; bits = std::min(2 * bits, most)) {
         bool last = bits == most;
-        QuestionEffort::pay(static_cast<long>(N * N * (N + 8)) * (bits / 64) / 4);
+        pay(scene.source()->effort, N * N * (N + 8) * (bits / 64) / 4);
         try {
             const Bits all(bits);
             reference::bits_of_search = 64 * (bits / first);
-            if (attempt(bits, last)) return;
+            if (attempt(scene.source(), bits, last)) return;
             why = {Why::bits_too_few, bits};
         } catch (const reference::Unproved& e) {
             why = e.why;

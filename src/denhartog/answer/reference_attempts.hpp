@@ -7,23 +7,26 @@
 #include <utility>
 #include <vector>
 
+#include "denhartog/answer/scene_source.hpp"
 #include "denhartog/number/ball.hpp"
-#include "denhartog/number/effort.hpp"
 #include "denhartog/reference/orbit_guess_data.hpp"
 #include "denhartog/reference/scene_in_balls.hpp"
 
 namespace denhartog {
 
-/// @brief Tries with bits from `first` on, doubled up to `most`, until an attempt says that they were enough. It is told whether
-/// they are the last. The work is counted, see `QuestionEffort`, of a system of N masses.
+/// @brief Tries with bits from `first` on, doubled up to `most`, until an attempt says that they were enough. It gets the scene with
+/// a budget of work, its own one where it had none, and is told whether the bits are the last.
 /// @throws PrecisionError where something cannot be proved, or the budget of work is spent
-void with_enough_bits(std::size_t N, slong first, slong most, const std::function<bool(slong bits, bool last)>& attempt);
+void with_enough_bits(const SceneSource& source, slong first, slong most,
+                      const std::function<bool(const SceneSource& paid, slong bits, bool last)>& attempt);
 
 /// @brief The same for an attempt that gives its result, or nothing where the digits are not certain.
 template <class Attempt>
-[[nodiscard]] auto with_more_bits(std::size_t N, slong first, slong most, const Attempt& attempt) {
-    decltype(attempt(first, true)) found;
-    with_enough_bits(N, first, most, [&](slong bits, bool last) { return (found = attempt(bits, last)).has_value(); });
+[[nodiscard]] auto with_more_bits(const SceneSource& source, slong first, slong most, const Attempt& attempt) {
+    decltype(attempt(source, first, true)) found;
+    with_enough_bits(source, first, most, [&](const SceneSource& paid, slong bits, bool last) {
+        return (found = attempt(paid, bits, last)).has_value();
+    });
     return *std::move(found);
 }
 
@@ -38,14 +41,14 @@ public:
     /// @brief What makes them, the likeliest first, is called when they are first needed.
     explicit OrbitGuesses(const std::function<std::vector<OrbitGuess>()>& made) : made_(made) {}
 
-    /// @brief The first of them that is proved. What is disproved is not tried again, and what is proved is tried first.
+    /// @brief The first of them that is proved, paid from a budget. What is disproved is not tried again, and what is proved is tried first.
     /// @throws Unproved where there is none; Disproved where none is left to be tried
     template <class Prove>
-    [[nodiscard]] auto first_proved(const Prove& prove) {
+    [[nodiscard]] auto first_proved(Effort* effort, const Prove& prove) {
         if (!known_) guesses_ = made_();
         known_ = true;
-        if (guesses_.empty()) QuestionEffort::pay(0); // none may be had for want of work
-        bool first = true;                            // what is said of the likeliest one is said
+        if (guesses_.empty()) pay(effort, 0); // none may be had for want of work
+        bool first = true;                    // what is said of the likeliest one is said
         for (std::size_t n = 0; n < guesses_.size(); first = false) {
             try {
                 auto found = prove(std::as_const(guesses_[n]));

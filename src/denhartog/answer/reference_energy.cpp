@@ -27,7 +27,7 @@ void require_same_motion(const OrbitInPhases& motion, const EnergiesInBalls& e, 
 EnergiesInBalls energies_in_balls(const SceneSource& source, const Solution& solution, slong bits, OrbitGuesses& guesses) {
     const Ball d = motion_of_base_in_frame(source->in_double().system.base_motion);
     if (solution.start)
-        return guesses.first_proved([&](const OrbitGuess& guess) {
+        return guesses.first_proved(source->effort, [&](const OrbitGuess& guess) {
             const auto scene = [&] { return damped_scene_in_balls(source); };
             const OrbitInPhases motion = orbit_in_phases(scene, guess, bits);
             const Bits all(bits);
@@ -64,19 +64,18 @@ Energies energies_by_reference(const SceneSource& source, const Solution& soluti
     OrbitGuesses guesses(made);
     Energies all;
     const slong first = bits_for(digits);
-    with_enough_bits(number_of_masses(source->in_double().system), first, std::max<slong>(8192, 4 * first),
-                     [&](slong bits, bool last) {
-                         WrittenNumbers w(digits, last);
-                         const EnergiesInBalls e = energies_in_balls(source, solution, bits, guesses);
-                         const auto energy = [&](const Ball& W) {
-                             w.beside(W, e.at_most.may_vanish() ? Ball(1) : e.at_most);
-                             return w.shown(about_zero(W));
-                         };
-                         const SceneInBalls s = scene_as_given(source);
-                         all = {energy(e.contact), energy(e.dampers), written(e.friction, w), written(e.on_base, w), {}};
-                         if (!e.amplitude.may_vanish()) all.equivalent = equivalent_damping(e, s.r, s.beta.value(), w);
-                         return w.enough();
-                     });
+    with_enough_bits(source, first, std::max<slong>(8192, 4 * first), [&](const SceneSource& paid, slong bits, bool last) {
+        WrittenNumbers w(digits, last);
+        const EnergiesInBalls e = energies_in_balls(paid, solution, bits, guesses);
+        const auto energy = [&](const Ball& W) {
+            w.beside(W, e.at_most.may_vanish() ? Ball(1) : e.at_most);
+            return w.shown(about_zero(W));
+        };
+        const SceneInBalls s = scene_as_given(paid);
+        all = {energy(e.contact), energy(e.dampers), written(e.friction, w), written(e.on_base, w), {}};
+        if (!e.amplitude.may_vanish()) all.equivalent = equivalent_damping(e, s.r, s.beta.value(), w);
+        return w.enough();
+    });
     return all;
 }
 

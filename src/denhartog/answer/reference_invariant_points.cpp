@@ -7,7 +7,6 @@
 #include "denhartog/answer/printed.hpp"
 #include "denhartog/answer/reference_attempts.hpp"
 #include "denhartog/answer/reference_point.hpp"
-#include "denhartog/number/effort.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/reference/invariant_points.hpp"
 
@@ -59,12 +58,12 @@ std::vector<InvariantPointsOfMass<Certified>> invariant_points(const SceneSource
     const slong most = asked_for ? std::max<slong>(1024, 4 * first) : 2 * first;
     std::size_t undecided_before = 0;
     std::vector<InvariantPointsOfMass<Certified>> masses;
-    with_enough_bits(number_of_masses(source->in_double().system), first, most, [&](slong, bool last) {
+    with_enough_bits(source, first, most, [&](const SceneSource& paid, slong, bool last) {
         WrittenNumbers w(digits, last);
-        masses = written(invariant_points_in_balls(scene_as_given(source), end_of_range(range.from), end_of_range(range.to)), w);
+        masses = written(invariant_points_in_balls(scene_as_given(paid), end_of_range(range.from), end_of_range(range.to)), w);
         // What twice the bits leave undecided as before will stay so.
         const std::size_t undecided = stretches(masses), before = std::exchange(undecided_before, undecided);
-        return w.enough() && (undecided == 0 || undecided == before || last || QuestionEffort::exhausted());
+        return w.enough() && (undecided == 0 || undecided == before || last || is_exhausted(paid->effort));
     });
     return masses;
 }

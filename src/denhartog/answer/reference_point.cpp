@@ -35,8 +35,7 @@ SceneInBalls by_themselves(SceneInBalls s, const ModesInBalls& m, BallMatrix D) 
 
 // Rules of a scene that double may be too coarse to see broken.
 void check_in_balls(const SceneInBalls& s) {
-    if (s.mu < Ball(1))
-        throw InputError("mu", rule_of_mu, printed(s.mu, 40).decimal);
+    if (s.mu < Ball(1)) throw InputError("mu", rule_of_mu, printed(s.mu, 40).decimal);
     for (const auto& [name, A] :
          {std::pair<const char*, const BallMatrix&>{"mass_matrix", s.M}, {"stiffness_matrix", s.K}, {"damping_matrix", s.C}})
         for (slong i = 0; i < A.rows(); ++i)
@@ -115,6 +114,7 @@ SceneInBalls scene_as_given(const SceneSource& source) {
     if (!scene.r) scene.r = Ball(1);
     SceneInBalls s = in_matrices(scene);
     s.kept = source->kept_modes;
+    s.effort = source->effort;
     check_in_balls(s);
     return s;
 }

@@ -44,7 +44,7 @@ void require_start(const BallMatrix& state, const Solution& solution, double tol
 MotionInBalls motion_with_stops(const SceneSource& source, const Solution& solution, double tolerance, slong bits,
                                 OrbitGuesses& guesses) {
     const auto scene = [&] { return damped_scene_in_balls(source); };
-    return guesses.first_proved([&](const OrbitGuess& guess) -> MotionInBalls {
+    return guesses.first_proved(source->effort, [&](const OrbitGuess& guess) -> MotionInBalls {
         const auto orbit = std::make_shared<const OrbitInPhases>(orbit_in_phases(scene, guess, bits));
         if (orbit->orbit.at.periods != solution.periods) throw Disproved({Why::other_motion, 1});
         const auto motion = [orbit, bits](const Ball& tau) {
@@ -100,10 +100,10 @@ std::vector<State> samples_by_reference(const SceneSource& source, const Solutio
                                         double tolerance, const std::function<std::vector<OrbitGuess>()>& made) {
     OrbitGuesses guesses(made);
     std::optional<std::vector<State>> states;
-    with_enough_bits(number_of_masses(source->in_double().system), 128, 1024, [&](slong bits, bool) {
+    with_enough_bits(source, 128, 1024, [&](const SceneSource& paid, slong bits, bool) {
         const auto motion = [&] {
-            if (solution.start) return motion_with_stops(source, solution, tolerance, bits, guesses);
-            const PointInBalls p = point_in_balls(source, !solution.rest_interval);
+            if (solution.start) return motion_with_stops(paid, solution, tolerance, bits, guesses);
+            const PointInBalls p = point_in_balls(paid, !solution.rest_interval);
             return solution.rest_interval ? motion_at_rest(p) : sliding_motion(p);
         };
         states = samples_of(motion(), solution, tau, tolerance);

@@ -50,7 +50,8 @@ SceneSource changed(const SceneSource& source, const Change& change) {
         source->in_balls(in_balls);
         change(in_balls);
     };
-    return std::make_shared<const SceneReader>(SceneReader{std::move(scene), {}, for_balls(read), source->kept_modes});
+    return std::make_shared<const SceneReader>(
+        SceneReader{std::move(scene), {}, for_balls(read), source->kept_modes, source->effort});
 }
 
 } // namespace
@@ -119,5 +120,16 @@ SceneSource without_point(const SceneSource& source) {
 SceneSource without_friction_ratio(const SceneSource& source) {
     return changed(source, [](auto& scene) { scene.beta.reset(); });
 }
+
+SceneSource with_effort(const SceneSource& source, Effort* effort) {
+    if (source->effort == effort) return source;
+    SceneReader paid = *source;
+    paid.effort = effort;
+    return std::make_shared<const SceneReader>(std::move(paid));
+}
+
+ScenePaidFor::ScenePaidFor(const SceneSource& source)
+    : effort_(source->effort, source->scene ? number_of_masses(source->scene->system) : 0),
+      source_(with_effort(source, effort_.get())) {}
 
 } // namespace denhartog

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 
+#include "denhartog/number/effort.hpp"
 #include "denhartog/scene/scene_json.hpp"
 
 namespace denhartog {
@@ -22,6 +23,7 @@ struct SceneReader {
     std::function<void(Scene<Ball>&)> in_balls; ///< gives the scene as its author wrote it, in the bits of the moment; throws
                                                 ///< InputError where the text is no scene; empty without the reference
     std::shared_ptr<reference::KeptModes> kept_modes; ///< of its system, shared by the scenes made from it
+    Effort* effort = nullptr;                         ///< the work that questions about it may spend; null: each has its own
 
     /// @brief The scene in double, which lives as long as this; InputError where the text is no scene.
     [[nodiscard]] const Scene<double>& in_double() const;
@@ -47,6 +49,20 @@ using SceneSource = std::shared_ptr<const SceneReader>;
 [[nodiscard]] SceneSource with_damping_tolerance(const SceneSource& source, double tolerance);
 [[nodiscard]] SceneSource without_point(const SceneSource& source); ///< without r and beta, and with mu = 1
 [[nodiscard]] SceneSource without_friction_ratio(const SceneSource& source);
+[[nodiscard]] SceneSource with_effort(const SceneSource& source, Effort* effort); ///< with another budget of work
 /// @}
+
+/// @brief A scene with the budget of work that it has, or else with one of its own, see `GivenEffort`.
+class ScenePaidFor {
+public:
+    /// @brief Of a scene. The one that is made must not outlive this.
+    explicit ScenePaidFor(const SceneSource& source);
+    /// @brief The scene.
+    [[nodiscard]] const SceneSource& source() const { return source_; }
+
+private:
+    GivenEffort effort_;
+    SceneSource source_;
+};
 
 } // namespace denhartog

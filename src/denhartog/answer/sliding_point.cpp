@@ -37,11 +37,11 @@ double error_of_masses(const SteadyState<Number>& state, std::optional<Mass> onl
     for (std::size_t k = 0; k < state.masses.size(); ++k) {
         if (only && k != only->index) continue;
         const MassResponse<Number>& m = state.masses[k];
-        const double of_mass = std::max({m.x0.e, m.v0.e, m.amplitude.e, m.amplitude_monoharmonic.e});
+        const double error_of_mass = std::max({m.x0.e, m.v0.e, m.amplitude.e, m.amplitude_monoharmonic.e});
         // Of the one mass that is asked about double cannot tell.
-        if (!only && does_not_move(m.amplitude.x, of_mass, largest)) continue;
+        if (!only && does_not_move(m.amplitude.x, error_of_mass, largest)) continue;
         error = std::max(
-            {error, relative_error(Number{m.amplitude.x, of_mass}), as_error(m.phase.e), as_error(m.phase_monoharmonic.e)});
+            {error, relative_error(Number{m.amplitude.x, error_of_mass}), as_error(m.phase.e), as_error(m.phase_monoharmonic.e)});
     }
     return error;
 }
@@ -56,14 +56,14 @@ std::vector<double> errors_of_displacements(const SteadyState<Number>& state) {
 
 // (56) of the modes by themselves, where the coupling by a damping matrix makes no difference to (69) that anybody could measure.
 // Where double leaves that open the bound takes in both.
-Number paper_limit(const Scene<double>& scene, ModalBasis<Number> basis, const Boundary<Number>& coupled) {
+Number paper_limit(const Scene<double>& scene, ModalBasis<Number> basis, const Boundary<Number>& coupled, Effort* effort) {
     const Matrix<double> D = basis.D.unaryExpr([](const Number& entry) { return entry.x; });
     if (largest_coupling(D) > hardly_coupled) return coupled.paper;
     const bool couples = basis.couples;
     basis.D.resize(0, 0);
     basis.couples = false;
     const ModeSums<Number> sums = mode_sums(basis, contact_row(scene.system), load_rows(scene.system), as_input(*scene.r));
-    const Boundary<Number> b = boundary_with(sums, as_input(scene.mu), SearchedSums(sums).demands());
+    const Boundary<Number> b = boundary_with(sums, as_input(scene.mu), SearchedSums(sums, effort).demands());
     const double change = std::abs(b.exact.x - coupled.exact.x), most = hardly_changed * coupled.exact.x;
     Number paper = change <= most ? b.paper : coupled.paper;
     if (couples ? std::abs(change - most) <= b.exact.e + coupled.exact.e : change > most)
@@ -97,7 +97,7 @@ SolvedMass solved_mass(const MassResponse<Number>& m, bool with_motion) {
 }
 
 std::vector<MassFromGround> masses_from_ground(const Scene<double>& scene, const ModeSums<Number>& sums,
-                                               const SteadyState<Number>& state) {
+                                               const SteadyState<Number>& state, Effort* effort) {
     std::vector<MassFromGround> seen;
     const BaseMotion base = scene.system.base_motion;
     const std::size_t N = number_of_masses(scene.system);
@@ -109,7 +109,7 @@ std::vector<MassFromGround> masses_from_ground(const Scene<double>& scene, const
     if (base == BaseMotion::alone)
         add(state, Number(1));
     else
-        add(SearchedSums(sums_from_ground(sums, N, base, b)).steady_state(state.beta, std::nullopt, true), b);
+        add(SearchedSums(sums_from_ground(sums, N, base, b), effort).steady_state(state.beta, std::nullopt, true), b);
     return seen;
 }
 
@@ -135,7 +135,7 @@ void write_point(const Scene<double>& scene, SlidingPoint& point, Asked asked, S
 
 FrictionMotions& SearchedSums::motions() {
     constexpr std::size_t most_remembered = std::size_t(1) << 16;
-    if (!motions_ || motions_->remembered() > most_remembered) motions_.emplace(values());
+    if (!motions_ || motions_->remembered() > most_remembered) motions_.emplace(values(), effort_);
     return *motions_;
 }
 
@@ -159,10 +159,10 @@ SteadyState<Number> SearchedSums::steady_state(const Number& beta, std::optional
     return state;
 }
 
-SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Number>& basis, const PointWish& wish) {
-    SearchedSums at(bounded_sums(scene.system, basis, as_input(*scene.r)));
+SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Number>& basis, const PointWish& wish, Effort* effort) {
+    SearchedSums at(bounded_sums(scene.system, basis, as_input(*scene.r), effort), effort);
     SlidingPoint point{boundary_with(at.sums(), as_input(scene.mu), at.demands()), std::nullopt, std::nullopt};
-    if (at.sums().coupled) point.boundary.paper = paper_limit(scene, basis, point.boundary);
+    if (at.sums().coupled) point.boundary.paper = paper_limit(scene, basis, point.boundary, effort);
     const Boundary<Number>& b = point.boundary;
     if (!is_finite(b)) throw PrecisionError(Why::boundary_out_of_range);
     if (wish.limits || !scene.beta) point.attempted = errors_of_boundary(b);
@@ -172,7 +172,7 @@ SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Number>&
     if (point.regime->regime != Regime::continuous || !wish.motion) return point;
     point.state = at.steady_state(as_input(*scene.beta), wish.only, true);
     point.attempted.relative = std::max(point.attempted.relative, error_of_masses(*point.state, wish.only));
-    if (wish.from_ground) point.from_ground = masses_from_ground(scene, at.sums(), *point.state);
+    if (wish.from_ground) point.from_ground = masses_from_ground(scene, at.sums(), *point.state, effort);
     return point;
 }
 
@@ -181,13 +181,13 @@ Solution sliding_solution(const SceneSource& source, const SlidingQuestion& ques
     const Scene<double>& scene = source->in_double();
     if (!question.modes) check(scene);
     (void)frequency_ratio_of(scene);
-    const auto modes = question.modes ? question.modes : modes_with_errors(scene.system);
+    const auto modes = question.modes ? question.modes : modes_with_errors(scene.system, source->effort);
     check_poles(*modes, load_rows(scene.system), *scene.r);
     // Where mu > 1 the motion from rest may be the sliding one.
     const bool motion = question.asked != Asked::regime || scene.mu > 1;
     const bool limits = question.asked == Asked::motion || question.asked == Asked::regime;
-    SlidingPoint point =
-        sliding_point(scene, *modes, {motion, limits, question.only, question.asked == Asked::motion && !question.only});
+    SlidingPoint point = sliding_point(
+        scene, *modes, {motion, limits, question.only, question.asked == Asked::motion && !question.only}, source->effort);
     Solution s;
     s.asked = question.asked;
     s.contact = scene.system.contact;

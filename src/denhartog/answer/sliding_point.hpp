@@ -29,8 +29,8 @@ inline constexpr double hardly_changed = 1e-9;
 /// they look at values without bounds, and share many instants.
 class SearchedSums {
 public:
-    /// @brief Of sums.
-    explicit SearchedSums(ModeSums<Bounded<double>> sums) : sums_(std::move(sums)) {}
+    /// @brief Of sums. Searches take their share of `effort`.
+    explicit SearchedSums(ModeSums<Bounded<double>> sums, Effort* effort) : sums_(std::move(sums)), effort_(effort) {}
     SearchedSums(const SearchedSums&) = delete;
     SearchedSums& operator=(const SearchedSums&) = delete;
     /// @brief The sums.
@@ -48,6 +48,7 @@ public:
 
 private:
     ModeSums<Bounded<double>> sums_;
+    Effort* effort_;
     std::optional<ModeSums<double>> values_{};
     std::optional<FrictionMotions> motions_{};
 };
@@ -69,7 +70,7 @@ struct PointWish {
     bool from_ground = false;   ///< whether absolute displacements are wanted too, where base or wall move
 };
 
-/// @brief The point of a scene.
+/// @brief The point of a scene; searches take their share of `effort`.
 ///
 /// The instants of the maxima are searched for on values alone, and the formulas are then evaluated there with bounds. Errors
 /// count relative to amplitudes and friction ratios, absolute for phases. A mass that does not move, and a contact that the load
@@ -77,7 +78,7 @@ struct PointWish {
 /// DomainError, and where a maximum is not settled PrecisionError.
 /// @eq{38,39,44,45,47,52,53,69}
 [[nodiscard]] SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Bounded<double>>& basis,
-                                         const PointWish& wish);
+                                         const PointWish& wish, Effort* effort = nullptr);
 
 /// @brief What is asked of the closed form.
 struct SlidingQuestion {

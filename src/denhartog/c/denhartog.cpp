@@ -2,11 +2,11 @@
 #include <array>
 #include <memory>
 
+#include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/c/handles.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/number_text.hpp"
-#include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/solve/decision.hpp"
 #include "denhartog/version.hpp"
 
@@ -16,8 +16,9 @@ using namespace denhartog::c_interface;
 namespace {
 
 void make_system(const SceneSource& source, dh_system** system) {
-    auto made = std::make_unique<dh_system>(dh_system{prepare(source, Question{}, Prepared::every_regime)});
-    made->modes = certain_modes(source, made->prepared.bounded);
+    auto made = std::make_unique<dh_system>(dh_system{prepare(paid(source), Question{}, Prepared::every_regime)});
+    made->prepared.source = source; // which outlives this call
+    made->modes = certain_modes(paid(source), made->prepared.bounded);
     for (const Bounded<double>& r_n : made->modes->r_n) need_finite(std::array{r_n.x});
     *system = made.release();
 }
@@ -27,9 +28,10 @@ constexpr double boundary_of_antiresonance = 1e-25;
 
 // Boundary and closed form at a point.
 Solution closed_form_at(const dh_system* system, double r, double beta, double mu, Asked asked, std::optional<Mass> mass) {
-    const SceneSource source = point_of(system, r, beta, mu);
+    const SceneSource source = paid(point_of(system, r, beta, mu));
     const bool own_load = load_depends_on_frequency(source->in_double().system); // that of what is prepared is another
-    return sliding_answer(source, SlidingQuestion{asked, digits_of_formulas, mass, own_load ? nullptr : system->prepared.bounded});
+    return sliding_answer(source,
+                          SlidingQuestion{asked, digits_of_formulas, mass, own_load ? nullptr : system->prepared.bounded});
 }
 
 void need_digits(const Solution& found) {
@@ -131,7 +133,8 @@ Bounded<double> c_interface::limit_at_high_frequency(const dh_system* system, do
 Numbers c_interface::displacements_at(const dh_system* system, double r, double beta, double mu, Mass k,
                                       std::span<const double> tau) {
     const Quantities<Bounded<double>> q =
-        quantities(point_of(system, r, beta, mu), tau, digits_of_formulas, PointNumbers::motion, system->prepared.bounded).numbers;
+        quantities(paid(point_of(system, r, beta, mu)), tau, digits_of_formulas, PointNumbers::motion, system->prepared.bounded)
+            .numbers;
     if (!q.X_j) throw_not_sliding(beta, q.beta_lim.x);
     Numbers x;
     for (std::size_t n = k.index; n < q.x.size(); n += q.x_size.size()) x.push_back(q.x[n]);
@@ -216,7 +219,7 @@ int dh_boundaries_proved(const dh_system* system, double r, double mu, dh_bounda
         if (errors != nullptr) need_struct(errors, "errors");
         check_frequency_ratio(r);
         check_static_friction(mu);
-        const SceneSource source = at_frequency(with_static_friction(system->prepared.source, mu), r);
+        const SceneSource source = paid(at_frequency(with_static_friction(system->prepared.source, mu), r));
         const Limits found = *sliding_answer(source, digits_of_formulas, true).limits;
         const dh_boundary values = struct_of(found, ValueOrError::value), bounds = struct_of(found, ValueOrError::error);
         hand_out(values, boundary);

@@ -33,7 +33,8 @@ struct TwoOutputs {
 void hand_out_both(const std::vector<TwoOutputs>& columns) {
     for (const ValueOrError part : {ValueOrError::value, ValueOrError::error}) {
         std::vector<Output> all;
-        for (const TwoOutputs& each : columns) all.push_back({each.numbers, part == ValueOrError::value ? each.to : each.errors_to});
+        for (const TwoOutputs& each : columns)
+            all.push_back({each.numbers, part == ValueOrError::value ? each.to : each.errors_to});
         hand_out(part, all);
     }
 }
@@ -54,7 +55,7 @@ int dh_place_of_rest(const dh_system* system, size_t count, double* x, double* x
     return guarded([&] {
         need_count(count, masses_of(system));
         need(x, "x");
-        std::vector<Certified> places = place_of_rest(system->prepared.source);
+        std::vector<Certified> places = place_of_rest(paid(system->prepared.source));
         places.resize(count); // zero without a constant load
         hand_out_both({{numbers_of(places, [](const Certified& place) { return place; }), x, x_error}});
     });
@@ -65,7 +66,7 @@ int dh_free_decay(const dh_system* system, const dh_decay_request* request, dh_d
         need_struct(request, "request");
         need_struct(decay, "decay");
         const std::size_t N = masses_of(system);
-        const SceneSource source = point_of(system, request->r, request->beta, request->mu);
+        const SceneSource source = paid(point_of(system, request->r, request->beta, request->mu));
         if (!(request->until >= 0)) throw InputError("until", "must not be negative", "");
         const FreeDecay found = free_decay(source, start_of(request->x, request->x_prime, N),
                                            request->until > 0 ? std::optional(request->until) : std::nullopt);
@@ -101,7 +102,7 @@ int dh_follow(const dh_system* system, const dh_history_request* request, dh_his
         settings.start = start_of(request->x, request->x_prime, N);
         settings.samples = request->samples;
         settings.without_load = request->without_load != 0;
-        const MotionHistory found = motion_history(point_of(system, request->r, request->beta, request->mu), settings);
+        const MotionHistory found = motion_history(paid(point_of(system, request->r, request->beta, request->mu)), settings);
         if (found.status != IntegrationStatus::complete) throw PrecisionError(found.reason);
         const std::size_t stops = found.stops.size(), samples = found.times.size();
         need_room(stops, history->stop_room, "stop_room");

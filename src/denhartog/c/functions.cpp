@@ -1,5 +1,5 @@
-#include "denhartog/c/handles.hpp"
 #include "denhartog/answer/modes_in_double.hpp"
+#include "denhartog/c/handles.hpp"
 
 using namespace denhartog;
 using namespace denhartog::c_interface;
@@ -36,7 +36,7 @@ int modal_functions(const dh_system* system, double r, size_t count, ValueOrErro
         if (v == nullptr && u == nullptr && g == nullptr) return hand_out(part, {{ratios, R}}); // there is no pole
         check_uncoupled(*system->modes);
         Numbers of_v, of_u, of_g;
-        for (const auto& f : certain_mode_functions(at_frequency(system->prepared.source, r), system->modes)) {
+        for (const auto& f : certain_mode_functions(paid(at_frequency(system->prepared.source, r)), system->modes)) {
             of_v.insert(of_v.end(), {f.v.re, f.v.im});
             of_u.push_back(f.u);
             of_g.push_back(f.g);
@@ -75,7 +75,8 @@ Numbers c_interface::frequency_ratios_at(const dh_system* system, double r) {
 }
 
 Quantities<Bounded<double>> c_interface::sums_at(const dh_system* system, double r) {
-    return quantities(point_of(system, r, 0, 1), {}, digits_of_formulas, PointNumbers::sums, system->prepared.bounded).numbers;
+    return quantities(paid(point_of(system, r, 0, 1)), {}, digits_of_formulas, PointNumbers::sums, system->prepared.bounded)
+        .numbers;
 }
 
 extern "C" {

@@ -63,6 +63,7 @@ struct Allowance {
     std::optional<long> operations;   // none for the default
     dh_cancelled cancelled = nullptr; // null where nobody cancels
     void* context = nullptr;          // what it is called with
+    Effort* effort = nullptr;         // of the call that runs, where one of the above says something
 };
 
 // That of the calling thread, to be read or set.
@@ -97,16 +98,33 @@ int guarded_without_effort(Body&& body) noexcept {
     }
 }
 
+// Sets the budget of a call while it runs.
+class DuringCall {
+public:
+    DuringCall(Allowance& allowed, Effort* effort) : allowed_(allowed), before_(std::exchange(allowed.effort, effort)) {}
+    ~DuringCall() { allowed_.effort = before_; }
+    DuringCall(const DuringCall&) = delete;
+    DuringCall& operator=(const DuringCall&) = delete;
+
+private:
+    Allowance& allowed_;
+    Effort* before_;
+};
+
+// A scene with the budget of the call that runs; it must not outlive that.
+[[nodiscard]] inline SceneSource paid(const SceneSource& source) { return with_effort(source, allowance().effort); }
+
 // Runs the body of a function, within the effort that the calling thread allows.
 template <class Body>
 int guarded(Body&& body) noexcept {
     return guarded_without_effort([&body] {
-        const Allowance& allowed = allowance();
+        Allowance& allowed = allowance();
         std::optional<QuestionEffort> effort;
         if (allowed.cancelled != nullptr)
             effort.emplace(0, allowed.operations, [&allowed] { return allowed.cancelled(allowed.context) != 0; });
         else if (allowed.operations)
             effort.emplace(0, allowed.operations);
+        const DuringCall during(allowed, effort ? &*effort : nullptr);
         body();
     });
 }

@@ -72,7 +72,7 @@ PointAnswer answer_at(const PreparedSystem& prepared, double r, double beta, con
                       const std::vector<Mass>& masses, const Allowance& allowed) {
     std::optional<QuestionEffort> effort;
     if (allowed.operations) effort.emplace(0, allowed.operations);
-    const AnswerOrNone found = decide(prepared, {r, beta, nullptr}, question);
+    const AnswerOrNone found = decide(prepared, {r, beta, nullptr, effort ? &*effort : nullptr}, question);
     PointAnswer answer{map_point(found), {}};
     const std::vector<MassFromGround>& seen = found.solution.from_ground;
     for (const Mass k : masses) {

@@ -53,8 +53,8 @@ dh_solution c_interface::solution_at(const dh_system* system, double r, double b
     question.digits = digits_from(digits);
     question.proved = proved;
     return {at_point(with_static_friction(system->prepared.source, mu), r, beta),
-            mu == 1 ? solve(system->prepared, r, beta, question)
-                    : solve(with_static_friction(system->prepared, mu), r, beta, question)};
+            mu == 1 ? solve(system->prepared, r, beta, question, allowance().effort)
+                    : solve(with_static_friction(system->prepared, mu), r, beta, question, allowance().effort)};
 }
 
 extern "C" {
@@ -148,7 +148,7 @@ int dh_solution_energies(const dh_solution* solution, int digits, dh_energies* f
         need(solution, "solution");
         need_struct(found, "energies");
         if (errors != nullptr) need_struct(errors, "errors");
-        const Energies e = energies(solution->source, solution->solution, digits_from(digits));
+        const Energies e = energies(paid(solution->source), solution->solution, digits_from(digits));
         const auto part = [&e](ValueOrError of) {
             dh_energies all{};
             const auto put = [of](const Certified& x, double& to) { to = part_of(x, of); };
@@ -198,7 +198,7 @@ int dh_solution_motion(const dh_solution* solution, size_t samples, size_t count
         const std::size_t N = number_of_masses(solution->source->in_double().system);
         need_length(samples, most_samples_of(N), "samples");
         need_count(count, samples * N);
-        const SampledSolution motion = sampled_solution(solution->source, solution->solution, samples);
+        const SampledSolution motion = sampled_solution(paid(solution->source), solution->solution, samples);
         need_finite(motion.x);
         need_finite(motion.x_prime);
         std::ranges::copy(motion.x, x);

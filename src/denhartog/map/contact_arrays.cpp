@@ -68,7 +68,7 @@ std::vector<WeightedMode> modes_of(const ModalBasis<Bounded<double>>& basis, Mas
     for (std::size_t i = 0; i < n; ++i) {
         const double R = of.R[i], v_re = of.v_re[i], v_im = of.v_im[i], u = of.u[i], g = of.g[i];
         const double modulus = absolute(v_re) + absolute(v_im), size_of_v = modulus * (1 + sharpness * modulus);
-        const double of_u = absolute(u) + 1, grown = 1 + sharpness * of_u;
+        const double size_of_u = absolute(u) + 1, grown = 1 + sharpness * size_of_u;
         V_re[i] += m.load * v_re;
         V_im[i] += m.load * v_im;
         Y_re[i] += m.contact * v_re;
@@ -78,10 +78,10 @@ std::vector<WeightedMode> modes_of(const ModalBasis<Bounded<double>>& basis, Mas
         H[i] += evaluation::term_of_H(m, R, u, g);
         size_of_V[i] += size.load * size_of_v;
         size_of_Y[i] += size.contact * size_of_v;
-        size_of_U[i] += size.contact * of_u * grown;
+        size_of_U[i] += size.contact * size_of_u * grown;
         size_of_H[i] += size.square * (absolute(g) + size.two_zeta * R * absolute(u) + 1) * grown;
-        const double of_mode = evaluation::certainty_of_start(R, zeta, u, g);
-        certainty[i] = of_mode < certainty[i] ? of_mode : certainty[i];
+        const double certainty_of_mode = evaluation::certainty_of_start(R, zeta, u, g);
+        certainty[i] = certainty_of_mode < certainty[i] ? certainty_of_mode : certainty[i];
     }
 }
 

@@ -34,9 +34,9 @@ PointStatus status_of(const Compute& compute) {
 class MapColumn {
 public:
     MapColumn(const MapSystem& map_, double r_, const std::optional<ContactColumn>& arrays, std::span<MapPoint> points_,
-              std::span<double> amplitudes_)
-        : map(map_), r(r_), by_arrays(arrays.has_value()), column(arrays ? *arrays : evaluated()), points(points_),
-          amplitudes(amplitudes_),
+              std::span<double> amplitudes_, Effort& effort_)
+        : map(map_), r(r_), effort(effort_), by_arrays(arrays.has_value()), column(arrays ? *arrays : evaluated()),
+          points(points_), amplitudes(amplitudes_),
           contact_alone(std::ranges::all_of(map.masses, [&](Mass k) { return k == map.system().contact; })),
           damped(every_motion_is_damped(map.system().basis)) {}
 
@@ -49,7 +49,8 @@ public:
         const PointStatus status = write(n, answer);
         if (status != PointStatus::failed || is_told(n) || !std::isfinite(column.boundary.exact.e)) return status;
         is_near = true;
-        if (const PointStatus again = status_of([&] { return answer_in_double(n); }); again != PointStatus::answered) return again;
+        if (const PointStatus again = status_of([&] { return answer_in_double(n); }); again != PointStatus::answered)
+            return again;
         return points[n].status == PointStatus::answered ? PointStatus::on_boundary : points[n].status;
     }
 
@@ -80,7 +81,7 @@ private:
     static bool is_accurate(const Bounded<double>& amplitude) { return amplitude.e <= least_accuracy * amplitude.x; }
 
     SearchedSums& at() {
-        if (!at_) at_.emplace(bounded_sums(map.prepared.scene().system, *map.prepared.bounded, as_input(r)));
+        if (!at_) at_.emplace(bounded_sums(map.prepared.scene().system, *map.prepared.bounded, as_input(r), &effort), &effort);
         return *at_;
     }
 
@@ -182,6 +183,7 @@ private:
         search.follow_start = map.mu > 1 && map.start == MapStart::rest;
         search.contact_only = contact_alone;
         search.with_stability = false;
+        search.effort = &effort;
         search.guess = guess ? &*guess : nullptr;
         const PeriodicOrbit orbit = periodic_orbit(*solver, start, search);
         if (orbit.status == OrbitStatus::permanently_stuck && map.mu > 1) return is_told(n) && stick(n);
@@ -209,8 +211,8 @@ private:
         question.asked = Asked::amplitude;
         if (map.masses.size() == 1) question.mass = map.masses.front();
         if (map.mu == 1 || map.start == MapStart::rest || map.beta[n] == 0)
-            return decide(map.prepared, {r, map.beta[n], nullptr}, question);
-        return decide_sliding(at_point(map.prepared.source, r, map.beta[n]),
+            return decide(map.prepared, {r, map.beta[n], nullptr, &effort}, question);
+        return decide_sliding(with_effort(at_point(map.prepared.source, r, map.beta[n]), &effort),
                               {question.asked, {}, question.mass, map.prepared.bounded});
     }
 
@@ -228,6 +230,7 @@ private:
 
     const MapSystem& map;
     double r;
+    Effort& effort;                  // of the point
     std::optional<SearchedSums> at_; // evaluated when it is first needed
     bool by_arrays;                  // whether `column` comes from the arrays
     ContactColumn column;
@@ -265,19 +268,17 @@ void compute_column(const MapSystem& map, double r, const std::optional<ContactC
     const std::size_t masses = map.masses.size(), modes = map.system().basis.r_n.size();
     const auto stopped = [&stop] { return stop.load(std::memory_order_relaxed); };
     std::optional<MapColumn> column;
-    const PointStatus prepared = [&] {
-        const QuestionEffort effort(modes, map.effort, stopped);
-        return status_of([&] {
-            column.emplace(map, r, arrays, points, amplitudes);
-            return true;
-        });
-    }();
+    QuestionEffort effort(modes, map.effort, stopped);
+    const PointStatus prepared = status_of([&] {
+        column.emplace(map, r, arrays, points, amplitudes, effort);
+        return true;
+    });
     for (std::size_t n = 0; n < points.size() && !stop; ++n) {
         if (const std::size_t together = column ? column->answer_together(n) : 0; together > 0) {
             n += together - 1;
             continue;
         }
-        const QuestionEffort effort(modes, map.effort, stopped);
+        effort.spent = 0;
         points[n].status = column ? column->answer(n) : prepared;
         if (has_numbers(points[n].status)) continue;
         points[n] = {points[n].status};

@@ -78,8 +78,8 @@ RegimeMap map_by_solve(const Scene<double>& scene, const MapRequest& request, co
     parallel_for(columns, request.threads, [&](std::size_t m) {
         for (std::size_t n = 0; n < rows; ++n) {
             if (stop) return false;
-            const QuestionEffort effort(number_of_masses(scene.system), request.effort, [&stop] { return stop.load(); });
-            const AnswerOrNone answer = decide(prepared, {request.r[m], request.beta[n], nullptr}, question);
+            QuestionEffort effort(number_of_masses(scene.system), request.effort, [&stop] { return stop.load(); });
+            const AnswerOrNone answer = decide(prepared, {request.r[m], request.beta[n], nullptr, &effort}, question);
             const Solution& s = answer.solution;
             MapPoint& point = map.points[m * rows + n] = map_point(answer);
             if (has_numbers(point.status) && ((absolute && s.from_ground.empty()) || !s.digits_reached)) point = {};

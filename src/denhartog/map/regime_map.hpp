@@ -58,7 +58,7 @@ struct MapRequest {
     std::vector<Mass> masses;        ///< masses whose amplitudes are wanted, at least one
     MapStart start = MapStart::rest; ///< which motion, if there are several
     unsigned threads = 1;            ///< number of threads, at least 1
-    std::optional<long> effort{};    ///< operations allowed for a point; by default those of `QuestionEffort`
+    std::optional<long> effort{};    ///< operations allowed for a point; by default those of `default_effort`
     bool from_ground = false;        ///< whether amplitudes are those of absolute displacements, where base or wall move
     bool phases = false;             ///< whether phases are wanted too
 };

@@ -180,7 +180,7 @@ SingularValues in_order(const std::vector<double>& d, const Matrix<double>& V, l
 }
 
 /// The iteration; V starts as rows of the identity.
-SingularValues iterate(std::vector<double> d, std::vector<double> e, Matrix<double> V) {
+SingularValues iterate(std::vector<double> d, std::vector<double> e, Matrix<double> V, Effort* effort) {
     const std::size_t N = d.size();
     const double tolerance = 8 * std::numeric_limits<double>::epsilon();
     const double rotations_allowed =
@@ -202,7 +202,7 @@ SingularValues iterate(std::vector<double> d, std::vector<double> e, Matrix<doub
         if (found.split) continue;
         rotations += static_cast<double>(block.size());
         if (!(rotations <= rotations_allowed)) throw PrecisionError({Why::chain_not_converged, N});
-        QuestionEffort::pay_for_products(4 * static_cast<long>(block.size()) * V.rows());
+        pay_for_products(effort, 4 * static_cast<long>(block.size()) * V.rows());
         const double shift = shift_for(block, found, static_cast<int>(N));
         if (shift == 0)
             sweep_without_shift(block);
@@ -215,15 +215,16 @@ SingularValues iterate(std::vector<double> d, std::vector<double> e, Matrix<doub
 
 } // namespace
 
-SingularValues bidiagonal_singular_values(std::vector<double> d, std::vector<double> e) {
+SingularValues bidiagonal_singular_values(std::vector<double> d, std::vector<double> e, Effort* effort) {
     const auto N = static_cast<Eigen::Index>(d.size());
-    return iterate(std::move(d), std::move(e), Matrix<double>(Matrix<double>::Identity(N, N)));
+    return iterate(std::move(d), std::move(e), Matrix<double>(Matrix<double>::Identity(N, N)), effort);
 }
 
-SingularValues bidiagonal_singular_values(std::vector<double> d, std::vector<double> e, const std::vector<std::size_t>& rows) {
+SingularValues bidiagonal_singular_values(std::vector<double> d, std::vector<double> e, const std::vector<std::size_t>& rows,
+                                          Effort* effort) {
     Matrix<double> V = Matrix<double>::Zero(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(d.size()));
     for (std::size_t n = 0; n < rows.size(); ++n) V(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(rows[n])) = 1.0;
-    return iterate(std::move(d), std::move(e), std::move(V));
+    return iterate(std::move(d), std::move(e), std::move(V), effort);
 }
 
 } // namespace denhartog

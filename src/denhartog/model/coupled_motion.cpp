@@ -79,9 +79,7 @@ Matrix<double> CoupledMotion::carried(double t, Matrix<double> z) {
 
 // So many products of two numbers are to be formed.
 void CoupledMotion::spend_products(Eigen::Index count) const {
-    if (effort_ == nullptr) return QuestionEffort::pay_for_products(static_cast<long>(count));
-    (*effort_)->spend(cost_of_products(static_cast<long>(count)));
-    if ((*effort_)->exhausted()) throw PrecisionError((*effort_)->ending());
+    if (effort_ != nullptr) pay(*effort_, cost_of_products(static_cast<long>(count)));
 }
 
 // Forms a term of a series from the one before, a factor times its product with the matrix that has the given entries in the

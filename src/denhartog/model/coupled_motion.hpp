@@ -36,8 +36,11 @@ public:
 
     CoupledMotion() = default;
     /// @brief Of a matrix A with no rate faster than `rate`: its entries over that are not much larger than 1 once its rows are
-    /// scaled. Its exponentials spend of `effort`; if that is null, half of them is the question's to pay.
+    /// scaled. Its exponentials spend of `effort`, if there is one.
     CoupledMotion(const Matrix<double>& A, double rate, Asked asked, Effort* const* effort);
+
+    /// @brief What follows is not paid for.
+    void pay_no_more() { effort_ = nullptr; }
 
     /// @brief Starts at t = 0 with a state.
     void start(Column z);

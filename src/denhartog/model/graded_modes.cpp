@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "denhartog/model/linear_algebra.hpp"
-#include "denhartog/number/effort.hpp"
 #include "denhartog/scene/cholesky.hpp"
 
 namespace denhartog {
@@ -30,13 +29,13 @@ void rotate(Matrix<double>& A, Eigen::Index p, Eigen::Index q, double cosine, do
 }
 
 // Rotates columns until each two are orthogonal to rounding; V takes the rotations.
-void orthogonalise(Matrix<double>& A, Matrix<double>& V) {
+void orthogonalise(Matrix<double>& A, Matrix<double>& V, Effort* effort) {
     const Eigen::Index N = A.cols();
     const double rounding = static_cast<double>(N) * std::numeric_limits<double>::epsilon();
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
         bool rotated = false;
         for (Eigen::Index p = 0; p < N; ++p) {
-            QuestionEffort::pay(static_cast<long>(N * N) / 16); // sums and rotations of up to N pairs of columns
+            pay(effort, static_cast<long>(N * N) / 16); // sums and rotations of up to N pairs of columns
             for (Eigen::Index q = p + 1; q < N; ++q) {
                 const double a = along(A, p, p), b = along(A, q, q), c = along(A, p, q);
                 if (std::abs(c) <= rounding * std::sqrt(a) * std::sqrt(b)) continue;
@@ -79,13 +78,13 @@ std::optional<double> condition_of_graded(const Matrix<double>& L, const Matrix<
     return graded ? std::optional(graded->condition) : std::nullopt;
 }
 
-std::optional<NaturalModes> graded_modes(const Matrix<double>& L, const Matrix<double>& K) {
+std::optional<NaturalModes> graded_modes(const Matrix<double>& L, const Matrix<double>& K, Effort* effort) {
     const std::optional<GradedStiffness> graded = graded_stiffness(L, K);
     if (!graded) return std::nullopt;
     const Eigen::Index N = K.rows();
     Matrix<double> A = graded->factor.L.transpose(), V = Matrix<double>::Identity(N, N);
     for (Eigen::Index k = 0; k < N; ++k) A.col(k) /= L(k, k);
-    orthogonalise(A, V);
+    orthogonalise(A, V, effort);
     std::vector<double> sizes;
     for (Eigen::Index i = 0; i < N; ++i) sizes.push_back(std::sqrt(along(A, i, i)));
     std::vector<std::size_t> order(sizes.size());

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "denhartog/model/product_of_doubles.hpp"
-#include "denhartog/number/effort.hpp"
 #include "denhartog/number/why.hpp"
 
 namespace denhartog {
@@ -21,15 +20,10 @@ auto times(const Left& A, const Right& B) {
     return product;
 }
 
-// So many times the cube of an order are multiplied for a matrix.
-void pay_for(int times, Eigen::Index order) {
-    QuestionEffort::pay_for_products(static_cast<long>(times * order * order * order));
-}
-
 } // namespace
 
-SymmetricEigenproblem symmetric_eigenproblem(const Matrix<double>& A) {
-    pay_for(9, A.rows());
+SymmetricEigenproblem symmetric_eigenproblem(const Matrix<double>& A, Effort* effort) {
+    pay_for_products(effort, 9 * static_cast<long>(A.rows() * A.rows() * A.rows()));
     const Eigen::SelfAdjointEigenSolver<Matrix<double>> solved(A);
     if (solved.info() != Eigen::Success) throw PrecisionError(Why::modes_not_converged);
     const Column values = solved.eigenvalues();
@@ -37,7 +31,6 @@ SymmetricEigenproblem symmetric_eigenproblem(const Matrix<double>& A) {
 }
 
 Matrix<double> divide_out(const Matrix<double>& L, const Matrix<double>& X) {
-    pay_for(1, L.rows());
     const auto lower = L.triangularView<Eigen::Lower>();
     const Matrix<double> half = lower.solve(X);
     return lower.solve(Matrix<double>(half.transpose()));
@@ -55,19 +48,13 @@ Column product_of_sizes(const Matrix<double>& A, const Column& x) { return times
 
 Matrix<double> transpose_times(const Matrix<double>& X, const Matrix<double>& A) { return times(X.transpose(), A); }
 
-Matrix<double> in_coordinates(const Matrix<double>& X, const Matrix<double>& A) {
-    pay_for(2, A.rows());
-    return times(transpose_times(X, A), X);
-}
+Matrix<double> in_coordinates(const Matrix<double>& X, const Matrix<double>& A) { return times(transpose_times(X, A), X); }
 
 struct LinearSystem::Factors {
     Eigen::PartialPivLU<Matrix<double>> of;
 };
 
-LinearSystem::LinearSystem(const Matrix<double>& A) {
-    pay_for(1, A.rows());
-    factors_ = std::unique_ptr<Factors>(new Factors{Eigen::PartialPivLU<Matrix<double>>(A)});
-}
+LinearSystem::LinearSystem(const Matrix<double>& A) : factors_(new Factors{Eigen::PartialPivLU<Matrix<double>>(A)}) {}
 
 LinearSystem::~LinearSystem() = default;
 
@@ -79,7 +66,6 @@ Column LinearSystem::solve(const Column& b) const {
 }
 
 Matrix<double> LinearSystem::inverse() const {
-    pay_for(1, factors_->of.rows());
     const Matrix<double> inverse = factors_->of.inverse();
     return inverse;
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "denhartog/number/effort.hpp"
 #include "denhartog/scene/scene.hpp"
 
 namespace denhartog {
@@ -18,9 +19,9 @@ struct SymmetricEigenproblem {
     Matrix<double> vectors;     ///< orthonormal eigenvectors, a column each
 };
 
-/// @brief Solves an eigenproblem by the lower triangle of a symmetric matrix; PrecisionError where the iteration does not
-/// converge.
-[[nodiscard]] SymmetricEigenproblem symmetric_eigenproblem(const Matrix<double>& A);
+/// @brief Solves an eigenproblem by the lower triangle of a symmetric matrix, paid from a budget; PrecisionError where the iteration
+/// does not converge.
+[[nodiscard]] SymmetricEigenproblem symmetric_eigenproblem(const Matrix<double>& A, Effort* effort = nullptr);
 
 /// @brief \f$ L^{-1}XL^{-T} \f$ with a lower triangular L: a matrix in coordinates in which \f$ LL^T \f$ is the unit matrix.
 [[nodiscard]] Matrix<double> divide_out(const Matrix<double>& L, const Matrix<double>& X);

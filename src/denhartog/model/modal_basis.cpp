@@ -63,7 +63,7 @@ void require_finite(const ModalBasis<double>& basis) {
 
 Matrix<double> mass_factor(const System<double>& s) { return mass_factor(s, lumped_masses(s)); }
 
-ModalBasis<double> modal_basis(const System<double>& s) {
+ModalBasis<double> modal_basis(const System<double>& s, Effort* effort) {
     check(s);
     const std::size_t N = number_of_masses(s);
     const std::vector<double> gamma = lumped_masses(s);
@@ -75,8 +75,8 @@ ModalBasis<double> modal_basis(const System<double>& s) {
         const double k = lumped ? s.stiffness_ratios[0] : s.stiffness_matrix(0, 0);
         basis = {{sqrt(k / m)}, Matrix<double>::Constant(1, 1, 1 / sqrt(m)), {}};
     } else {
-        NaturalModes modes =
-            lumped ? chain_modes(gamma, s.stiffness_ratios) : general_modes(mass_factor(s, gamma), stiffness_matrix(s));
+        NaturalModes modes = lumped ? chain_modes(gamma, s.stiffness_ratios, effort)
+                                    : general_modes(mass_factor(s, gamma), stiffness_matrix(s), effort);
         ++work_counted.eigen_solves;
         basis = {std::move(modes.r_n), std::move(modes.phi), {}};
     }
@@ -95,18 +95,18 @@ ModalBasis<double> modal_basis(const System<double>& s) {
     return basis;
 }
 
-ModalBasis<double> modal_basis_at(const System<double>& s, const std::vector<Mass>& masses) {
+ModalBasis<double> modal_basis_at(const System<double>& s, const std::vector<Mass>& masses, Effort* effort) {
     const bool chain = is_chain(s) && !s.damping_ratios.empty();
     ModalBasis<double> basis;
     if (chain && s.mass_ratios.size() > 1) {
         check(s);
-        NaturalModes modes = chain_modes(s.mass_ratios, s.stiffness_ratios, masses);
+        NaturalModes modes = chain_modes(s.mass_ratios, s.stiffness_ratios, masses, effort);
         ++work_counted.eigen_solves;
         basis = {std::move(modes.r_n), std::move(modes.phi), s.damping_ratios};
         require_finite(basis);
         return basis;
     }
-    const ModalBasis<double> all = modal_basis(s);
+    const ModalBasis<double> all = modal_basis(s, effort);
     basis = {all.r_n, Matrix<double>(static_cast<Eigen::Index>(masses.size()), all.phi.cols()), all.zeta};
     for (std::size_t n = 0; n < masses.size(); ++n)
         basis.phi.row(static_cast<Eigen::Index>(n)) = all.phi.row(static_cast<Eigen::Index>(masses[n].index));

@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "denhartog/number/effort.hpp"
 #include "denhartog/number/work_counted.hpp"
 #include "denhartog/scene/scene.hpp"
 
@@ -44,7 +45,7 @@ template <class T, class Number>
 template <class T>
 [[nodiscard]] bool every_motion_is_damped(const ModalBasis<T>& basis);
 
-/// @brief Solves the eigenproblem (15) once; not at all where N = 1.
+/// @brief Solves the eigenproblem (15) once, paid from a budget; not at all where N = 1.
 ///
 /// A chain given by ratios is solved through a bidiagonal matrix: each natural frequency comes with an error of about N eps of
 /// itself, however stiff its springs. Other systems are solved through a symmetric matrix: errors of the squared frequencies are
@@ -52,11 +53,12 @@ template <class T>
 /// InputError where `check` throws, or C feeds energy into the motion. PrecisionError where the iteration does not converge, the
 /// lowest natural frequency is too low beside the highest, or a mode is beyond the range of the number type.
 /// @eq{14,15}
-[[nodiscard]] ModalBasis<double> modal_basis(const System<double>& s);
+[[nodiscard]] ModalBasis<double> modal_basis(const System<double>& s, Effort* effort = nullptr);
 
 /// @brief The basis with the shapes at a few masses alone, a row for each in that order, and each mode with any sign: on a chain
 /// in O(N^2) in place of O(N^3). @eq{14,15}
-[[nodiscard]] ModalBasis<double> modal_basis_at(const System<double>& s, const std::vector<Mass>& masses);
+[[nodiscard]] ModalBasis<double> modal_basis_at(const System<double>& s, const std::vector<Mass>& masses,
+                                                Effort* effort = nullptr);
 
 /// @brief Number of eigenproblems (15) solved since the program started; tests gate on it.
 [[nodiscard]] inline long eigen_solves() { return work_counted.eigen_solves; }

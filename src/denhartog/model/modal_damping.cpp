@@ -50,14 +50,15 @@ Matrix<double> rounding_between_modes(const Matrix<double>& C, const Matrix<doub
     const double tolerance = rounding_of_modes(modes.r_n.size()), highest = modes.r_n.back();
     // An entry of a mode is good to the rounding of the root of the entry of the inverse mass matrix, the sum over all modes.
     const Matrix<double> forces = product(Matrix<double>(C.cwiseAbs()), Matrix<double>(modes.phi.cwiseAbs()));
-    const Matrix<double> of_entries = transpose_times(Matrix<double>(modes.phi.rowwise().norm()), forces);
+    const Matrix<double> sizes_of_entries = transpose_times(Matrix<double>(modes.phi.rowwise().norm()), forces);
     Matrix<double> rounding = Matrix<double>::Zero(D.rows(), D.cols());
     for (Eigen::Index i = 0; i < D.rows(); ++i)
         for (Eigen::Index k = 0; k < i; ++k) {
             const double &r_i = modes.r_n[static_cast<std::size_t>(i)], &r_k = modes.r_n[static_cast<std::size_t>(k)];
-            const double of_squares = tolerance * (errors == FrequencyErrors::of_each ? r_i * r_k : highest * highest);
-            const double apart = (r_i - r_k) * (r_i + r_k), angle = of_squares < apart ? of_squares / apart : 1.0;
-            rounding(i, k) = rounding(k, i) = tolerance * (of_entries(0, i) + of_entries(0, k)) + angle * abs(D(i, i) - D(k, k));
+            const double error_of_squares = tolerance * (errors == FrequencyErrors::of_each ? r_i * r_k : highest * highest);
+            const double apart = (r_i - r_k) * (r_i + r_k), angle = error_of_squares < apart ? error_of_squares / apart : 1.0;
+            rounding(i, k) = rounding(k, i) =
+                tolerance * (sizes_of_entries(0, i) + sizes_of_entries(0, k)) + angle * abs(D(i, i) - D(k, k));
         }
     return rounding;
 }

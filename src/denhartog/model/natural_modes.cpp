@@ -56,27 +56,28 @@ Bidiagonal bidiagonal_of(const std::vector<double>& gamma, const std::vector<dou
 
 } // namespace
 
-NaturalModes chain_modes(const std::vector<double>& gamma, const std::vector<double>& kappa) {
+NaturalModes chain_modes(const std::vector<double>& gamma, const std::vector<double>& kappa, Effort* effort) {
     Bidiagonal F = bidiagonal_of(gamma, kappa);
-    SingularValues solved = bidiagonal_singular_values(std::move(F.d), std::move(F.e));
+    SingularValues solved = bidiagonal_singular_values(std::move(F.d), std::move(F.e), effort);
     if (F.reversed) solved.V = solved.V.colwise().reverse().eval();
     for (std::size_t k = 0; k < gamma.size(); ++k) solved.V.row(static_cast<Eigen::Index>(k)) /= sqrt(gamma[k]);
     return {std::move(solved.sigma), std::move(solved.V)};
 }
 
-NaturalModes chain_modes(const std::vector<double>& gamma, const std::vector<double>& kappa, const std::vector<Mass>& masses) {
+NaturalModes chain_modes(const std::vector<double>& gamma, const std::vector<double>& kappa, const std::vector<Mass>& masses,
+                         Effort* effort) {
     Bidiagonal F = bidiagonal_of(gamma, kappa);
     std::vector<std::size_t> rows;
     for (const Mass& mass : masses) rows.push_back(F.reversed ? gamma.size() - 1 - mass.index : mass.index);
-    SingularValues solved = bidiagonal_singular_values(std::move(F.d), std::move(F.e), rows);
+    SingularValues solved = bidiagonal_singular_values(std::move(F.d), std::move(F.e), rows, effort);
     for (std::size_t n = 0; n < masses.size(); ++n) solved.V.row(static_cast<Eigen::Index>(n)) /= sqrt(gamma[masses[n].index]);
     return {std::move(solved.sigma), std::move(solved.V)};
 }
 
-NaturalModes general_modes(const Matrix<double>& L, const Matrix<double>& K) {
+NaturalModes general_modes(const Matrix<double>& L, const Matrix<double>& K, Effort* effort) {
     const Eigen::Index N = K.rows();
-    if (std::optional<NaturalModes> modes = graded_modes(L, K)) return *std::move(modes);
-    const SymmetricEigenproblem solved = symmetric_eigenproblem(divide_out(L, K));
+    if (std::optional<NaturalModes> modes = graded_modes(L, K, effort)) return *std::move(modes);
+    const SymmetricEigenproblem solved = symmetric_eigenproblem(divide_out(L, K), effort);
     if (!(solved.values.front() > std::numeric_limits<double>::epsilon() * static_cast<int>(N) * solved.values.back()))
         throw PrecisionError(Why::lowest_frequency_lost);
     NaturalModes modes{std::vector<double>(static_cast<std::size_t>(N)), Matrix<double>(N, N)};

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "denhartog/number/effort.hpp"
 #include "denhartog/scene/scene.hpp"
 
 namespace denhartog {
@@ -20,19 +21,21 @@ struct NaturalModes {
 /// The stiffness matrix of a chain is a product F^T F with F bidiagonal, one row a spring: its elongation times the root of its
 /// stiffness, on displacements times the roots of the masses. No entry of F is a difference, so that its singular values, the
 /// natural frequency ratios, come with high relative accuracy. There are N springs where the last mass is free, N + 1 where the
-/// last spring joins it to the ground. PrecisionError where the iteration does not converge.
+/// last spring joins it to the ground. The work is paid from a budget, as in all that follows. PrecisionError where the iteration
+/// does not converge.
 /// @eq{14,15}
-[[nodiscard]] NaturalModes chain_modes(const std::vector<double>& gamma, const std::vector<double>& kappa);
+[[nodiscard]] NaturalModes chain_modes(const std::vector<double>& gamma, const std::vector<double>& kappa,
+                                       Effort* effort = nullptr);
 
 /// @brief The same with the shapes at a few masses alone, a row for each in that order, and each mode with any sign, in O(N^2) in
 /// place of O(N^3). Frequencies are as above to the last bit. @eq{14,15}
 [[nodiscard]] NaturalModes chain_modes(const std::vector<double>& gamma, const std::vector<double>& kappa,
-                                       const std::vector<Mass>& masses);
+                                       const std::vector<Mass>& masses, Effort* effort = nullptr);
 
 /// @brief Modes of any system: errors of the squared frequencies are about N eps of the highest one, but of masses of very
 /// different size, see `graded_modes`. L is the factor of the mass matrix. PrecisionError where the digits do not tell the
 /// lowest from zero, or the iteration does not converge. @eq{14,15}
-[[nodiscard]] NaturalModes general_modes(const Matrix<double>& L, const Matrix<double>& K);
+[[nodiscard]] NaturalModes general_modes(const Matrix<double>& L, const Matrix<double>& K, Effort* effort = nullptr);
 
 /// @brief Ratio of the largest mass to the least from which modes are graded, see `graded_modes`.
 inline constexpr double least_contrast_of_masses = 1024;
@@ -49,7 +52,8 @@ inline constexpr double least_contrast_of_masses = 1024;
 /// digits of each column: the error of every natural frequency is a fraction of itself, however light a mass is; see J. Demmel
 /// and K. Veselić, SIAM Journal on Matrix Analysis and Applications 13 (1992), 1204.
 /// @eq{14,15}
-[[nodiscard]] std::optional<NaturalModes> graded_modes(const Matrix<double>& L, const Matrix<double>& K);
+[[nodiscard]] std::optional<NaturalModes> graded_modes(const Matrix<double>& L, const Matrix<double>& K,
+                                                       Effort* effort = nullptr);
 
 /// @brief Fixes the signs of mode shapes: positive is the first component that has more than three eighths of the size of the
 /// largest.

@@ -31,17 +31,17 @@ std::vector<double> entries(const Matrix<double>& A, Eigen::Index row, const std
 
 /// The masses before the contact, with a spring to the ground and one to the contact; those after it, with one to the contact. No
 /// mode moves masses of both.
-NaturalModes modes_of_two_chains(const System<double>& s) {
+NaturalModes modes_of_two_chains(const System<double>& s, Effort* effort) {
     const auto j = static_cast<std::ptrdiff_t>(s.contact.index);
     const std::vector<double>&gamma = s.mass_ratios, &kappa = s.stiffness_ratios;
     const auto n = static_cast<Eigen::Index>(gamma.size()) - 1;
     NaturalModes before{{}, Matrix<double>(0, 0)}, after{{}, Matrix<double>(0, 0)};
     if (j > 0)
         before = chain_modes(std::vector<double>(gamma.begin(), gamma.begin() + j),
-                             std::vector<double>(kappa.begin(), kappa.begin() + j + 1));
+                             std::vector<double>(kappa.begin(), kappa.begin() + j + 1), effort);
     if (j < n)
         after = chain_modes(std::vector<double>(gamma.begin() + j + 1, gamma.end()),
-                            std::vector<double>(kappa.begin() + j + 1, kappa.end()));
+                            std::vector<double>(kappa.begin() + j + 1, kappa.end()), effort);
     NaturalModes both{std::vector<double>(static_cast<std::size_t>(n)), Matrix<double>::Zero(n, n)};
     std::size_t b = 0, a = 0;
     for (std::size_t i = 0; i < both.r_n.size(); ++i) {
@@ -58,12 +58,12 @@ NaturalModes modes_of_two_chains(const System<double>& s) {
     return both;
 }
 
-NaturalModes stuck_modes(const System<double>& s, const StuckConfiguration& stuck) {
+NaturalModes stuck_modes(const System<double>& s, const StuckConfiguration& stuck, Effort* effort) {
     if (stuck.masses.size() == 1)
         return {{sqrt(stuck.K(0, 0) / stuck.M(0, 0))}, Matrix<double>::Constant(1, 1, 1 / sqrt(stuck.M(0, 0)))};
     ++work_counted.eigen_solves;
-    if (is_chain(s) && !s.contact_with) return modes_of_two_chains(s);
-    return general_modes(factor_of_masses(stuck.M), stuck.K);
+    if (is_chain(s) && !s.contact_with) return modes_of_two_chains(s, effort);
+    return general_modes(factor_of_masses(stuck.M), stuck.K, effort);
 }
 
 /// Whether the modes couple, and how much; an entry below the rounding of the largest is compared with that rounding.
@@ -82,8 +82,8 @@ void set_coupling(StuckConfiguration& stuck, FrequencyErrors errors, double tole
 }
 
 /// Modes of the system with the contact held, and what damping makes of them.
-void set_modes(const System<double>& s, StuckConfiguration& stuck) {
-    NaturalModes modes = stuck_modes(s, stuck);
+void set_modes(const System<double>& s, StuckConfiguration& stuck, Effort* effort) {
+    NaturalModes modes = stuck_modes(s, stuck, effort);
     const double tolerance = rounding_of_modes(stuck.masses.size() + 1);
     turn_coinciding_modes(stuck.C, tolerance, modes.r_n, modes.phi);
     fix_signs(modes.phi);
@@ -114,7 +114,8 @@ void require_finite(const StuckConfiguration& stuck) {
 
 } // namespace
 
-StuckConfiguration stuck_configuration(const System<double>& s, const ModalBasis<double>& basis, const RoundedModes* held) {
+StuckConfiguration stuck_configuration(const System<double>& s, const ModalBasis<double>& basis, const RoundedModes* held,
+                                       Effort* effort) {
     check(s);
     const std::size_t N = number_of_masses(s);
     StuckConfiguration stuck{};
@@ -145,7 +146,7 @@ StuckConfiguration stuck_configuration(const System<double>& s, const ModalBasis
     if (held)
         set_modes(*held, stuck);
     else
-        set_modes(s, stuck);
+        set_modes(s, stuck, effort);
     require_finite(stuck);
     stuck.shapes(others, Eigen::all) = stuck.phi;
     if (stuck.contact.b) stuck.shapes.row(j) = stuck.shapes.row(static_cast<Eigen::Index>(*stuck.contact.b));

@@ -81,9 +81,9 @@ struct RoundedModes {
 }
 
 /// @brief The stuck configuration of a system; one more eigenproblem (15), none where N is 1 or 2. `held` is what more digits
-/// have found, and spares the eigenproblem; it may be null. There are no masses where N = 1. InputError where `check` throws;
+/// have found, and spares the eigenproblem, which is paid from a budget; both may be null. There are no masses where N = 1. InputError where `check` throws;
 /// PrecisionError where the eigenproblem is not solved.
 [[nodiscard]] StuckConfiguration stuck_configuration(const System<double>& s, const ModalBasis<double>& basis,
-                                                     const RoundedModes* held = nullptr);
+                                                     const RoundedModes* held = nullptr, Effort* effort = nullptr);
 
 } // namespace denhartog

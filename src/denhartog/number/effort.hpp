@@ -21,6 +21,7 @@ struct Effort {
     long allowed = std::numeric_limits<long>::max();  // operations allowed
     long spent = 0;                                   // operations spent
     const std::function<bool()>* cancelled = nullptr; // ends the search from outside once it gives true; null: nobody does
+    bool chosen = false; // whether the user chose what is allowed: one search may then spend all of it
 
     void spend(long operations) { spent += operations; }
     // Operations still allowed, not negative.
@@ -29,13 +30,24 @@ struct Effort {
     [[nodiscard]] bool exhausted() const { return spent >= allowed || is_cancelled(); }
     [[nodiscard]] bool is_cancelled() const { return cancelled != nullptr && (*cancelled)(); }
     // Why a search ended that has exhausted it.
-    [[nodiscard]] Reasons ending() const {
-        return is_cancelled() ? Reasons(Why::cancelled) : Reasons(Why::effort_spent, spent);
-    }
+    [[nodiscard]] Reasons ending() const { return is_cancelled() ? Reasons(Why::cancelled) : Reasons(Why::effort_spent, spent); }
 };
+
+// Whether a budget is exhausted, if there is one.
+[[nodiscard]] inline bool is_exhausted(const Effort* effort) { return effort != nullptr && effort->exhausted(); }
+
+// Spends of a budget, if there is one. Throws PrecisionError where nothing is left of it.
+inline void pay(Effort* effort, long operations) {
+    if (effort == nullptr) return;
+    effort->spend(operations);
+    if (effort->exhausted()) throw PrecisionError(effort->ending());
+}
 
 // Operations that products of matrices cost, by the multiplications in them: many are done at a time.
 [[nodiscard]] constexpr long cost_of_products(long multiplications) { return multiplications / 512; }
+
+// Pays half of what products of matrices cost.
+inline void pay_for_products(Effort* effort, long multiplications) { pay(effort, cost_of_products(multiplications) / 2); }
 
 // The budget of a question where none is asked for: about two seconds for twelve modes and fewer, half a minute for a hundred. Up
 // to there it grows as products of matrices do that a motion with stops takes.
@@ -44,75 +56,60 @@ struct Effort {
     return std::max(of_modes, std::min(of_modes * (8 + N) / 20, 450'000'000L)) + 4 * (N * N * N - 12 * 12 * 12);
 }
 
-// The budget of all that this thread does for one question, until the end of the scope. Scopes may be nested: the
-// outermost one counts.
-class QuestionEffort {
+// The budget of one question.
+class QuestionEffort : public Effort {
 public:
-    // The budget is that of the modes where the user chose none; `cancelled` is asked now and then, and ends the question.
-    explicit QuestionEffort(std::size_t modes, std::optional<long> chosen = {}, std::function<bool()> cancelled = {})
-        : cancelled_(std::move(cancelled)), chosen_(chosen.has_value()), outermost_(current() == nullptr) {
-        effort_.allowed = chosen.value_or(default_effort(modes));
-        if (cancelled_) effort_.cancelled = &cancelled_;
-        if (outermost_)
-            current() = this;
-        else if (!current()->chosen_)
-            current()->effort_.allowed = std::max(current()->effort_.allowed, effort_.allowed);
-    }
-    ~QuestionEffort() {
-        if (outermost_) current() = nullptr;
+    // That of the modes where the user chose none; `asked` now and then ends the question once it gives true.
+    explicit QuestionEffort(std::size_t modes, std::optional<long> by_user = {}, std::function<bool()> asked = {})
+        : asked_(std::move(asked)) {
+        allowed = by_user.value_or(default_effort(modes));
+        chosen = by_user.has_value();
+        if (asked_) cancelled = &asked_;
     }
     QuestionEffort(const QuestionEffort&) = delete;
     QuestionEffort& operator=(const QuestionEffort&) = delete;
 
-    // What was spent so far, if this is the outermost scope.
-    [[nodiscard]] long spent() const { return effort_.spent; }
-    // Whether the question of this thread has spent its budget, or was cancelled.
-    [[nodiscard]] static bool exhausted() { return current() != nullptr && current()->effort_.exhausted(); }
-
-    // Spends of the budget of the question of this thread, where there is one. Throws PrecisionError where nothing is left of it.
-    static void pay(long operations) {
-        if (current() == nullptr) return;
-        current()->effort_.spend(operations);
-        if (current()->effort_.exhausted()) throw PrecisionError(current()->effort_.ending());
-    }
-
-    // Spends half of what products of matrices cost of that budget.
-    static void pay_for_products(long multiplications) { pay(cost_of_products(multiplications) / 2); }
-
 private:
-    friend class SearchEffort;
-
-    static QuestionEffort*& current() {
-        thread_local QuestionEffort* question = nullptr;
-        return question;
-    }
-
-    Effort effort_;
-    std::function<bool()> cancelled_;
-    bool chosen_;    // by the user
-    bool outermost_; // and so the one that counts
+    std::function<bool()> asked_;
 };
 
-// What one search may spend: a share of the budget of its question, from which it is taken at the end of the scope.
+// A budget that somebody gave, raised to that of the modes where the user chose none; or that of the modes.
+class GivenEffort {
+public:
+    GivenEffort(Effort* given, std::size_t modes) : own_{default_effort(modes)}, effort_(given != nullptr ? given : &own_) {
+        if (!effort_->chosen) effort_->allowed = std::max(effort_->allowed, own_.allowed);
+    }
+    GivenEffort(const GivenEffort&) = delete;
+    GivenEffort& operator=(const GivenEffort&) = delete;
+
+    [[nodiscard]] Effort* get() const { return effort_; }
+
+private:
+    Effort own_;
+    Effort* effort_;
+};
+
+// What one search may spend: a share of the budget of its question, if there is one, from which it is taken at the end of the
+// scope.
 class SearchEffort : public Effort {
 public:
     // share: operations, where the user has not chosen the budget of the question
-    explicit SearchEffort(long share) : question_(QuestionEffort::current()) {
+    SearchEffort(long share, Effort* question) : question_(question) {
         allowed = share;
         if (question_ == nullptr) return;
-        const Effort& whole = question_->effort_;
-        allowed = question_->chosen_ ? whole.left() : std::min(share, whole.left());
-        cancelled = whole.cancelled;
+        allowed = question_->chosen ? question_->left() : std::min(share, question_->left());
+        cancelled = question_->cancelled;
+        chosen = question_->chosen;
     }
     // Takes what was spent from the budget of the question.
     ~SearchEffort() {
-        if (question_ != nullptr) question_->effort_.spend(spent);
+        if (question_ != nullptr) question_->spend(spent);
     }
     SearchEffort(const SearchEffort&) = delete;
     SearchEffort& operator=(const SearchEffort&) = delete;
 
 private:
-    QuestionEffort* question_;
+    Effort* question_;
 };
 
 } // namespace denhartog

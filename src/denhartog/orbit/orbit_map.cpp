@@ -62,9 +62,9 @@ bool OrbitMap::apply(const State& z, int half_periods, bool with_jacobian) {
     if (!with_jacobian) return true;
     const Column energies = largest_energies();
     const double units = std::numeric_limits<double>::epsilon() * static_cast<int>(motion_->phases.size());
-    const double of_coupled = rounding_of_coupled_modes() * energies.sum();
-    rounding_ = (errors_between_modes(units, false) * energies).array() + of_coupled;
-    of_modes_ = (errors_between_modes(units, true) * energies).array() + of_coupled;
+    const double rounding_of_coupled = rounding_of_coupled_modes() * energies.sum();
+    rounding_ = (errors_between_modes(units, false) * energies).array() + rounding_of_coupled;
+    of_modes_ = (errors_between_modes(units, true) * energies).array() + rounding_of_coupled;
     return true;
 }
 

@@ -219,21 +219,22 @@ std::vector<Multiplier> multipliers_of_orbit(const OrbitMap& map, const ErrorsOf
     velocities.push_back(s.contact_shape.norm()); // where the contact has a row of its own
     const double load =
         error_at_ends(solver, false, displacement_of_energy(map), velocities); // of a contact that sticks, likewise
-    const double of_velocity = error_at_ends(solver, true, errors.displacement, errors.velocity),
-                 of_load = error_at_ends(solver, false, errors.displacement, errors.velocity);
+    const double error_of_velocity = error_at_ends(solver, true, errors.displacement, errors.velocity),
+                 error_of_load_at_end = error_at_ends(solver, false, errors.displacement, errors.velocity);
     const bool tied = std::ranges::any_of(s.stuck.m_j, [](double tie) { return tie != 0; });
     double error = map.rounding_of_jacobian(), growth = 1; // of the derivative, of all events; of deviations
-    const auto take = [&](double of_event, double factor) {
-        error += of_event;
+    const auto take = [&](double error_of_event, double factor) {
+        error += error_of_event;
         if (e.mu > 1) growth *= factor;
     };
     for (std::size_t n = 0; n + 1 < motion.phases.size(); ++n) {
         const bool slides = motion.phases[n].direction != 0;
         const EndOfPhase end = solver.end_of(n);
-        const double apart = end.error_of_instant(slides ? of_velocity : of_load); // infinite where the rate may vanish
+        const double apart =
+            end.error_of_instant(slides ? error_of_velocity : error_of_load_at_end); // infinite where the rate may vanish
         error += 2 * rate * apart;
         // That of the rate at the event, relative.
-        const double off = (2 * end.second * apart + fastest * (slides ? of_velocity : of_load)) / end.rate;
+        const double off = (2 * end.second * apart + fastest * (slides ? error_of_velocity : error_of_load_at_end)) / end.rate;
         if (!slides) { // static friction ends, and the force drops: d load / rate is by how much the instant shifts
             if (e.mu == 1) continue;
             const double drop = (e.mu - 1) * e.beta * sqrt(inertia) / e.r * load / end.rate;
@@ -242,7 +243,7 @@ std::vector<Multiplier> multipliers_of_orbit(const OrbitMap& map, const ErrorsOf
             const double jump = 2 * e.beta * inertia / (e.r * e.r) / end.rate;
             take(jump * off, std::max(1.0, jump - 1));
         } else if (tied) {
-            take(off + of_load * inertia / (e.r * e.r) / end.rate, 1);
+            take(off + error_of_load_at_end * inertia / (e.r * e.r) / end.rate, 1);
         }
     }
     if (motion.touching > 0) error = std::numeric_limits<double>::infinity();

@@ -278,8 +278,8 @@ PeriodicOrbit periodic_orbit(ExactSolver& solver, const State& start, const Orbi
     const auto is_finite = [](double each) { return std::isfinite(each); };
     if (!std::ranges::all_of(start.x, is_finite) || !std::ranges::all_of(start.x_prime, is_finite))
         throw InputError("start", "must be finite", "");
-    SearchEffort own(default_effort(N));
-    Effort* const before = solver.allow(search.effort != nullptr ? search.effort : &own);
+    SearchEffort own(default_effort(N), search.effort);
+    Effort* const before = solver.allow(&own);
     PeriodicOrbit orbit = SearchFromStart(solver, search).from(start);
     (void)solver.allow(before);
     return orbit;

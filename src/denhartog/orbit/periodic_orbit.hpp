@@ -32,7 +32,7 @@ struct OrbitSearch {
     bool follow_start = true; ///< make sure that the motion from the start tends to the orbit, not another
     bool contact_only = false;  ///< leave `masses` empty: the maxima of the masses that are not in contact cost most
     bool with_stability = true; ///< compute Floquet multipliers and the verdict on stability
-    Effort* effort = nullptr;   ///< the work allowed; null for that of `default_effort`
+    Effort* effort = nullptr;   ///< the budget of the question, of which the search has its share; null: `default_effort`
 };
 
 /// @brief A steady motion.
@@ -48,12 +48,13 @@ struct PeriodicOrbit {
     std::vector<Multiplier> multipliers; ///< Floquet multipliers over its period, by descending size
     bool stable = false;                 ///< whether all multipliers are certainly inside the unit circle
     double error_bound = 0;              ///< bound of the error of the displacements, units of P / k_1
-    std::vector<double> velocity_errors; ///< bounds of those of the velocities: of each mass, then of a contact between two; units of P / k_1
-    bool more_digits_may_tell = false;   ///< none was found, and rounding may be why
-    int touching = 0;                    ///< events so tangential that rounding decided them; multipliers are one-sided
-    int newton_steps = 0;                ///< steps of Newton's method taken
-    int periods_propagated = 0;          ///< periods propagated in all
-    long effort_spent = 0;               ///< operations that the search took
+    std::vector<double>
+        velocity_errors; ///< bounds of those of the velocities: of each mass, then of a contact between two; units of P / k_1
+    bool more_digits_may_tell = false; ///< none was found, and rounding may be why
+    int touching = 0;                  ///< events so tangential that rounding decided them; multipliers are one-sided
+    int newton_steps = 0;              ///< steps of Newton's method taken
+    int periods_propagated = 0;        ///< periods propagated in all
+    long effort_spent = 0;             ///< operations that the search took
 };
 
 /// @brief Whether an orbit is the steady motion that the start leads to.

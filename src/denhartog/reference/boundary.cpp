@@ -32,9 +32,9 @@ Ball largest_demand(const ResponsesInBalls& r, LargestInBalls& found) {
 }
 
 // The largest value of (57) of a mode that may be damped critically: R^2 times the demand of one mass with r = R.
-Ball largest_about_critical(const Ball& R, const Ball& zeta) {
+Ball largest_about_critical(const Ball& R, const Ball& zeta, Effort* effort) {
     LargestInBalls found;
-    return R * R * largest_demand(responses_of_one_mass(R, zeta), found);
+    return R * R * largest_demand(responses_of_one_mass(R, zeta, effort), found);
 }
 
 // (56): each mode by itself.
@@ -43,17 +43,21 @@ Ball sum_of_largest(const ResponsesInBalls& r) {
     std::vector<Ball> largest;
     for (std::size_t i = 0; i < m.R.size(); ++i) {
         if (!is_told_from_critical(m.zeta[i])) {
-            largest.push_back(largest_about_critical(m.R[i], m.zeta[i]));
+            largest.push_back(largest_about_critical(m.R[i], m.zeta[i], m.effort));
             continue;
         }
         const Ball R = m.R[i];
         const FrictionMotionOfMode mode(R, m.zeta[i]);
-        Remembered<Series> F([&](const Ball& tau) { return mode.at(tau); },
-                             [&](const Series& in_the_middle, const Ball& tau) { return mode.over(in_the_middle, tau); });
-        const auto of_mode = [&](const Ball& tau) { return numerator(mode.u, F(tau), tau); };
+        Remembered<Series> F(
+            [&](const Ball& tau) {
+                pay(m.effort, cost_of_evaluations(1));
+                return mode.at(tau);
+            },
+            [&](const Series& in_the_middle, const Ball& tau) { return mode.over(in_the_middle, tau); });
+        const auto numerator_of_mode = [&](const Ball& tau) { return numerator(mode.u, F(tau), tau); };
         const auto Z = [&](const Ball& tau) { return mode.rate_and_third(F(tau)); };
-        const bool hides = is_hidden(Z, of_mode, mode.u);
-        largest.push_back(R * R * largest_over_sine(of_mode, hides ? FunctionOfTime(Z) : FunctionOfTime()).value);
+        const bool hides = is_hidden(Z, numerator_of_mode, mode.u);
+        largest.push_back(R * R * largest_over_sine(numerator_of_mode, hides ? FunctionOfTime(Z) : FunctionOfTime()).value);
     }
     return paper::sum_over_contact<Ball>(m.at_contact(), largest, m.left_open(m.at_contact(), m.at_contact(), largest));
 }

@@ -19,7 +19,7 @@ Number load_on(const SceneInBalls& s, slong k) { return {s.p(k), s.p_i.rows() > 
 
 // A^-1 p and A^-1 w: the harmonic motions that the load and a unit force on the contact make by themselves.
 struct HarmonicMotions {
-    std::vector<Number> of_load{}, of_contact{};
+    std::vector<Number> X_of_load{}, X_of_contact{};
     Number g{}, h{}; // of the contact: w^T A^-1 p and w^T A^-1 w
 
     explicit HarmonicMotions(const SceneInBalls& s) {
@@ -33,17 +33,18 @@ struct HarmonicMotions {
         if (!solved(dynamic_stiffness(s, N), b, x)) throw Unproved("the system may resonate without friction");
         g = h = {Ball(0), Ball(0)};
         for (slong k = 0; k < N; ++k) {
-            of_load.push_back({x(k, 0), x(N + k, 0)});
-            of_contact.push_back({x(k, 1), x(N + k, 1)});
-            g = g + s.w(k) * of_load.back();
-            h = h + s.w(k) * of_contact.back();
+            X_of_load.push_back({x(k, 0), x(N + k, 0)});
+            X_of_contact.push_back({x(k, 1), x(N + k, 1)});
+            g = g + s.w(k) * X_of_load.back();
+            h = h + s.w(k) * X_of_contact.back();
         }
     }
 
     // X, with the first harmonic of friction.
     [[nodiscard]] std::vector<Number> with(const Number& friction) const {
         std::vector<Number> X;
-        for (std::size_t k = 0; k < of_load.size(); ++k) X.push_back(difference(of_load[k], product(of_contact[k], friction)));
+        for (std::size_t k = 0; k < X_of_load.size(); ++k)
+            X.push_back(difference(X_of_load[k], product(X_of_contact[k], friction)));
         return X;
     }
 
@@ -57,11 +58,11 @@ struct HarmonicMotions {
     }
 };
 
-// What base or wall take up: the force on the base is the row `of_x` of the displacements, `of_v` of their rates.
+// What base or wall take up: the force on the base is the row `row_of_x` of the displacements, `row_of_v` of their rates.
 struct ForceOnBase {
-    std::vector<Ball> of_x{}, of_v{};
-    Ball of_d_x{}, of_d_v{}; // the same of the base's own motion d cos tau
-    bool none = true;        // no spring and no damper touches the base
+    std::vector<Ball> row_of_x{}, row_of_v{};
+    Ball part_of_d{}, part_of_d_prime{}; // the same of the base's own motion d cos tau
+    bool none = true;                    // no spring and no damper touches the base
 
     ForceOnBase(const SceneInBalls& s, const Ball& d) {
         for (slong k = 0; k < s.N(); ++k) {
@@ -70,18 +71,18 @@ struct ForceOnBase {
                 x += s.K(n, k);
                 v += s.r * s.C(n, k);
             }
-            of_d_x += x * d;
-            of_d_v += v * d;
+            part_of_d += x * d;
+            part_of_d_prime += v * d;
             none = none && x.is_zero() && v.is_zero();
-            of_x.push_back(x);
-            of_v.push_back(v);
+            row_of_x.push_back(x);
+            row_of_v.push_back(v);
         }
     }
 
     // Of a harmonic motion.
     [[nodiscard]] Number of(const std::vector<Number>& X) const {
-        Number force{-of_d_x, -of_d_v};
-        for (std::size_t k = 0; k < X.size(); ++k) force = force + of_x[k] * X[k] + of_v[k] * times_i(X[k]);
+        Number force{-part_of_d, -part_of_d_prime};
+        for (std::size_t k = 0; k < X.size(); ++k) force = force + row_of_x[k] * X[k] + row_of_v[k] * times_i(X[k]);
         return force;
     }
 };
@@ -97,9 +98,9 @@ void balance(const SceneInBalls& s, const std::vector<Number>& X, const ForceOnB
         const Number p = load_on(s, static_cast<slong>(k));
         work += p.im * X[k].re - p.re * X[k].im;
         e.at_most += pi<Ball>() * size_of(p) * size_of(X[k]);
-        work -= 2 * d * force.of_v[k] * X[k].re;
+        work -= 2 * d * force.row_of_v[k] * X[k].re;
     }
-    e.dampers = pi<Ball>() * (work + d * force.of_d_v) - e.contact;
+    e.dampers = pi<Ball>() * (work + d * force.part_of_d_prime) - e.contact;
 }
 
 // The integral of e^(-i n tau) between two instants.
@@ -117,7 +118,7 @@ Number of_boundary(const SceneInBalls& s, const HarmonicMotions& A, const BallMa
             re += s.r * s.r * s.M(k, n) * sigma * Z(N + n) + s.r * s.C(k, n) * Z(n);
             im += s.r * s.r * s.M(k, n) * Z(n);
         }
-        sum = sum + product(A.of_contact[static_cast<std::size_t>(k)], {re, im});
+        sum = sum + product(A.X_of_contact[static_cast<std::size_t>(k)], {re, im});
     }
     return product(sum, turned_back(tau));
 }
@@ -150,11 +151,11 @@ EnergiesInBalls energies_of_sliding(const SceneInBalls& s, const ResponsesInBall
     for (std::size_t k = 0; k < r.contact(); ++k) start.push_back(start_of_mass_in_balls(r, contact, beta, k, false));
     const LargestBothWays largest = largest_size_of([&](const Ball& tau) {
         const Series t = Series::time(tau) + Series(contact.phi_j);
-        Series sum = Series(Ball(-force.of_d_x)) * cos(t) + Series(force.of_d_v) * sin(t);
+        Series sum = Series(Ball(-force.part_of_d)) * cos(t) + Series(force.part_of_d_prime) * sin(t);
         for (std::size_t k = 0; k < start.size(); ++k) {
-            if (force.of_x[k].is_zero() && force.of_v[k].is_zero()) continue;
+            if (force.row_of_x[k].is_zero() && force.row_of_v[k].is_zero()) continue;
             const Series x = displacement_in_balls(r, start[k], beta, k, tau);
-            sum = sum + Series(force.of_x[k]) * x + Series(force.of_v[k]) * x.derivative();
+            sum = sum + Series(force.row_of_x[k]) * x + Series(force.row_of_v[k]) * x.derivative();
         }
         return sum;
     });
@@ -172,7 +173,7 @@ EnergiesInBalls energies_of_orbit(const SceneInBalls& s, const OrbitInPhases& mo
     Number conjugate{Ball(0), Ball(0)}, Y{Ball(0), Ball(0)}; // A_w^T conj(p); the integral of the contact's displacement
     for (slong k = 0; k < s.N(); ++k) {
         const Number p = load_on(s, k);
-        conjugate = conjugate + product(A.of_contact[static_cast<std::size_t>(k)], {p.re, -p.im});
+        conjugate = conjugate + product(A.X_of_contact[static_cast<std::size_t>(k)], {p.re, -p.im});
     }
     const Ball half = Ball(1) / 2;
     Ball path(0);
@@ -204,11 +205,11 @@ EnergiesInBalls energies_of_orbit(const SceneInBalls& s, const OrbitInPhases& mo
     if (force.none) return e;
     BallMatrix row(1, orbit.s.n());
     for (slong k = 0; k < s.N(); ++k) {
-        row(0, k) = force.of_x[static_cast<std::size_t>(k)];
-        row(0, s.N() + k) = orbit.s.sigma * force.of_v[static_cast<std::size_t>(k)];
+        row(0, k) = force.row_of_x[static_cast<std::size_t>(k)];
+        row(0, s.N() + k) = orbit.s.sigma * force.row_of_v[static_cast<std::size_t>(k)];
     }
-    row(0, 2 * s.N()) = -force.of_d_x;
-    row(0, 2 * s.N() + 1) = force.of_d_v;
+    row(0, 2 * s.N()) = -force.part_of_d;
+    row(0, 2 * s.N() + 1) = force.part_of_d_prime;
     e.on_base = largest_of_row(orbit, motion.phases, row);
     return e;
 }

@@ -37,25 +37,26 @@ FastPhases::FastPhases(const ContactMechanics& s, int direction) : N_(s.N), lead
         for (slong c = 0; c < inputs_count; ++c) G(i, c) = parts.u(0, c);
     }
     forced_ = BallMatrix(K, inputs_count);
-    free_ = std::make_unique<FreeMotions>(B);
+    free_ = std::make_unique<FreeMotions>(B, s.effort);
     if (K == 0) return;
     if (!free_->are_simple()) throw Unproved("free motions are not told apart");
     in_time_ = free_->in_time();
-    const auto of_input = [&](slong c) {
+    const auto shares_of_input = [&](slong c) {
         BallMatrix g(K, 1);
         for (slong i = 0; i < K; ++i) g(i) = G(i, c);
         return free_->shares_of(g);
     };
     // G_c cos + G_s sin is the real part of (G_c - i G_s) e^(i tau)
-    std::vector<ComplexBall> turning = of_input(0);
-    const std::vector<ComplexBall> of_sine = of_input(1);
+    std::vector<ComplexBall> turning = shares_of_input(0);
+    const std::vector<ComplexBall> shares_of_sine = shares_of_input(1);
     for (std::size_t i = 0; i < turning.size(); ++i) {
         ComplexBall turned;
-        acb_div_onei(turned.a, of_sine[i].a);
+        acb_div_onei(turned.a, shares_of_sine[i].a);
         acb_add(turning[i].a, turning[i].a, turned.a, ball_bits);
     }
     turning = divided(std::move(turning), *free_, true);
-    const std::vector<ComplexBall> one = divided(of_input(2), *free_, false), rest = divided(of_input(3), *free_, false);
+    const std::vector<ComplexBall> one = divided(shares_of_input(2), *free_, false),
+                                   rest = divided(shares_of_input(3), *free_, false);
     std::vector<ComplexBall> turned = turning; // Re(H e^(i tau)) = Re H cos + Re(i H) sin
     for (ComplexBall& each : turned) acb_mul_onei(each.a, each.a);
     const auto set = [&](slong column, const std::vector<ComplexBall>& shares) {
@@ -132,14 +133,14 @@ BallMatrix FastPhases::propagator(const Ball& length) const {
 
 NumberInTime FastPhases::number(const BallMatrix& row, const BallMatrix& Z) const {
     const OverCoordinates parts = taken_apart(row);
-    const BallMatrix u = inputs(Z), of_u = parts.y * forced_ + parts.u;
+    const BallMatrix u = inputs(Z), row_of_u = parts.y * forced_ + parts.u;
     const std::vector<Ball> weights = free_->weights(parts.y, shares_at(Z, u));
-    const Ball of_cosine = of_u(0, 0) * u(0) + of_u(0, 1) * u(1), of_sine = of_u(0, 1) * u(0) - of_u(0, 0) * u(1),
-               constant = of_u(0, 2) + of_u(0, 3) * u(3);
-    return [weights, of_cosine, of_sine, constant, in_time = in_time_](const Ball& t) {
+    const Ball factor_of_cosine = row_of_u(0, 0) * u(0) + row_of_u(0, 1) * u(1),
+               factor_of_sine = row_of_u(0, 1) * u(0) - row_of_u(0, 0) * u(1), constant = row_of_u(0, 2) + row_of_u(0, 3) * u(3);
+    return [weights, factor_of_cosine, factor_of_sine, constant, in_time = in_time_](const Ball& t) {
         const SineCosineSeries both = sine_cosine_series(Series::time(t));
         Series sum(constant);
-        for (std::size_t n = 0; n < 5; ++n) sum.c[n] += of_cosine * both.c.c[n] + of_sine * both.s.c[n];
+        for (std::size_t n = 0; n < 5; ++n) sum.c[n] += factor_of_cosine * both.c.c[n] + factor_of_sine * both.s.c[n];
         return weights.empty() ? sum : sum_of(weights, (*in_time)(t), sum);
     };
 }

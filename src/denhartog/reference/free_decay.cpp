@@ -37,10 +37,10 @@ std::optional<Ball> first_fall(const CurveInBalls& c, int order, double a = 0, d
 
 // b A^-1 b less what a displacement of the contact takes of it: the square of the largest b y of all y with y A y = 1, w y = 0.
 Ball largest_square(const BallMatrix& A, const BallMatrix& w, const BallMatrix& b) {
-    BallMatrix of_b, of_w;
-    if (!solved(A, b, of_b) || !solved(A, w, of_w)) throw Unproved("a matrix is not proved regular");
-    const Ball across = (transposed(w) * of_b)(0);
-    return (transposed(b) * of_b)(0) - across * across / (transposed(w) * of_w)(0);
+    BallMatrix A_to_b, A_to_w;
+    if (!solved(A, b, A_to_b) || !solved(A, w, A_to_w)) throw Unproved("a matrix is not proved regular");
+    const Ball across = (transposed(w) * A_to_b)(0);
+    return (transposed(b) * A_to_b)(0) - across * across / (transposed(w) * A_to_w)(0);
 }
 
 // The motion as it is followed.
@@ -130,7 +130,7 @@ private:
         pay_for_exponential(B);
         const BallMatrix leap = exp(B);
         for (;; order = 0) {
-            const ExponentialSeries series(B, Z_);
+            const ExponentialSeries series(B, Z_, s_.effort);
             int first = -1;
             std::optional<Ball> end;
             for (std::size_t g = 0; g < guards.size(); ++g) {
@@ -154,9 +154,9 @@ private:
         }
     }
 
-    static void pay_for_exponential(const BallMatrix& B) {
+    void pay_for_exponential(const BallMatrix& B) const {
         const auto n = static_cast<double>(B.rows());
-        QuestionEffort::pay(cost_of_ball_products(n * n * n * std::sqrt(static_cast<double>(ball_bits))));
+        pay(s_.effort, cost_of_ball_products(n * n * n * std::sqrt(static_cast<double>(ball_bits))));
     }
 
     // The state at the end of a phase, theta in a ball: that in its middle, and the rate over all of it. The velocity of the contact
@@ -216,7 +216,7 @@ private:
         }
         for (slong i = 0; i < 2 * N; ++i)
             for (slong k = 0; k < 2 * N; ++k) A(i, k) = s_.stuck(i, k);
-        const FreeMotions free(from * A * into);
+        const FreeMotions free(from * A * into, s_.effort);
         bool damped = free.are_simple();
         for (std::size_t i = 0; damped && i < static_cast<std::size_t>(2 * n); ++i) damped = free.lambda(i).re() < Ball(0);
         if (damped) return true;

@@ -31,9 +31,9 @@ void add_over_stretch(const ComplexBall& lambda, const Series& re, const Series&
 
 } // namespace
 
-FreeMotions::FreeMotions(const BallMatrix& B) {
+FreeMotions::FreeMotions(const BallMatrix& B, Effort* effort) : effort_(effort) {
     const slong n = B.rows();
-    QuestionEffort::pay(cost_of_ball_products(40 * static_cast<double>(n * n * n)));
+    pay(effort, cost_of_ball_products(40 * static_cast<double>(n * n * n)));
     ComplexMatrix C(B), L(n, n), R(n, n), guess(n, n), near(1, n), values(1, n);
     acb_mat_approx_eig_qr(near.all(), nullptr, guess.a, C.a, nullptr, 0, ball_bits);
     simple_ = acb_mat_eig_simple(values.all(), L.a, R.a, C.a, near.all(), guess.a, ball_bits) != 0;
@@ -90,8 +90,8 @@ BallMatrix FreeMotions::state(std::vector<ComplexBall> shares, const Ball& t) co
 std::shared_ptr<Remembered<std::vector<Series>>> FreeMotions::in_time() const {
     using All = std::vector<Series>;
     return std::make_shared<Remembered<All>>(
-        [lambda = lambda_](const Ball& tau) {
-            QuestionEffort::pay(static_cast<long>(20 * lambda.size()) * (1 + ball_bits / 256));
+        [lambda = lambda_, effort = effort_](const Ball& tau) {
+            pay(effort, cost_of_evaluations(lambda.size()));
             All e;
             for (const ComplexBall& each : lambda) add_free_motion(each, tau, e);
             return e;

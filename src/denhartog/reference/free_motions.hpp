@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "denhartog/number/ball_matrix.hpp"
+#include "denhartog/number/effort.hpp"
 #include "denhartog/reference/series.hpp"
 
 namespace denhartog::reference {
@@ -52,8 +53,8 @@ public:
 /// \mathbf r_i\mathrm e^{\lambda_i\tau}\mathbf l_i^{\mathrm T} \f$.
 class FreeMotions {
 public:
-    /// @brief Of the free motion z' = B z.
-    explicit FreeMotions(const BallMatrix& B);
+    /// @brief Of the free motion z' = B z. What is computed is paid from `effort`.
+    explicit FreeMotions(const BallMatrix& B, Effort* effort = nullptr);
 
     /// @brief Whether every eigenvalue is proved simple.
     [[nodiscard]] bool are_simple() const { return simple_; }
@@ -71,6 +72,7 @@ public:
 private:
     std::vector<ComplexBall> lambda_{}, L_{}, R_{}; // eigenvalues, left and right vectors, row by row
     bool simple_ = false;
+    Effort* effort_;
 };
 
 /// @brief The sum of numbers times functions of time.

@@ -39,9 +39,11 @@ FrictionInTime friction_of_modes(const ModesInBalls& m, const std::vector<Fricti
         }
     }
     f.modes = motions;
+    f.effort = m.effort;
     using AllModes = std::vector<Series>;
     f.shared = std::make_shared<Remembered<AllModes>>(
-        [motions](const Ball& tau) {
+        [motions, effort = m.effort](const Ball& tau) {
+            pay(effort, cost_of_evaluations(motions.size()));
             AllModes e;
             for (const FrictionMotionOfMode& F : motions) e.push_back(F.at(tau));
             return e;
@@ -109,7 +111,7 @@ Series FrictionInTime::at(std::size_t row, const Ball& tau) const {
         for (std::size_t i = 0; i < modes.size(); ++i) left[i] = left[i] * modes[i].speed / static_cast<int>(terms);
         rest = all();
     }
-    QuestionEffort::pay(static_cast<long>(terms * modes.size()) * (1 + ball_bits / 256));
+    pay(effort, static_cast<long>(terms * modes.size()) * (1 + ball_bits / 256));
     std::vector<Ball> sums(terms), c;
     sums[0] = constant[row];
     for (std::size_t i = 0; i < modes.size(); ++i) {
@@ -165,8 +167,8 @@ FrictionMotionOfMode::FrictionMotionOfMode(const Ball& R_i, const Ball& zeta_i)
     }
     u = paper::first_damping_function(R, zeta);  // (28)
     g = paper::second_damping_function(R, zeta); // (29)
-    const Ball of_sine = ((1 + g) * zeta + u * R) / sqrt(1 - zeta * zeta);
-    largest = root_of_positive((1 + g) * (1 + g) + of_sine * of_sine);
+    const Ball factor_of_sine = ((1 + g) * zeta + u * R) / sqrt(1 - zeta * zeta);
+    largest = root_of_positive((1 + g) * (1 + g) + factor_of_sine * factor_of_sine);
 }
 
 Ball FrictionMotionOfMode::apart() const {
@@ -176,8 +178,6 @@ Ball FrictionMotionOfMode::apart() const {
 }
 
 Series FrictionMotionOfMode::at(const Ball& tau) const {
-    constexpr long cost = 20; // as `Effort` counts: an exponential, a sine and a cosine of balls, and what goes with them
-    QuestionEffort::pay(cost * (1 + ball_bits / 256));
     if (!parts.empty()) {
         const Series time = Series::time(tau);
         Series F(1);

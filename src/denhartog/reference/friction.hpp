@@ -73,6 +73,7 @@ struct FrictionInTime {
     std::vector<Ball> open{};                                  ///< of each row, by how much clusters may put it off, see `apart`
     Ball fastest{};                                            ///< how fast that changes, as `changes` has it
     std::vector<bool> cancels{};                               ///< of each row, whether it is a small difference of them
+    Effort* effort = nullptr;                                  ///< what evaluations spend, as of the scene
 
     /// @brief F_k of a mass, or of the contact at N, from what `shared` gave.
     [[nodiscard]] Series of(std::size_t row, const std::vector<Series>& e) const;
@@ -132,6 +133,6 @@ struct ResponsesInBalls {
 [[nodiscard]] ResponsesInBalls responses_of_state(const SceneInBalls& scene);
 
 /// @brief The same of one mass at r = R, which is a mode by itself: for modes whose damping is not told from critical damping.
-[[nodiscard]] ResponsesInBalls responses_of_one_mass(const Ball& R, const Ball& zeta);
+[[nodiscard]] ResponsesInBalls responses_of_one_mass(const Ball& R, const Ball& zeta, Effort* effort = nullptr);
 
 } // namespace denhartog::reference

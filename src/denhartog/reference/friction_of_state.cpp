@@ -57,25 +57,26 @@ Complex<Ball> at_contact(const SceneInBalls& s, const std::vector<Complex<Ball>>
 double halvings_of(const BallMatrix& A, const Ball& tau) { return binary_logarithm(std::max(1.0, norm(A) * tau.high())); }
 
 // e^(A tau): a series for a small part of A, squared as often as that was halved. Each squaring takes a bit of what is right.
-BallMatrix state_after(const BallMatrix& A, const Ball& tau) {
+BallMatrix state_after(const BallMatrix& A, const Ball& tau, Effort* effort) {
     const double halvings = halvings_of(A, tau);
     if (!(halvings < static_cast<double>(ball_bits))) throw Unproved("a mode is too fast for the state to be followed");
     const double products = halvings + std::sqrt(static_cast<double>(ball_bits)), n = static_cast<double>(A.rows());
-    QuestionEffort::pay(cost_of_ball_products(n * n * n * products));
+    pay(effort, cost_of_ball_products(n * n * n * products));
     return exp(A * tau);
 }
 
 // e^(A tau) z, where z is the state `begin` at tau = 0, 2 N x 1: by Taylor's series about the middle of a stretch.
 class StateInTime {
 public:
-    StateInTime(const BallMatrix& A, const BallMatrix& begin) : A_(A), begin_(begin), size_(norm(A)) {}
+    StateInTime(const BallMatrix& A, const BallMatrix& begin, Effort* effort)
+        : A_(A), begin_(begin), size_(norm(A)), effort_(effort) {}
 
     std::vector<Series> operator()(const Ball& tau) const {
         const slong n = A_.rows();
         const Ball center = middle(tau), off = tau - center;
         const Ball reach = upper_bound_of(size_ * radius_of(off));
         if (!(reach < Ball(600))) throw Unproved("a mode is too fast for the state to be followed");
-        BallMatrix term = state_after(A_, center) * begin_, sum = term;
+        BallMatrix term = state_after(A_, center, effort_) * begin_, sum = term;
         Ball left(norm(term)); // (reach^k / k!) |z|, a bound of the last term taken
         const Ball enough = left * power_of_two(-ball_bits);
         for (slong k = 1; !off.is_zero() && !(left < enough) && k < 10 * ball_bits; ++k) {
@@ -101,6 +102,7 @@ public:
 private:
     BallMatrix A_, begin_;
     Ball size_;
+    Effort* effort_;
 };
 
 // Factors of e^(lambda_i tau) in F of each row: -2 (row of R_i) (L_i rest) / (1 + e^(lambda_i pi)).
@@ -131,7 +133,7 @@ void add_states(const SceneInBalls& s, const StateMatrix& m, FrictionInTime& f) 
     if (!(4 * halvings_of(m.A, pi<Ball>()) < static_cast<double>(ball_bits)))
         throw Unproved("a mode is too fast for the state to be followed");
     BallMatrix begin;
-    const BallMatrix once = unit_matrix(2 * N) + state_after(m.A, pi<Ball>());
+    const BallMatrix once = unit_matrix(2 * N) + state_after(m.A, pi<Ball>(), s.effort);
     if (!solved(once, m.rest, begin)) throw Unproved("a free motion may mirror itself after half a period");
     begin = begin * Ball(-2);
     f.constant.assign(static_cast<std::size_t>(N) + 1, Ball(0));
@@ -143,7 +145,7 @@ void add_states(const SceneInBalls& s, const StateMatrix& m, FrictionInTime& f) 
         f.weight[row][row] = Ball(1);
         f.weight.back()[row] = s.w(k);
     }
-    const StateInTime z(m.A, begin);
+    const StateInTime z(m.A, begin, s.effort);
     f.shared =
         std::make_shared<Remembered<std::vector<Series>>>(z, [z](const std::vector<Series>&, const Ball& tau) { return z(tau); });
 }
@@ -153,10 +155,11 @@ void add_states(const SceneInBalls& s, const StateMatrix& m, FrictionInTime& f) 
 ResponsesInBalls responses_of_state(const SceneInBalls& s) {
     const StateMatrix m = state_matrix(s);
     ResponsesInBalls r;
+    r.friction.effort = s.effort;
     r.V = harmonic_response(s, s.p, s.p_i);
     r.V.push_back(at_contact(s, r.V));
     r.Y = at_contact(s, harmonic_response(s, s.w, BallMatrix()));
-    const FreeMotions free(m.A);
+    const FreeMotions free(m.A, s.effort);
     if (free.are_simple())
         add_free_motions(s, free, m.rest, r.friction);
     else
@@ -174,10 +177,11 @@ ResponsesInBalls responses_of_state(const SceneInBalls& s) {
     return r;
 }
 
-ResponsesInBalls responses_of_one_mass(const Ball& R, const Ball& zeta) {
+ResponsesInBalls responses_of_one_mass(const Ball& R, const Ball& zeta, Effort* effort) {
     SceneInBalls one{unit_matrix(1), unit_matrix(1), unit_matrix(1) * (2 * zeta)};
     one.w = one.p = unit_matrix(1);
     one.r = R;
+    one.effort = effort;
     return responses_of_state(one);
 }
 

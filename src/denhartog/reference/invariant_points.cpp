@@ -217,7 +217,7 @@ std::vector<InvariantPointsOfMass<Ball>> invariant_points_in_balls(const SceneIn
     std::vector<InvariantPointsOfMass<Ball>> found(N);
     for (std::size_t k = 0; k < N; ++k) found[k].mass = Mass{k};
     if (all.weights(N, N + 1).vanish()) return found; // the load does not reach the contact
-    SearchEffort effort(default_effort(N));
+    SearchEffort effort(default_effort(N), s.effort);
     for (const CoupledMasses& part : parts) {
         std::unique_ptr<UndampedModesInBalls> apart; // of two parts, U_k has the modes of one
         if (parts.size() > 1) apart = std::make_unique<UndampedModesInBalls>(s, std::vector<CoupledMasses>{part});

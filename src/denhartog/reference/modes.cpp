@@ -15,11 +15,16 @@ namespace {
 
 constexpr std::size_t most_kept = 8; // natural modes of one system: a few precisions, with the contact free and held
 
-// Pays for a part of the work on natural modes.
-void pay(long operations, long& work) {
-    QuestionEffort::pay(operations);
-    work += operations;
-}
+// Pays for the work on natural modes, part by part.
+struct Payment {
+    Effort* effort;
+    long work = 0; // paid so far
+
+    void pay(long operations) {
+        denhartog::pay(effort, operations);
+        work += operations;
+    }
+};
 
 BallMatrix cholesky(const BallMatrix& M) {
     BallMatrix L(M.rows(), M.rows());
@@ -57,9 +62,9 @@ BallMatrix eigenvectors_in_double(const BallMatrix& A) {
 }
 
 // The same in the bits of the moment, where double has lost the small ones beside the large.
-BallMatrix eigenvectors_in_bits(const BallMatrix& A, long& work) {
+BallMatrix eigenvectors_in_bits(const BallMatrix& A, Payment& payment) {
     const slong N = A.rows();
-    pay(N * N * N * 100, work);
+    payment.pay(N * N * N * 100);
     ComplexMatrix C(A), R(N, N), values(1, N);
     acb_mat_approx_eig_qr(values.all(), nullptr, R.a, C.a, nullptr, 0, 2 * ball_bits);
     BallMatrix X(N, N);
@@ -114,13 +119,13 @@ NearlyDiagonal on_vectors(const BallMatrix& A, const BallMatrix& X) {
     return {X, std::move(factor), std::move(matrix), off};
 }
 
-NearlyDiagonal nearly_diagonal(const BallMatrix& A, long& work) {
+NearlyDiagonal nearly_diagonal(const BallMatrix& A, Payment& payment) {
     const Ball enough = Ball(norm(A)) * power_of_two(-ball_bits * 4 / 5);
     const auto improve = [&](BallMatrix X) {
         slong steps = 2;
         for (slong bits = 40; bits < ball_bits; bits *= 2) ++steps;
         for (slong n = 0; n < steps; ++n) {
-            pay(A.rows() * A.rows() * A.rows() / 2, work);
+            payment.pay(A.rows() * A.rows() * A.rows() / 2);
             X = improved(A, X);
         }
         return on_vectors(A, X);
@@ -130,7 +135,7 @@ NearlyDiagonal nearly_diagonal(const BallMatrix& A, long& work) {
         if (found.off <= enough) return found;
     } catch (const Unproved&) { // the guess was too far off for the factor
     }
-    return improve(eigenvectors_in_bits(A, work));
+    return improve(eigenvectors_in_bits(A, payment));
 }
 
 NaturalModesInBalls natural_modes(const SceneInBalls& s) {
@@ -138,7 +143,9 @@ NaturalModesInBalls natural_modes(const SceneInBalls& s) {
     const auto count = static_cast<std::size_t>(N);
     NaturalModesInBalls m;
     const BallMatrix L = cholesky(s.M), A = between_factors(L, s.K);
-    const NearlyDiagonal near = nearly_diagonal(A, m.work);
+    Payment payment{s.effort};
+    const NearlyDiagonal near = nearly_diagonal(A, payment);
+    m.work = payment.work;
     std::vector<slong> order(count);
     std::iota(order.begin(), order.end(), 0L);
     std::ranges::sort(
@@ -181,12 +188,12 @@ NaturalModesInBalls natural_modes(const SceneInBalls& s) {
 } // namespace
 
 Ball ModesInBalls::lengths_in(const ModeCluster& cluster, const std::vector<Ball>& k, const std::vector<Ball>& n) {
-    Ball of_k(0), of_n(0);
+    Ball square_of_k(0), square_of_n(0);
     for (std::size_t i = cluster.first; i < cluster.last; ++i) {
-        of_k += k[i] * k[i];
-        of_n += n[i] * n[i];
+        square_of_k += k[i] * k[i];
+        square_of_n += n[i] * n[i];
     }
-    return root_of_positive(of_k * of_n);
+    return root_of_positive(square_of_k * square_of_n);
 }
 
 Ball ModesInBalls::left_open(const std::vector<Ball>& k, const std::vector<Ball>& n, const std::vector<Ball>& f) const {
@@ -202,7 +209,7 @@ std::shared_ptr<const NaturalModesInBalls> KeptModes::of(const SceneInBalls& s) 
     };
     for (const Kept& k : kept_)
         if (k.bits == ball_bits && same(k.M, s.M) && same(k.K, s.K) && same(k.w, s.w) && same(k.p, s.p) && same(k.p_i, s.p_i)) {
-            QuestionEffort::pay(k.modes->work);
+            pay(s.effort, k.modes->work);
             return k.modes;
         }
     if (kept_.size() == most_kept) kept_.erase(kept_.begin());
@@ -218,7 +225,7 @@ ModesInBalls modes_in_balls(const SceneInBalls& s) {
             if (arb_equal(s.zeta[i].a, s.zeta[c.first].a) == 0) // one ball holds all that they may be, as it does for R
                 throw Unproved("modes " + std::to_string(c.first + 1) + " and " + std::to_string(c.last) +
                                " are not told apart, and have different damping ratios");
-    ModesInBalls m{{}, s.zeta, natural->phi, natural->clusters, s.N()};
+    ModesInBalls m{{}, s.zeta, natural->phi, natural->clusters, s.N(), s.effort};
     for (const Ball& lambda : natural->lambda) m.R.push_back(s.r / sqrt(lambda));
     for (std::vector<Ball>& row : m.psi)
         for (Ball& entry : row) entry /= s.r;

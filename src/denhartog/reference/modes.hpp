@@ -27,6 +27,7 @@ struct ModesInBalls {
     std::vector<std::vector<Ball>> psi{}; ///< psi_ki of (17): a row for each mass, then w^T psi, then p^T psi, part by part
     std::vector<ModeCluster> clusters{};  ///< the clusters of more than one mode
     slong N = 0;                          ///< number of masses
+    Effort* effort = nullptr;             ///< that of the scene
 
     /// @brief Row of the contact, w^T psi_i.
     [[nodiscard]] const std::vector<Ball>& at_contact() const { return psi[static_cast<std::size_t>(N)]; }

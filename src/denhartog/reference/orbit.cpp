@@ -39,8 +39,8 @@ void set_stability(const ProvedOrbit& orbit, OrbitInBalls& r) {
         const Bits enough(bits + 4 * orbit.at.m());
         const MapOfDeviations map =
             map_of_deviations(orbit, bits == bits_of_multipliers[0] ? orbit.along : linearised(orbit.s, orbit.at));
-        r.multipliers = multipliers_over_period(map, orbit.at.mirrored);
-        r.stable = r.multipliers.front() < Ball(1) || dies_out(map.A);
+        r.multipliers = multipliers_over_period(map, orbit.at.mirrored, orbit.s.effort);
+        r.stable = r.multipliers.front() < Ball(1) || dies_out(map.A, orbit.s.effort);
         r.unstable = !r.stable && r.multipliers.front() > Ball(1);
         if ((r.stable || r.unstable) && are_narrow(r.multipliers)) return;
     }
@@ -53,7 +53,7 @@ BallMatrix OrbitInPhases::at(const Ball& tau) const {
     const slong N = orbit.s.N;
     const Ball T = o.T();
     const double first = std::ceil(static_cast<double>(o.instant(0) - tau) / static_cast<double>(T));
-    QuestionEffort::pay(cost_of_ball_products(static_cast<double>(N * ball_bits) / 16));
+    pay(orbit.s.effort, cost_of_ball_products(static_cast<double>(N * ball_bits) / 16));
     BallMatrix state(2 * N, 1);
     bool found = false;
     for (const double stretches : {first - 1, first, first + 1}) {

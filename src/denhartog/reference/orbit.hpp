@@ -48,7 +48,7 @@ struct OrbitInBalls {
 /// by how much the frame of the displacements moves, if the masses are wanted as they are seen from the ground.
 /// @throws Disproved        where the motion near the guess is certainly not what the guess says
 /// @throws Unproved         where more bits, or another guess, may help
-/// @throws PrecisionError   where the budget of the question is spent, see `QuestionEffort`
+/// @throws PrecisionError   where the work allowed is spent, see `SceneInBalls::effort`
 [[nodiscard]] OrbitInBalls proved_orbit(const std::function<SceneInBalls()>& scene, const OrbitGuess& guess, slong bits,
                                         const std::vector<std::size_t>& masses = {}, bool with_multipliers = true,
                                         const std::optional<Ball>& frame = std::nullopt);

@@ -32,7 +32,7 @@ BallMatrix inverse_of(const BallMatrix& M) {
 ContactMechanics::ContactMechanics(const SceneInBalls& scene)
     : N(scene.N()), w(scene.w), free(n(), n()), load(1, n()), stuck(n(), n()), push(N, 1), beta(scene.beta.value()),
       holds(scene.mu * beta), equal(scene.mu == Ball(1)), on_a_wall(scene.is_the_contact(static_cast<slong>(scene.contact))),
-      lead(0) {
+      lead(0), effort(scene.effort) {
     const BallMatrix inverse = inverse_of(scene.M * (scene.r * scene.r));
     const BallMatrix stiffness = inverse * scene.K, damping = inverse * (scene.C * scene.r), force = inverse * scene.p;
     const BallMatrix ahead = scene.p_i.rows() > 0 ? inverse * scene.p_i : BallMatrix();
@@ -134,14 +134,14 @@ OrbitUnknowns unknowns_of(const ContactMechanics& s, const OrbitGuess& guess) {
     return o;
 }
 
-ExponentialSeries::ExponentialSeries(const BallMatrix& B, const BallMatrix& y) {
+ExponentialSeries::ExponentialSeries(const BallMatrix& B, const BallMatrix& y, Effort* effort) {
     const slong n = B.rows();
     const double theta = norm(B) * (1 + 1e-9);
     slong last = 0; // the terms beyond fall by half each, from below the last bit
     for (double left = static_cast<double>(ball_bits); left > 0 || static_cast<double>(last) < 2 * theta || last < 4;)
         left += binary_logarithm(std::max(theta, 1e-300) / static_cast<double>(++last));
     const SparseBalls sparse(B);
-    QuestionEffort::pay(cost_of_ball_products(static_cast<double>((sparse.count() + n) * last)));
+    pay(effort, cost_of_ball_products(static_cast<double>((sparse.count() + n) * last)));
     terms_ = BallMatrix(n, last + 1);
     over_factorials_ = BallMatrix(1, last + 1);
     over_factorials_(0, 0) = Ball(1);
@@ -200,14 +200,14 @@ void ExponentialSeries::widen(const Ball& radius) {
 }
 
 BallMatrix followed(const BallMatrix& A, const BallMatrix& Z, const Ball& length, slong leaps, const BallMatrix& leap,
-                    std::vector<ExponentialSeries>* series) {
+                    Effort* effort, std::vector<ExponentialSeries>* series) {
     const slong n = A.rows();
     const BallMatrix B = A * (length / Ball(static_cast<int>(leaps)));
     BallMatrix node = Z;
     mag_t size;
     mag_init(size);
     for (slong q = 0; q < leaps; ++q) {
-        ExponentialSeries s(B, middle(node));
+        ExponentialSeries s(B, middle(node), effort);
         BallMatrix next = s.at(Ball(1));
         for (slong i = 0; i < n; ++i)
             for (slong k = 0; k < n; ++k) {

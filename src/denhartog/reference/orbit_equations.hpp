@@ -26,20 +26,21 @@ struct ContactMechanics {
     /// @brief Of a scene.
     explicit ContactMechanics(const SceneInBalls& scene);
 
-    slong N;                ///< number of masses
-    Ball sigma{};           ///< unit of the velocities in Z
-    BallMatrix w;           ///< w^T x is the displacement of the contact, N x 1
-    BallMatrix free;        ///< A without friction, n x n
-    BallMatrix load;        ///< minus the sum in (75): all forces on a contact at rest but friction, as a row over Z
-    BallMatrix stuck;       ///< A while the contact sticks
-    BallMatrix push;        ///< what a unit force on the contact adds to x'' / sigma, N x 1
-    Ball beta{};            ///< friction while the contact slides
-    Ball holds{};           ///< friction up to which it sticks, mu beta
-    bool equal;             ///< mu = 1
-    bool on_a_wall;         ///< whether the contact is of one mass, on a wall: its row vanishes while it sticks, to the last bit
-    slong lead;             ///< the mass on which w is largest
+    slong N;          ///< number of masses
+    Ball sigma{};     ///< unit of the velocities in Z
+    BallMatrix w;     ///< w^T x is the displacement of the contact, N x 1
+    BallMatrix free;  ///< A without friction, n x n
+    BallMatrix load;  ///< minus the sum in (75): all forces on a contact at rest but friction, as a row over Z
+    BallMatrix stuck; ///< A while the contact sticks
+    BallMatrix push;  ///< what a unit force on the contact adds to x'' / sigma, N x 1
+    Ball beta{};      ///< friction while the contact slides
+    Ball holds{};     ///< friction up to which it sticks, mu beta
+    bool equal;       ///< mu = 1
+    bool on_a_wall;   ///< whether the contact is of one mass, on a wall: its row vanishes while it sticks, to the last bit
+    slong lead;       ///< the mass on which w is largest
     std::optional<SlidingPhases> sliding{}; ///< phases of sliding by modes, where these move by themselves
-    slong bits = ball_bits; ///< bits of the scene
+    Effort* effort;                         ///< that of the scene
+    slong bits = ball_bits;                 ///< bits of the scene
     mutable std::optional<std::shared_ptr<FastPhases>> fast[3] = {}; ///< phases by their free motions, sought when first needed
 
     /// @brief The length of a state, 2 N + 3.
@@ -96,8 +97,8 @@ struct OrbitUnknowns {
 /// \f$ \mathbf y_k = \mathbf B\mathbf y_{k-1} \f$, for theta in [0, 1].
 class ExponentialSeries {
 public:
-    /// @brief Zeros of the matrix cost nothing.
-    ExponentialSeries(const BallMatrix& B, const BallMatrix& y);
+    /// @brief Zeros of the matrix cost nothing. The terms are paid from `effort`.
+    ExponentialSeries(const BallMatrix& B, const BallMatrix& y, Effort* effort = nullptr);
 
     /// @brief Factors of the powers of theta in one number of the sum, given as a row. The last one has a ball that holds the rest
     /// of the series, and whose derivatives by theta, up to the second, hold those of the rest
@@ -142,7 +143,7 @@ struct Linearised {
 ///
 /// The series carries the midpoint of a state. The matrix carries what the state is uncertain by, and widens it the least.
 [[nodiscard]] BallMatrix followed(const BallMatrix& A, const BallMatrix& Z, const Ball& length, slong leaps,
-                                  const BallMatrix& leap, std::vector<ExponentialSeries>* series = nullptr);
+                                  const BallMatrix& leap, Effort* effort, std::vector<ExponentialSeries>* series = nullptr);
 
 /// @brief The binary logarithm of a positive number, to a few units in its last place.
 [[nodiscard]] double binary_logarithm(double x);

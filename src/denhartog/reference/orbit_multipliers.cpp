@@ -84,15 +84,15 @@ std::vector<Ball> bounded_sizes(const BallMatrix& map) {
     return std::vector<Ball>(static_cast<std::size_t>(map.rows()), Ball::within(0, least));
 }
 
-std::vector<Ball> sizes_of_eigenvalues(const BallMatrix& map) {
+std::vector<Ball> sizes_of_eigenvalues(const BallMatrix& map, Effort* effort) {
     const slong n = map.rows();
     if (n == 1) return {abs(map(0, 0))};
-    QuestionEffort::pay(cost_of_ball_products(30 * static_cast<double>(n * n * n)));
+    pay(effort, cost_of_ball_products(30 * static_cast<double>(n * n * n)));
     std::vector<Ball> sizes;
     if (enclosed_in_double(map, sizes) && are_narrow(sizes)) return sizes;
     const ComplexMatrix A(map);
     ComplexMatrix near(1, n), vectors(n, n);
-    QuestionEffort::pay(cost_of_ball_products(200 * static_cast<double>(n * n * n)));
+    pay(effort, cost_of_ball_products(200 * static_cast<double>(n * n * n)));
     acb_mat_approx_eig_qr(near.all(), nullptr, vectors.a, A.a, nullptr, 0, ball_bits);
     return enclosed(A, near, vectors, sizes) ? sizes : bounded_sizes(map);
 }
@@ -183,13 +183,13 @@ MapOfDeviations map_of_deviations(const ProvedOrbit& orbit, const Linearised& al
     return map;
 }
 
-bool dies_out(const BallMatrix& map) {
+bool dies_out(const BallMatrix& map, Effort* effort) {
     BallMatrix power = map;
     for (int n = 0; n < 30; ++n, power = power * power) {
         const double size = norm(power);
         if (size < 1) return true;
         if (!(size < 1e100)) return false;
-        QuestionEffort::pay(cost_of_ball_products(static_cast<double>(map.rows() * map.rows() * map.rows())));
+        pay(effort, cost_of_ball_products(static_cast<double>(map.rows() * map.rows() * map.rows())));
     }
     return false;
 }
@@ -203,8 +203,8 @@ bool are_narrow(const std::vector<Ball>& sizes) {
     return widest < narrow_multiplier * largest;
 }
 
-std::vector<Ball> multipliers_over_period(const MapOfDeviations& map, bool mirrored) {
-    std::vector<Ball> sizes = sizes_of_eigenvalues(map.A);
+std::vector<Ball> multipliers_over_period(const MapOfDeviations& map, bool mirrored, Effort* effort) {
+    std::vector<Ball> sizes = sizes_of_eigenvalues(map.A, effort);
     if (mirrored)
         for (Ball& size : sizes) size = size * size;
     if (map.from_a_stop) sizes.push_back(Ball(0));

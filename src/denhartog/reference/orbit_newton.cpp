@@ -35,9 +35,10 @@ OrbitResidual residual_at(const ContactMechanics& s, const OrbitUnknowns& o, con
         const auto k = static_cast<std::size_t>(i);
         const int kind = o.direction(i + 1);
         const Ball length = o.length(i + 1);
-        r.Z.push_back(along.fast               ? s.by_free_motions(kind)->state(r.Z.back(), length)
-                      : kind != 0 && s.sliding ? s.sliding->after(r.Z.back(), length, kind)
-                                               : followed(s.phase(kind), r.Z.back(), length, along.leaps[k], along.leap[k]));
+        r.Z.push_back(along.fast ? s.by_free_motions(kind)->state(r.Z.back(), length)
+                      : kind != 0 && s.sliding
+                          ? s.sliding->after(r.Z.back(), length, kind)
+                          : followed(s.phase(kind), r.Z.back(), length, along.leaps[k], along.leap[k], s.effort));
     }
     for (slong i = 0; i < z; ++i) r.F(i) = o.u(i) - Ball(o.sign()) * r.Z.back()(i);
     return r;
@@ -73,7 +74,7 @@ public:
 private:
     void linearise() {
         const Bits few(bits_);
-        QuestionEffort::pay(cost_of_ball_products(3 * static_cast<double>(o_.u.rows() * o_.u.rows() * o_.u.rows())));
+        pay(s_.effort, cost_of_ball_products(3 * static_cast<double>(o_.u.rows() * o_.u.rows() * o_.u.rows())));
         OrbitUnknowns box = o_;
         for (slong k = 0; k < box.u.rows(); ++k) box.u(k) = widened(box.u(k), Ball(box_ * scale_[static_cast<std::size_t>(k)]));
         along_ = linearised(s_, box);

@@ -120,7 +120,7 @@ private:
         };
         branch_and_bound(open, ends, [&](const PlaceOfPeak& p) {
             const CurveInBalls& c = curves_[p.phase][p.curve];
-            QuestionEffort::pay(cost_of_ball_products(3 * static_cast<double>(c.powers.size())));
+            pay(orbit_.s.effort, cost_of_ball_products(3 * static_cast<double>(c.powers.size())));
             const Ball X = Ball::within(p.a, p.b), v = derivative(c, 1, X);
             const double half = p.a + (p.b - p.a) / 2;
             const Ball x = derivative(c, 0, Ball(half));
@@ -153,7 +153,7 @@ private:
         const BallMatrix& rate = rates_[static_cast<std::size_t>(orbit_.at.direction(static_cast<slong>(p.phase) + 1) + 1)];
         const CurveInBalls v = phase.curve(stretch, rate);
         Ball X = Ball::within(p.a, p.b);
-        QuestionEffort::pay(cost_of_ball_products(500));
+        pay(orbit_.s.effort, cost_of_ball_products(500));
         for (int step = 0; step < most_newton_steps; ++step) {
             const Ball next = middle(X) - phase.number(stretch, rate, middle(X)) / derivative(v, 1, X);
             if (!next.finite()) break;

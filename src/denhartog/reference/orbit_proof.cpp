@@ -71,7 +71,7 @@ PhaseInStretches::PhaseInStretches(const ProvedOrbit& orbit, slong i, slong few)
         return;
     }
     const BallMatrix A = orbit.s.phase(direction);
-    (void)followed(A, Z, length, leaps, orbit.along.leap[n], &leaps_);
+    (void)followed(A, Z, length, leaps, orbit.along.leap[n], orbit.s.effort, &leaps_);
     each_ =
         std::max<slong>(1, static_cast<slong>(std::ceil(norm(A) * length.high() / static_cast<double>(leaps) / longest_stretch)));
     count_ = each_ * leaps;
@@ -84,7 +84,7 @@ PhaseInStretches::PhaseInStretches(const ProvedOrbit& orbit, slong i, slong few)
                 leaps_[static_cast<std::size_t>(k / each_)].at(Ball(static_cast<int>(k % each_)) / Ball(static_cast<int>(each_)));
         }
         const Bits enough(few);
-        stretches_.emplace_back(rounded(B), rounded(node));
+        stretches_.emplace_back(rounded(B), rounded(node), orbit.s.effort);
     }
 }
 

@@ -105,7 +105,7 @@ struct MapOfDeviations {
 [[nodiscard]] MapOfDeviations map_of_deviations(const ProvedOrbit& orbit, const Linearised& along);
 
 /// @brief Whether all deviations certainly die out: a power of the map has a norm below 1.
-[[nodiscard]] bool dies_out(const BallMatrix& map);
+[[nodiscard]] bool dies_out(const BallMatrix& map, Effort* effort = nullptr);
 
 /// @brief Whether the sizes of multipliers are known so well that more bits need not be tried.
 [[nodiscard]] bool are_narrow(const std::vector<Ball>& sizes);
@@ -115,6 +115,6 @@ struct MapOfDeviations {
 /// Arb encloses the eigenvalues, from approximate ones: by the method of van der Hoeven and Mourrain if they are simple, else by
 /// those of Miyajima and Rump. The approximate ones come from double, or, where that leaves the balls wide, from Arb. If both fail,
 /// norms of powers of the matrix bound them.
-[[nodiscard]] std::vector<Ball> multipliers_over_period(const MapOfDeviations& map, bool mirrored);
+[[nodiscard]] std::vector<Ball> multipliers_over_period(const MapOfDeviations& map, bool mirrored, Effort* effort = nullptr);
 
 } // namespace denhartog::reference

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "denhartog/number/ball_matrix.hpp"
+#include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/scene/scene.hpp"
 
@@ -46,6 +47,7 @@ struct SceneInBalls {
     std::optional<Ball> beta{};                ///< friction ratio, Eq. (11)
     std::size_t contact = 0;                   ///< the mass in contact, j
     std::shared_ptr<KeptModes> kept{};         ///< natural modes found so far, shared by scenes of one system; null: not kept
+    Effort* effort = nullptr;                  ///< the work that may be spent on the scene; null: as much as it takes
 
     /// @brief The number of masses.
     [[nodiscard]] slong N() const { return M.rows(); }

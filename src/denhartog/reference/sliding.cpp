@@ -78,7 +78,6 @@ SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContact
 }
 
 BallMatrix harmonic_in_balls(const std::vector<Complex<Ball>>& X, slong N, const Ball& tau) {
-    QuestionEffort::pay(N + 8);
     const Ball c = cos(tau), s = sin(tau);
     BallMatrix state(2 * N, 1);
     for (slong k = 0; k < N; ++k) {

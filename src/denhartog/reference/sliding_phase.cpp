@@ -34,7 +34,7 @@ SlidingPhases::SlidingPhases(const SceneInBalls& s, ModesInBalls modes, const Ba
 
 BallMatrix SlidingPhases::after(const BallMatrix& Z, const Ball& length, int direction) const {
     const slong N = m_.N, columns = Z.columns();
-    QuestionEffort::pay(cost_of_ball_products(static_cast<double>(4 * N * (N + 5) * columns)));
+    pay(m_.effort, cost_of_ball_products(static_cast<double>(4 * N * (N + 5) * columns)));
     const Ball cosine = cos(length), sine = sin(length);
     BallMatrix x = from_state_ * rows_of(Z, 0, N), v = from_state_ * rows_of(Z, N, N) * sigma_, later = Z;
     for (slong c = 0; c < columns; ++c) {
@@ -52,7 +52,8 @@ BallMatrix SlidingPhases::after(const BallMatrix& Z, const Ball& length, int dir
         const Ball d = paper::d(length, R, zeta), q = R * paper::q(length, R, zeta), // (A.8), (A.9)
             d_prime = paper::d_prime(length, R, zeta), q_prime = R * paper::q_prime(length, R, zeta);
         for (slong c = 0; c < columns; ++c) { // (21): what is not forced moves freely
-            const ForcedCoordinate before(forced, Z(2 * N, c), Z(2 * N + 1, c)), then(forced, later(2 * N, c), later(2 * N + 1, c));
+            const ForcedCoordinate before(forced, Z(2 * N, c), Z(2 * N + 1, c)),
+                then(forced, later(2 * N, c), later(2 * N + 1, c));
             const Ball rest = held * Z(2 * N + 2, c), from = x(i, c) - before.x - rest, rate = v(i, c) - before.v;
             x(i, c) = then.x + rest + d * from + q * rate;
             v(i, c) = then.v + d_prime * from + q_prime * rate;
@@ -79,7 +80,7 @@ std::optional<SlidingPhases> sliding_phases(const SceneInBalls& s, const Ball& s
 
 BallMatrix ContactMechanics::propagator(int direction, const Ball& h) const {
     if (sliding && direction != 0) return sliding->after(unit_matrix(n()), h, direction);
-    QuestionEffort::pay(cost_of_ball_products(20 * static_cast<double>(n() * n() * n())));
+    pay(effort, cost_of_ball_products(20 * static_cast<double>(n() * n() * n())));
     return exp_of_sparse(rounded(phase(direction)) * h);
 }
 

@@ -48,6 +48,7 @@ Ball sticking_limit_by_88(const SceneInBalls& s, std::size_t load) {
     SceneInBalls moving{block(s.M, first, count), block(s.K, first, count)};
     moving.r = s.r;
     moving.kept = s.kept;
+    moving.effort = s.effort;
     moving.w = moving.p = BallMatrix(count, 1);
     moving.w(before ? count - 1 : 0) = Ball(1); // the mass next to the contact
     moving.p(l - first) = Ball(1);

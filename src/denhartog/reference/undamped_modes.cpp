@@ -14,6 +14,7 @@ SceneInBalls part_of(const SceneInBalls& s, const CoupledMasses& masses) {
     SceneInBalls part{BallMatrix(n, n), BallMatrix(n, n)};
     part.w = part.p = BallMatrix(n, 1);
     part.r = Ball(1);
+    part.effort = s.effort;
     for (slong a = 0; a < n; ++a) {
         const slong k = masses[static_cast<std::size_t>(a)];
         part.w(a) = s.w(k);
@@ -93,9 +94,9 @@ UndampedModesInBalls::UndampedModesInBalls(const SceneInBalls& s, const std::vec
         const std::size_t before = psi_[N].size();
         for (std::vector<Ball>& row : psi_) row.resize(before + m.R.size());
         for (std::size_t row = 0; row < m.psi.size(); ++row) {
-            const std::size_t of_all = row < masses.size() ? static_cast<std::size_t>(masses[row]) : N + row - masses.size();
+            const std::size_t row_of_all = row < masses.size() ? static_cast<std::size_t>(masses[row]) : N + row - masses.size();
             if (row < masses.size() || !acts_on_none(row == masses.size() ? part.w : part.p))
-                std::ranges::copy(m.psi[row], psi_[of_all].begin() + static_cast<std::ptrdiff_t>(before));
+                std::ranges::copy(m.psi[row], psi_[row_of_all].begin() + static_cast<std::ptrdiff_t>(before));
         }
         for (std::size_t first = 0, last = 0; first < m.R.size(); first = last) {
             last = first + 1;

@@ -185,7 +185,7 @@ std::vector<Place> rivals(const std::vector<Place>& places, double a, double b, 
 }
 
 Maximum global_maximum(const Curve& curve, double a, double b, double noise, Effort* effort, double least, double error) {
-    SearchEffort own(curve.share);
+    SearchEffort own(curve.share, curve.question);
     const Maximum found = MaximumSearch(curve, a, b, noise, effort != nullptr ? *effort : own, least, error).largest();
     if (effort == nullptr && !found.settled)
         throw PrecisionError(Reasons(Why::largest_not_settled) + (own.exhausted() ? own.ending() : Reasons()) +

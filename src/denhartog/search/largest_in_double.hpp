@@ -32,6 +32,7 @@ struct Curve {
     };
     long cost = 1;                      ///< operations that a sample takes
     long share = default_effort(1) / 4; ///< of the question's that a search may spend, being one of several
+    Effort* question = nullptr;         ///< the budget of the question; null: there is none
 };
 
 /// @brief A stretch in which the function may be as large as its largest value.
@@ -59,7 +60,7 @@ struct Maximum {
 /// bounds the absolute error of f at an instant: what is below it is not searched. Values not above `least` do not matter; where
 /// it exceeds all values, the result is `least` at a, without a place. `error` bounds an error of f that the search cannot
 /// lessen: a value below the largest by no more than twice that much may be the largest, and has a place. Without an effort the
-/// work allowed is that of `default_effort`, and PrecisionError says that it does not settle the maximum.
+/// search has its share of the question's, and PrecisionError says that it does not settle the maximum.
 [[nodiscard]] Maximum global_maximum(const Curve& curve, double a, double b, double noise = 0, Effort* effort = nullptr,
                                      double least = std::numeric_limits<double>::lowest(), double error = 0);
 

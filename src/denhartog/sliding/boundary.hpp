@@ -53,8 +53,8 @@ template <class T>
 [[nodiscard]] bool largest_at_start(const ModeSums<T>& sums);
 
 /// @brief Where in [0, pi] the sum over the modes of (57)'s expression is largest, guaranteed by `global_maximum`; 0 stands for
-/// the limit. PrecisionError where the maximum is not settled. @eq{56,57}
-[[nodiscard]] double instant_of_largest_demand(const ModeSums<double>& sums);
+/// the limit. The search has its share of `effort`. PrecisionError where the maximum is not settled. @eq{56,57}
+[[nodiscard]] double instant_of_largest_demand(const ModeSums<double>& sums, Effort* effort = nullptr);
 
 /// @brief Number of searches for the largest demand since the program started; tests gate on it.
 [[nodiscard]] inline long demand_searches() { return work_counted.demand_searches; }

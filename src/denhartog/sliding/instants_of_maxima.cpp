@@ -63,6 +63,7 @@ std::pair<double, double> instant_and_spread(FrictionMotions& y, double beta, st
     const MassInMotion<double> mass(s, k, beta);
     const double harmonic_size = modulus(Complex<double>{mass.h.A, mass.h.B});
     Curve curve;
+    curve.question = y.effort();
     if (s.coupled) { // the bounds come from the free motion, which never grows
         const CoupledFriction& friction = *s.coupled;
         curve.rate = [&](double a, double) { return harmonic_size + beta * friction.largest_derivative(k, 3, friction.at(a)); };

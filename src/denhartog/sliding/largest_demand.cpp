@@ -110,6 +110,7 @@ double instant_of_largest(FrictionMotions& y, std::size_t first, const std::vect
     curve.sample = [&](double tau) { return demand(tau); };
     curve.rate = [&](double a, double) { return demand.rate(a); };
     curve.cost = static_cast<long>(weights.size() + 2); // two for the search itself
+    curve.question = y.effort();
     return instant_of_largest(std::move(curve), [&](double tau) {
         double sum(0);
         for (std::size_t n = 0; n < weights.size(); ++n) sum += weights[n] * s_d_of_mode(s, first + n, tau);
@@ -117,7 +118,8 @@ double instant_of_largest(FrictionMotions& y, std::size_t first, const std::vect
     });
 }
 
-double instant_of_largest_where_coupled(const ModeSums<double>& s) {
+double instant_of_largest_where_coupled(FrictionMotions& y) {
+    const ModeSums<double>& s = y.sums();
     const CoupledFriction& friction = *s.coupled;
     const std::size_t j = s.contact.index;
     const double start = friction.derivative(j, 1, friction.at(0.0));
@@ -133,6 +135,7 @@ double instant_of_largest_where_coupled(const ModeSums<double>& s) {
     curve.rate = [&](double a, double) { return friction.rate_of_demand(j, friction.at(a)); };
     curve.cost = friction.cost();
     curve.share = default_effort(friction.size()) / 4;
+    curve.question = y.effort();
     return instant_of_largest(std::move(curve), [&](double tau) { return coupled_demand(friction, s.contact, tau); });
 }
 
@@ -155,7 +158,7 @@ bool largest_at_start(const ModeSums<T>& s) {
 
 double instant_of_largest_demand(FrictionMotions& y) {
     const ModeSums<double>& s = y.sums();
-    if (s.coupled) return instant_of_largest_where_coupled(s);
+    if (s.coupled) return instant_of_largest_where_coupled(y);
     if (largest_at_start(s)) return 0.0;
     std::vector<double> squares;
     squares.reserve(s.R.size());
@@ -163,8 +166,8 @@ double instant_of_largest_demand(FrictionMotions& y) {
     return instant_of_largest(y, 0, squares);
 }
 
-double instant_of_largest_demand(const ModeSums<double>& s) {
-    FrictionMotions y(s);
+double instant_of_largest_demand(const ModeSums<double>& s, Effort* effort) {
+    FrictionMotions y(s, effort);
     return instant_of_largest_demand(y);
 }
 
@@ -173,12 +176,12 @@ std::vector<double> instants_of_demands(FrictionMotions& y) {
     std::vector<double> instants;
     instants.reserve(s.R.size() + 1);
     instants.push_back(instant_of_largest_demand(y));
-    const auto of_mode = [&y](std::size_t i) {
+    const auto instant_of_mode = [&y](std::size_t i) {
         FrictionMotions alone(y, i);
         return instant_of_largest(alone, i, std::vector<double>{1.0});
     };
     for (std::size_t i = 0; i < s.R.size(); ++i)
-        instants.push_back(s.R.size() == 1 ? instants.front() : mode_is_largest_at_start(s, i) ? 0.0 : of_mode(i));
+        instants.push_back(s.R.size() == 1 ? instants.front() : mode_is_largest_at_start(s, i) ? 0.0 : instant_of_mode(i));
     return instants;
 }
 

@@ -106,13 +106,13 @@ void settle_maximum(const ModeSums<T>& s, SteadyState<T>& state, std::size_t k, 
                     with_neglected(found_by_search(now.x), T(hidden)));
         return;
     }
-    const double of_acceleration = reach * size_of_jerk(s, mass, k, instant, step, share),
-                 of_displacement = reach * of_acceleration, least = ValueOf<T>::least(now.x_double_prime);
+    const double change_of_acceleration = reach * size_of_jerk(s, mass, k, instant, step, share),
+                 change_of_displacement = reach * change_of_acceleration, least = ValueOf<T>::least(now.x_double_prime);
     // A step over which the acceleration may vanish tells nothing of the maximum.
-    const bool tells = least > 0 && (of_displacement == 0 || 2 * of_acceleration < least);
-    const double of_instant = !tells ? pi<double>() : of_displacement == 0 ? 0 : of_displacement / least;
-    set_maximum(state.masses[k], state.phi_j, with_neglected(T(instant + step), T(of_instant)),
-                with_neglected(largest, T(of_displacement * reach)));
+    const bool tells = least > 0 && (change_of_displacement == 0 || 2 * change_of_acceleration < least);
+    const double error_of_instant = !tells ? pi<double>() : change_of_displacement == 0 ? 0 : change_of_displacement / least;
+    set_maximum(state.masses[k], state.phi_j, with_neglected(T(instant + step), T(error_of_instant)),
+                with_neglected(largest, T(change_of_displacement * reach)));
 }
 
 } // namespace

@@ -44,12 +44,12 @@ std::vector<std::string> numbers_of(const Json& scene) {
 
 // Conditions by one step on both sides; none where there is no answer.
 std::vector<std::optional<double>> by_step(Json& scene, const Json::json_pointer& place, double p, double step, std::size_t N,
-                                           double damping_tolerance) {
+                                           double damping_tolerance, Effort* effort) {
     std::vector<std::optional<double>> found(N);
     scene[place] = p * (1 + step);
-    const AmplitudesOfScene more = amplitudes_of(scene, std::nullopt, damping_tolerance);
+    const AmplitudesOfScene more = amplitudes_of(scene, std::nullopt, damping_tolerance, effort);
     scene[place] = p * (1 - step);
-    const AmplitudesOfScene less = amplitudes_of(scene, std::nullopt, damping_tolerance);
+    const AmplitudesOfScene less = amplitudes_of(scene, std::nullopt, damping_tolerance, effort);
     scene[place] = p;
     if (more.amplitudes.size() != N || less.amplitudes.size() != N) return found;
     for (std::size_t k = 0; k < N; ++k) {
@@ -67,7 +67,7 @@ bool agree(const std::optional<double>& x, const std::optional<double>& y) {
 
 } // namespace
 
-std::vector<ConditionOfAmplitudes> conditions_of(std::string_view text, double damping_tolerance) {
+std::vector<ConditionOfAmplitudes> conditions_of(std::string_view text, double damping_tolerance, Effort* effort) {
     Json scene = read_json(text);
     const std::size_t N = number_of_masses(scene_source(SceneText{text})->in_double().system);
     std::vector<ConditionOfAmplitudes> all;
@@ -78,7 +78,7 @@ std::vector<ConditionOfAmplitudes> conditions_of(std::string_view text, double d
         if (p == 0) continue;
         std::vector<std::optional<double>> settled(N), before(N);
         for (double step = first_step; step >= last_step; step /= 8) {
-            const std::vector<std::optional<double>> now = by_step(scene, place, p, step, N, damping_tolerance);
+            const std::vector<std::optional<double>> now = by_step(scene, place, p, step, N, damping_tolerance, effort);
             for (std::size_t k = 0; k < N; ++k)
                 if (!settled[k] && agree(now[k], before[k])) settled[k] = now[k];
             if (std::ranges::all_of(settled, [](const auto& each) { return each.has_value(); })) break;

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "denhartog/number/effort.hpp"
+
 namespace denhartog {
 
 struct SceneReader;
@@ -27,9 +29,11 @@ struct ConditionOfAmplitudes {
 /// left out, because one changes with its mirror image; so are `mu`, the lists of loads and their phases.
 /// @param scene              the text of the scene
 /// @param damping_tolerance  as in `System`
+/// @param effort             the work allowed to all answers together; null: each has its own
 /// @return                   one for each number, in the order of the scene
 /// @throws                   InputError if the scene breaks a rule
-[[nodiscard]] std::vector<ConditionOfAmplitudes> conditions_of(std::string_view scene, double damping_tolerance = 0);
+[[nodiscard]] std::vector<ConditionOfAmplitudes> conditions_of(std::string_view scene, double damping_tolerance = 0,
+                                                               Effort* effort = nullptr);
 
 /// @brief A mode so near to its resonance, and with so little damping, that amplitudes hang on the last digits of the scene.
 struct SensitiveMode {

@@ -18,8 +18,8 @@ AnswerOrNone without_proof(AnswerInDouble found, const AnswerOrNone& proof, Reas
     RegimeAtPoint& regime = found.solution.regime;
     // The reference tells the regime, though not the motion; double then has only one that may be next to it.
     const bool told = proof.outcome == Outcome::motion_unproved;
-    const bool answers =
-        found.is_answered() && found.regime_is_certain && proof.outcome != Outcome::regime_disproved && !(told && regime.on_boundary);
+    const bool answers = found.is_answered() && found.regime_is_certain && proof.outcome != Outcome::regime_disproved &&
+                         !(told && regime.on_boundary);
     Reasons refused = proof.refused;
     if (found.open && !answers && !told)
         refused += Reasons(regime.on_boundary ? Why::as_double_sees : Why::certain) + regime.reason;
@@ -34,7 +34,8 @@ AnswerOrNone without_proof(AnswerInDouble found, const AnswerOrNone& proof, Reas
 // that is met by rounding; else the reference, of many masses only if digits were asked for. If that has no proof, what double has,
 // or the reasons of both.
 template <class ByReference, class Fast>
-AnswerOrNone in_turn(std::size_t N, std::optional<int> digits, bool proved, const ByReference& by_reference, const Fast& fast) {
+AnswerOrNone in_turn(std::size_t N, Effort* effort, std::optional<int> digits, bool proved, const ByReference& by_reference,
+                     const Fast& fast) {
     if (proved || digits > most_digits_in_double) return by_reference(AnswerInDouble{});
     AnswerInDouble found = fast();
     if (found.is_settled() || std::ranges::count(found.refused, Why::pole_by_rounding, &Reason::says) > 0) return found;
@@ -42,7 +43,7 @@ AnswerOrNone in_turn(std::size_t N, std::optional<int> digits, bool proved, cons
     if (found.vague) why += Reasons(Why::but) + Why::stability_open;
     count_precision_step();
     AnswerOrNone proof;
-    if (QuestionEffort::exhausted())
+    if (is_exhausted(effort))
         proof.refused = Why::work_is_spent;
     else if (!digits && N > most_masses_unasked)
         proof.refused = {Why::not_asked, most_masses_unasked};
@@ -158,13 +159,14 @@ std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& s
     ExactSolver solver(*moving, {*scene.r, *scene.beta, scene.mu});
     OrbitSearch how;
     how.with_stability = false;
+    how.effort = source->effort;
     if (!followed) followed = periodic_orbit(solver, at_rest(moving->basis.r_n.size()), how);
     PeriodicOrbit orbit = *followed;
     if (orbit.status == OrbitStatus::permanently_stuck) return all;
     if (orbit.status == OrbitStatus::not_converged)
         orbit.symmetric = true; // rounding may be why; where the motion was last is near
-    SearchEffort of_guesses(default_effort(moving->basis.r_n.size()));
-    (void)solver.allow(&of_guesses);
+    SearchEffort effort_of_guesses(default_effort(moving->basis.r_n.size()), source->effort);
+    (void)solver.allow(&effort_of_guesses);
     const auto add = [&](const OrbitGuess& guess) {
         if (guess.directions.empty()) return;
         const auto same = [&](const OrbitGuess& other) {
@@ -182,11 +184,13 @@ std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& s
 
 AnswerOrNone answer_or_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question, const InDouble& fast) {
     const auto by_reference = [&](const AnswerInDouble& seen) { return answer_by_reference(p, at, question, fast, seen); };
-    return with_digits(question.digits, in_turn(number_of_masses(p.scene().system), question.digits, question.proved, by_reference,
-                                                [&] { return fast(question); }));
+    return with_digits(question.digits, in_turn(number_of_masses(p.scene().system), at.effort, question.digits, question.proved,
+                                                by_reference, [&] { return fast(question); }));
 }
 
-AnswerOrNone decide_sliding(const SceneSource& source, const SlidingQuestion& question, bool proved) {
+AnswerOrNone decide_sliding(const SceneSource& asked_about, const SlidingQuestion& question, bool proved) {
+    const ScenePaidFor scene(asked_about);
+    const SceneSource& source = scene.source();
     const auto in_double = [&](const SlidingQuestion& asked) {
         return tried_in_double([&] {
             AnswerInDouble found{{Outcome::answered, sliding_solution(source, asked)}};
@@ -209,7 +213,7 @@ AnswerOrNone decide_sliding(const SceneSource& source, const SlidingQuestion& qu
         return answer;
     };
     (void)aim_of(question.digits);
-    return in_turn(number_of_masses(source->in_double().system), question.digits, proved, by_reference,
+    return in_turn(number_of_masses(source->in_double().system), source->effort, question.digits, proved, by_reference,
                    [&] { return in_double(question); });
 }
 

@@ -26,9 +26,10 @@ struct SolvePoint {
     double r;                  ///< frequency ratio
     double beta;               ///< friction ratio
     const SceneSource* source; ///< where both are to be had to any digits; null where the doubles are what is meant
+    Effort* effort = nullptr;  ///< the work allowed; null: what the scene has, or else by default
 };
 
-/// @brief The scene of a system at a point.
+/// @brief The scene of a system at a point, with the work allowed there.
 [[nodiscard]] SceneSource source_at(const PreparedSystem& p, const SolvePoint& at);
 
 /// @brief A question to a scene, prepared.

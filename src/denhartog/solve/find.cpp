@@ -48,8 +48,8 @@ std::vector<double> first_places(const VariedNumber& varied, const Json& scene, 
     return at;
 }
 
-SeenAmplitude amplitude_of(const Json& scene, Mass mass, double damping_tolerance) {
-    const AmplitudesOfScene found = amplitudes_of(scene, mass, damping_tolerance);
+SeenAmplitude amplitude_of(const Json& scene, Mass mass, double damping_tolerance, Effort* effort) {
+    const AmplitudesOfScene found = amplitudes_of(scene, mass, damping_tolerance, effort);
     if (found.amplitudes.empty()) return {std::nullopt, found.refused};
     return {found.amplitudes.front(), {}};
 }
@@ -67,7 +67,7 @@ std::string_view name_of(PlaceIs is) {
 }
 
 FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, const Wanted& wanted, int samples,
-                        double damping_tolerance) {
+                        double damping_tolerance, Effort* effort) {
     Json given = read_json(scene);
     const std::size_t N = number_of_masses(scene_source(SceneText{scene})->in_double().system);
     if (wanted.mass.index >= N)
@@ -80,7 +80,7 @@ FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, cons
     AmplitudeAt amplitude = [&](double x) {
         given[place] = x;
         ++questions;
-        return amplitude_of(given, wanted.mass, damping_tolerance);
+        return amplitude_of(given, wanted.mass, damping_tolerance, effort);
     };
     if (wanted.over) {
         check_interval("over", *wanted.over);
@@ -91,7 +91,7 @@ FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, cons
             AmplitudeSearch search(first_places(*wanted.over, given, samples), [&](double y) {
                 given[second] = y;
                 ++questions;
-                return amplitude_of(given, wanted.mass, damping_tolerance);
+                return amplitude_of(given, wanted.mass, damping_tolerance, effort);
             });
             return search.amplitude_of_extreme(wanted.of == AmplitudeIs::largest);
         };

@@ -90,11 +90,12 @@ struct FoundPlaces {
 /// @param wanted   what the amplitude has to be
 /// @param samples  from 2 to `most_samples_to_find`
 /// @param damping_tolerance  as in `System`
+/// @param effort   the work allowed to all questions together; null: each has its own
 /// @return         what was found
 /// @throws         InputError if the scene or the request breaks a rule; PrecisionError if nothing was found and some samples
 ///                 have no answer
 [[nodiscard]] FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, const Wanted& wanted, int samples,
-                                      double damping_tolerance = 0);
+                                      double damping_tolerance = 0, Effort* effort = nullptr);
 
 /// @brief The largest number of samples of a search.
 inline constexpr int most_samples_to_find = 100'000;

@@ -100,7 +100,8 @@ QuantitiesAnswer quantities(const SceneSource& asked_source, std::span<const dou
                             std::shared_ptr<const ModalBasis<Bounded<double>>> basis) {
     if (digits < 1 || digits > most_digits_of_quantities)
         throw InputError("digits", "must be from 1 to " + std::to_string(most_digits_of_quantities), std::to_string(digits));
-    const SceneSource source = asked == PointNumbers::sums ? without_friction_ratio(asked_source) : asked_source;
+    const ScenePaidFor paid(asked == PointNumbers::sums ? without_friction_ratio(asked_source) : asked_source);
+    const SceneSource& source = paid.source();
     const Scene<double>& scene = source->in_double();
     check(scene);
     (void)frequency_ratio_of(scene);
@@ -109,13 +110,13 @@ QuantitiesAnswer quantities(const SceneSource& asked_source, std::span<const dou
     for (const double instant : tau)
         if (!std::isfinite(instant)) throw InputError("tau", "must be finite", number_to_text(instant));
     const Aim aim = aim_of(digits);
-    const QuestionEffort effort(number_of_masses(scene.system));
     Tried<Quantities<Bounded<double>>> seen;
     Reasons why;
     if (digits <= most_digits_in_double) {
         seen = tried([&] {
-            if (!basis || load_depends_on_frequency(scene.system)) basis = modes_with_errors(scene.system);
-            return quantities_in_double(scene, bounded_sums(scene.system, *basis, as_input(*scene.r)), tau);
+            if (!basis || load_depends_on_frequency(scene.system)) basis = modes_with_errors(scene.system, source->effort);
+            return quantities_in_double(scene, bounded_sums(scene.system, *basis, as_input(*scene.r), source->effort), tau,
+                                        source->effort);
         });
         if (seen.value) {
             const Largest largest = largest_bound(*seen.value, asked);
@@ -128,7 +129,7 @@ QuantitiesAnswer quantities(const SceneSource& asked_source, std::span<const dou
                 return {*std::move(seen.value), {"closed form", "double", why}, largest.relative};
             }
             if (!largest.name.empty()) why.push_back({Why::of_number, {}, largest.name});
-        } else if (!seen.at_pole && QuestionEffort::exhausted()) {
+        } else if (!seen.at_pole && is_exhausted(source->effort)) {
             throw PrecisionError(seen.why);
         }
         why = Why::in_double + why + seen.why;

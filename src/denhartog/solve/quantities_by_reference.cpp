@@ -78,9 +78,9 @@ Quantities<Bounded<double>> numbers_of(const PointInBalls& p, std::span<const do
 QuantitiesAnswer quantities_by_reference(const SceneSource& source, std::span<const double> tau,
                                          const std::function<bool(Quantities<Bounded<double>>&)>& accept) {
     constexpr slong first = 192, most = 1024;
-    return with_more_bits(number_of_masses(source->in_double().system), first, most, [&](slong bits, bool) {
+    return with_more_bits(source, first, most, [&](const SceneSource& paid, slong bits, bool) {
         std::optional<QuantitiesAnswer> answer(std::in_place);
-        answer->numbers = numbers_of(point_in_balls(source, true), tau);
+        answer->numbers = numbers_of(point_in_balls(paid, true), tau);
         answer->method = {"closed form", "reference", {Why::proved, bits}};
         answer->method.proved = true;
         if (!accept(answer->numbers)) answer.reset();

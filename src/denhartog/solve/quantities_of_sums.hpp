@@ -39,11 +39,12 @@ void add_motion(Quantities<T>& q, const ModeSums<T>& s, const T& beta, const std
     for (const MassResponse<T>& m : state.masses) q.x_size.push_back(m.amplitude_monoharmonic);
 }
 
-/// @brief All numbers of a point in double, of a contact between two masses too, which comes last.
+/// @brief All numbers of a point in double, of a contact between two masses too, which comes last. A search has its
+/// share of `effort`.
 [[nodiscard]] inline Quantities<Bounded<double>> quantities_in_double(const Scene<double>& scene,
                                                                       const ModeSums<Bounded<double>>& sums,
-                                                                      std::span<const double> tau) {
-    const double instant = instant_of_largest_demand(values_of(sums));
+                                                                      std::span<const double> tau, Effort* effort = nullptr) {
+    const double instant = instant_of_largest_demand(values_of(sums), effort);
     Quantities<Bounded<double>> q =
         quantities_without_motion(sums, as_input(scene.mu), Bounded<double>(std::min(instant, pi<double>())));
     if (!scene.beta) return q;

@@ -66,7 +66,9 @@ std::vector<OrbitGuess> guesses_near(const SceneSource& source) {
     return guesses_at(PreparedSystem{source}, source, followed);
 }
 
-void sample_by_reference(const SceneSource& source, const Solution& solution, SampledSolution& all) {
+void sample_by_reference(const SceneSource& asked_about, const Solution& solution, SampledSolution& all) {
+    const ScenePaidFor paid(asked_about);
+    const SceneSource& source = paid.source();
     const auto guesses = [&] { return guesses_near(source); };
     const auto states = tried([&] { return samples_by_reference(source, solution, all.tau, error_of_samples, guesses); });
     if (!states.value) throw PrecisionError(Why::samples_uncertain + states.why);
@@ -148,7 +150,9 @@ std::vector<State> SampledSolution::states() const {
 Energies energies(const SceneSource& source, const Solution& solution, std::optional<int> digits) {
     if (solution.masses.empty() || solution.only || solution.asked != Asked::motion)
         throw InputError("energies", "must be of an answer to the question for the whole motion", "");
-    return energies_by_reference(source, solution, digits.value_or(digits_by_default), [&] { return guesses_near(source); });
+    const ScenePaidFor paid(source);
+    return energies_by_reference(paid.source(), solution, digits.value_or(digits_by_default),
+                                 [&] { return guesses_near(paid.source()); });
 }
 
 SampledSolution sampled_solution(const SceneSource& source, const Solution& solution, std::size_t samples) {

@@ -98,10 +98,12 @@ void answer_from_rest(SolveTask& task, Solution& s) {
     OrbitSearch how;
     how.contact_only = regime_alone || task.question.mass == system.contact;
     how.with_stability = task.question.asked == Asked::motion;
+    how.effort = task.source->effort;
     State near;
     if (task.unknown.empty() && s.regime.regime == Regime::continuous) {
-        near = sliding_at_maximum_of_force(values_of(bounded_sums(task.scene.system, *task.known.basis, as_input(*task.scene.r))),
-                                           *task.scene.beta);
+        near = sliding_at_maximum_of_force(
+            values_of(bounded_sums(task.scene.system, *task.known.basis, as_input(*task.scene.r), task.source->effort)),
+            *task.scene.beta);
         how.guess = &near;
     }
     const PeriodicOrbit& orbit = task.orbit.emplace(periodic_orbit(solver, at_rest(system.basis.r_n.size()), how));
@@ -109,7 +111,7 @@ void answer_from_rest(SolveTask& task, Solution& s) {
         const bool found = orbit.status == OrbitStatus::not_from_start;
         s.not_from_rest = orbit.reason + cost_of_fast_mode(solver, orbit);
         const bool by_regime = told && (s.regime.regime == Regime::continuous || !(found || sticks));
-        if (by_regime && !QuestionEffort::exhausted()) return answer_by_regime(task, s);
+        if (by_regime && !is_exhausted(task.source->effort)) return answer_by_regime(task, s);
         if (!found) fail_from_rest(task, s.not_from_rest, s);
     }
     const bool rests = orbit.status == OrbitStatus::permanently_stuck;
@@ -205,7 +207,7 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
         found.orbit = std::move(task.orbit);
         if (question.all) {
             if (!task.moving) task.moving = moving_in_double(source, task.known);
-            s.motions = other_motions(task.scene, *task.moving, task.known.basis);
+            s.motions = other_motions(task.scene, *task.moving, task.known.basis, source->effort);
         }
         keep_asked_mass(question, s);
     }
@@ -217,18 +219,20 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
 
 } // namespace
 
-AnswerOrNone decide(const PreparedSystem& prepared, const SolvePoint& at, const Question& question) {
+AnswerOrNone decide(const PreparedSystem& prepared, const SolvePoint& asked_about, const Question& question) {
     const std::size_t N = number_of_masses(prepared.scene().system);
     check(question, N);
-    check_frequency_ratio(at.r);
-    check_friction_ratio(at.beta);
-    const QuestionEffort effort(N);
+    check_frequency_ratio(asked_about.r);
+    check_friction_ratio(asked_about.beta);
+    const SceneSource& source = asked_about.source != nullptr ? *asked_about.source : prepared.source;
+    const GivenEffort effort(asked_about.effort != nullptr ? asked_about.effort : source->effort, N);
+    SolvePoint at = asked_about;
+    at.effort = effort.get();
     std::optional<PreparedSystem> there; // where what is prepared has the load of another frequency
     if (load_depends_on_frequency(prepared.scene().system)) there.emplace(PreparedSystem{source_at(prepared, at)});
     const PreparedSystem& p = there ? *there : prepared;
-    return answer_or_reference(p, at, question, [&](const Question& of) {
-        return tried_in_double([&] { return solve_in_double(p, at, of); });
-    });
+    return answer_or_reference(p, at, question,
+                               [&](const Question& of) { return tried_in_double([&] { return solve_in_double(p, at, of); }); });
 }
 
 Solution solve(const SceneSource& source, const Question& question) {
@@ -238,9 +242,9 @@ Solution solve(const SceneSource& source, const Question& question) {
     return with_work_since(before, required(decide(p, at, question)));
 }
 
-Solution solve(const PreparedSystem& system, double r, double beta, const Question& question) {
+Solution solve(const PreparedSystem& system, double r, double beta, const Question& question, Effort* effort) {
     const Work before = work_so_far();
-    return with_work_since(before, required(decide(system, {r, beta, nullptr}, question)));
+    return with_work_since(before, required(decide(system, {r, beta, nullptr, effort}, question)));
 }
 
 } // namespace denhartog

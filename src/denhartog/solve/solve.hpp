@@ -21,7 +21,8 @@ namespace denhartog {
 [[nodiscard]] Solution solve(const SceneSource& source, const Question& question);
 
 /// @brief The same at any point of a system that is prepared: `solve` of a scene is nothing but both. Another question than was
-/// prepared for is answered as well. The work of the answer is that of this point.
-[[nodiscard]] Solution solve(const PreparedSystem& system, double r, double beta, const Question& question);
+/// prepared for is answered as well. The work of the answer is that of this point, paid from a budget, if there is one.
+[[nodiscard]] Solution solve(const PreparedSystem& system, double r, double beta, const Question& question,
+                             Effort* effort = nullptr);
 
 } // namespace denhartog

@@ -21,7 +21,8 @@ std::vector<Certified> certified_of(std::vector<double> numbers, const ExactSolv
 } // namespace
 
 SceneSource source_at(const PreparedSystem& p, const SolvePoint& at) {
-    return at.source != nullptr ? *at.source : at_point(p.source, at.r, at.beta);
+    const SceneSource source = at.source != nullptr ? *at.source : at_point(p.source, at.r, at.beta);
+    return at.effort != nullptr ? with_effort(source, at.effort) : source;
 }
 
 bool answer_by_contact(const PreparedSystem& p, const SolvePoint& at, const Question& question, Solution& s) {

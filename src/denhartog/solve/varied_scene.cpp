@@ -38,14 +38,14 @@ nlohmann::json::json_pointer place_of(const std::string& key, const nlohmann::js
     return pointer;
 }
 
-AmplitudesOfScene amplitudes_of(const Json& scene, std::optional<Mass> mass, double damping_tolerance) {
+AmplitudesOfScene amplitudes_of(const Json& scene, std::optional<Mass> mass, double damping_tolerance, Effort* effort) {
     const std::string text = scene.dump();
     SceneSource source = scene_source(SceneText{text});
     if (damping_tolerance > 0) source = with_damping_tolerance(source, damping_tolerance);
     const Scene<double>& s = source->in_double();
     Question question{Asked::amplitude, std::nullopt};
     question.mass = mass;
-    const SolvePoint at{frequency_ratio_of(s), friction_ratio_of(s), &source};
+    const SolvePoint at{frequency_ratio_of(s), friction_ratio_of(s), &source, effort};
     const AnswerOrNone answer = decide(prepare(source, question), at, question);
     if (!answer.is_answered()) return {{}, answer.refused};
     double unit = 1;

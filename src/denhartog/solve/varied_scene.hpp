@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "denhartog/number/certified.hpp"
+#include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/scene/scene.hpp"
 
@@ -24,7 +25,8 @@ struct AmplitudesOfScene {
     Reasons refused{}; ///< why there is no answer
 };
 
-/// @brief Solves a scene for the amplitude of a mass, or of all. InputError where it breaks a rule.
-[[nodiscard]] AmplitudesOfScene amplitudes_of(const nlohmann::json& scene, std::optional<Mass> mass, double damping_tolerance);
+/// @brief Solves a scene for the amplitude of a mass, or of all, paid from a budget, if there is one. InputError where it breaks a rule.
+[[nodiscard]] AmplitudesOfScene amplitudes_of(const nlohmann::json& scene, std::optional<Mass> mass, double damping_tolerance,
+                                              Effort* effort);
 
 } // namespace denhartog

@@ -40,7 +40,8 @@ Matrix<double> error_of_damping(const System<double>& s, const ModalBasis<double
 
 ContactSystem contact_system(const System<double>& s) { return contact_system(s, with_errors(s, modal_basis(s))); }
 
-ContactSystem contact_system(const System<double>& s, const ModalBasis<Bounded<double>>& modes, const RoundedModes* held) {
+ContactSystem contact_system(const System<double>& s, const ModalBasis<Bounded<double>>& modes, const RoundedModes* held,
+                             Effort* effort) {
     ContactSystem out;
     out.contact = contact_row(s);
     out.load = load_row(s);
@@ -51,7 +52,7 @@ ContactSystem contact_system(const System<double>& s, const ModalBasis<Bounded<d
         out.modal_load.push_back({phi(static_cast<Eigen::Index>(out.load.index), i),
                                   load_im ? phi(static_cast<Eigen::Index>(load_im->index), i) : 0.0});
     out.contact_shape = phi.row(static_cast<Eigen::Index>(out.contact.index)).transpose();
-    out.stuck = stuck_configuration(s, out.basis, held);
+    out.stuck = stuck_configuration(s, out.basis, held, effort);
     phi.conservativeResize(phi.cols(), Eigen::NoChange);
     out.stuck_load = load_on_stuck_modes(out.stuck, s.load);
     for (const Bounded<double>& r_n : modes.r_n) out.detuned.push_back(r_n.e / r_n.x);

@@ -237,11 +237,12 @@ double error_at_ends(const ExactSolver& solver, bool slides, double displacement
     if (slides) return velocity[solver.system().contact.index];
     const StuckConfiguration& stuck = solver.system().stuck;
     const double r = solver.excitation().r, fastest = highest_over_force(solver);
-    double of_load = std::abs(stuck.k_jj) * displacement;
+    double error_of_load = std::abs(stuck.k_jj) * displacement;
     for (std::size_t n = 0; n < stuck.masses.size(); ++n)
-        of_load += std::abs(stuck.k_j[n]) * displacement +
-                   (r * std::abs(stuck.c_j[n]) + r * r * std::abs(stuck.m_j[n]) * fastest) * velocity[stuck.masses[n].index];
-    return of_load;
+        error_of_load +=
+            std::abs(stuck.k_j[n]) * displacement +
+            (r * std::abs(stuck.c_j[n]) + r * r * std::abs(stuck.m_j[n]) * fastest) * velocity[stuck.masses[n].index];
+    return error_of_load;
 }
 
 } // namespace denhartog

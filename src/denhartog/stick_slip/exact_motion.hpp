@@ -61,9 +61,10 @@ struct ContactSystem {
 /// `stuck_configuration`.
 [[nodiscard]] ContactSystem contact_system(const System<double>& s);
 
-/// @brief The same with the modal basis known; `held` is what more digits have found beside it, where it comes from them too.
+/// @brief The same with the modal basis known; `held` is what more digits have found beside it, where it comes from them too. The
+/// modes of sticking are paid from a budget.
 [[nodiscard]] ContactSystem contact_system(const System<double>& s, const ModalBasis<Bounded<double>>& modes,
-                                           const RoundedModes* held = nullptr);
+                                           const RoundedModes* held = nullptr, Effort* effort = nullptr);
 
 /// @brief Adds a constant force on each mass, N values in units of P.
 void add_static_load(ContactSystem& system, const std::vector<double>& s);

@@ -90,7 +90,8 @@ StuckResponse stuck_response(const StuckConfiguration& stuck, Mass load, double 
     StuckResponse response{r, Mass{stuck.contact.a}, load, {}, {}, {}};
     std::vector<Complex<double>> X(n + 1, Complex<double>{0, 0}); // of all masses
     const std::vector<Complex<double>> p = load_on_stuck_modes(stuck, load);
-    if (std::ranges::any_of(p, [](const Complex<double>& of_mode) { return of_mode.re != 0 || of_mode.im != 0; })) {
+    if (std::ranges::any_of(p,
+                            [](const Complex<double>& load_of_mode) { return load_of_mode.re != 0 || load_of_mode.im != 0; })) {
         const std::vector<Complex<double>> q = mode_amplitudes(stuck, p, r);
         for (std::size_t k = 0; k <= n; ++k)
             for (std::size_t i = 0; i < n; ++i)

@@ -44,8 +44,8 @@ std::vector<double> reach_of_masses(const System<double>& system, const ModalBas
 double condition_of_masses(const System<double>& system, const std::vector<double>& reach) {
     double largest = 1;
     for (Eigen::Index k = 0; k < system.mass_matrix.rows(); ++k) {
-        const double& of_mass = reach[static_cast<std::size_t>(k)];
-        largest = std::max(largest, system.mass_matrix(k, k) * of_mass * of_mass);
+        const double& reach_of_mass = reach[static_cast<std::size_t>(k)];
+        largest = std::max(largest, system.mass_matrix(k, k) * reach_of_mass * reach_of_mass);
     }
     return largest;
 }
@@ -61,48 +61,50 @@ double factor_of_springs(const System<double>& system) {
 ModalBasis<Bounded<double>> bounded(const System<double>& system, const ModalBasis<double>& basis,
                                     const std::vector<Mass>* masses) {
     const std::size_t N = basis.r_n.size();
-    const double of_input = unit_of<double>(), unit = (trust * static_cast<int>(N) + 4) * of_input;
-    const double of_springs = factor_of_springs(system); // of errors of each frequency; of the highest where it is none
-    const bool chain = of_springs > 0;
+    const double error_of_input = unit_of<double>(), unit = (trust * static_cast<int>(N) + 4) * error_of_input;
+    const double growth_by_springs = factor_of_springs(system); // of errors of each frequency; of the highest where it is none
+    const bool chain = growth_by_springs > 0;
     const double highest = basis.r_n.back();
     const Matrix<double> further = further_rows(system).cwiseAbs();
-    const std::vector<double> of_load = error_of_load(system);
+    const std::vector<double> errors_of_load = error_of_load(system);
     const auto first_of_load = static_cast<Eigen::Index>(load_row(system).index);
     ModalBasis<Bounded<double>> bounded;
     bounded.phi.resize(basis.phi.rows(), static_cast<Eigen::Index>(N));
     bounded.r_n.reserve(N);
     bounded.zeta.reserve(N);
     const std::vector<double> reach = reach_of_masses(system, basis, masses);
-    const double of_matrix = unit * highest * highest * condition_of_masses(system, reach);
+    const double error_of_matrix = unit * highest * highest * condition_of_masses(system, reach);
     Column sizes, errors(basis.phi.rows());
     for (std::size_t i = 0; i < N; ++i) {
         const double r_n = basis.r_n[i];
-        const double of_square = chain ? 2 * unit * of_springs * r_n * r_n : of_matrix; // error of the squared frequency
-        bounded.r_n.push_back({r_n, of_square / (2 * r_n)});
+        const double error_of_square =
+            chain ? 2 * unit * growth_by_springs * r_n * r_n : error_of_matrix; // error of the squared frequency
+        bounded.r_n.push_back({r_n, error_of_square / (2 * r_n)});
         double nearest = std::numeric_limits<double>::infinity(); // difference of the squares, of the chain's relative to both
         for (const std::size_t n : {i - 1, i + 1}) {
             if (n >= N) continue;
             const double apart = abs(basis.r_n[n] - r_n) * (basis.r_n[n] + r_n);
             nearest = min(nearest, chain ? apart * r_n / std::max(basis.r_n[n], r_n) : apart);
         }
-        const double turn = min(1.0, N == 1 ? unit : of_square / nearest + unit);
+        const double turn = min(1.0, N == 1 ? unit : error_of_square / nearest + unit);
         const auto column = static_cast<Eigen::Index>(i);
         sizes = basis.phi.col(column).cwiseAbs();
         for (Eigen::Index row = 0; row < errors.size(); ++row) {
             errors(row) = turn * reach[static_cast<std::size_t>(row)];
             if (const Eigen::Index n = row - static_cast<Eigen::Index>(N); n >= 0) // a sum over the masses, which may cancel
                 errors(row) += unit * further.row(n).dot(sizes.head(further.cols()));
-            if (row >= first_of_load && !of_load.empty()) errors(row) += sizes.head(further.cols()).dot(column_of(of_load));
+            if (row >= first_of_load && !errors_of_load.empty())
+                errors(row) += sizes.head(further.cols()).dot(column_of(errors_of_load));
             bounded.phi(row, column) = {basis.phi(row, column), errors(row)};
         }
-        double of_zeta = of_input * basis.zeta[i];
+        double error_of_zeta = error_of_input * basis.zeta[i];
         if (system.damping_matrix.size() > 0) { // the ratios are computed from it, whether it counts itself or not
             const auto n = static_cast<Eigen::Index>(N);
             const Column damping = product_of_sizes(system.damping_matrix, Column((sizes + errors).head(n)));
-            of_zeta = (errors.head(n).dot(damping) + unit * sizes.head(n).dot(damping)) / r_n +
-                      (turn + unit) * basis.zeta[i] * (1 + of_square / (r_n * r_n));
+            error_of_zeta = (errors.head(n).dot(damping) + unit * sizes.head(n).dot(damping)) / r_n +
+                            (turn + unit) * basis.zeta[i] * (1 + error_of_square / (r_n * r_n));
         }
-        bounded.zeta.push_back({basis.zeta[i], of_zeta});
+        bounded.zeta.push_back({basis.zeta[i], error_of_zeta});
     }
     bounded.D = basis.D.unaryExpr([](const double& entry) { return Bounded<double>(entry); });
     bounded.distance_from_classical = Bounded<double>(basis.distance_from_classical);
@@ -130,11 +132,11 @@ ModalBasis<Bounded<double>> with_errors(const System<double>& system, const Moda
     return bounded(system, basis, nullptr);
 }
 
-ModalBasis<Bounded<double>> bounded_basis_at(const System<double>& system, const std::vector<Mass>& masses) {
+ModalBasis<Bounded<double>> bounded_basis_at(const System<double>& system, const std::vector<Mass>& masses, Effort* effort) {
     const auto is_mass = [N = number_of_masses(system)](Mass k) { return k.index < N; };
     if (is_chain(system) && system.damping_matrix.size() == 0 && std::ranges::all_of(masses, is_mass))
-        return bounded(system, modal_basis_at(system, masses), &masses);
-    ModalBasis<Bounded<double>> all = with_errors(system, modal_basis(system));
+        return bounded(system, modal_basis_at(system, masses, effort), &masses);
+    ModalBasis<Bounded<double>> all = with_errors(system, modal_basis(system, effort));
     Matrix<Bounded<double>> rows(static_cast<Eigen::Index>(masses.size()), all.phi.cols());
     for (std::size_t n = 0; n < masses.size(); ++n)
         rows.row(static_cast<Eigen::Index>(n)) = all.phi.row(static_cast<Eigen::Index>(masses[n].index));
@@ -167,11 +169,11 @@ evaluation::ModeFunctions<Bounded<double>> bounded_mode_functions(const Bounded<
         const double change_of_w = dzeta / (w * w), dz = pi<double>() / R * (dR + dzeta / w) * higher_orders;
         if (change_of_v <= most_change && dz * (1 + size_2) <= most_change && change_of_w <= most_change) {
             const double u = abs(f.u), change_of_tangent = higher_orders * dz * (1 + size_2) / 2, own = units_of_mode * unit;
-            const double of_v = v * (higher_orders * change_of_v + own);
-            const double of_u = higher_orders * (change_of_tangent / (R * w) + u * (dR + zeta * change_of_w + own));
-            const double of_g =
+            const double error_of_v = v * (higher_orders * change_of_v + own);
+            const double error_of_u = higher_orders * (change_of_tangent / (R * w) + u * (dR + zeta * change_of_w + own));
+            const double error_of_g =
                 higher_orders * (change_of_tangent * (1 + zeta / w) + abs(real) * change_of_w / w + abs(f.g) * own);
-            return {{{f.v.re, of_v}, {f.v.im, of_v}}, {f.u, of_u}, {f.g, of_g}};
+            return {{{f.v.re, error_of_v}, {f.v.im, error_of_v}}, {f.u, error_of_u}, {f.g, error_of_g}};
         }
     }
     return evaluation::mode_functions(R_i, zeta_i);

@@ -23,13 +23,15 @@ namespace denhartog {
 /// @brief A modal basis with bounds of its errors.
 [[nodiscard]] ModalBasis<Bounded<double>> with_errors(const System<double>& system, const ModalBasis<double>& basis);
 
-/// @brief The modes of a system with bounds of their errors, as several answers share them. @eq{14,15}
-[[nodiscard]] inline std::shared_ptr<const ModalBasis<Bounded<double>>> modes_with_errors(const System<double>& system) {
-    return std::make_shared<const ModalBasis<Bounded<double>>>(with_errors(system, modal_basis(system)));
+/// @brief The modes of a system with bounds of their errors, as several answers share them; paid from a budget. @eq{14,15}
+[[nodiscard]] inline std::shared_ptr<const ModalBasis<Bounded<double>>> modes_with_errors(const System<double>& system,
+                                                                                          Effort* effort = nullptr) {
+    return std::make_shared<const ModalBasis<Bounded<double>>>(with_errors(system, modal_basis(system, effort)));
 }
 
 /// @brief The same with the shapes at a few masses alone, a row for each, see `modal_basis_at`: one eigen-solve. @eq{14,15}
-[[nodiscard]] ModalBasis<Bounded<double>> bounded_basis_at(const System<double>& system, const std::vector<Mass>& masses);
+[[nodiscard]] ModalBasis<Bounded<double>> bounded_basis_at(const System<double>& system, const std::vector<Mass>& masses,
+                                                           Effort* effort = nullptr);
 
 /// @brief Modes and sums without their bounds.
 [[nodiscard]] ModeSums<double> values_of(const ModeSums<Bounded<double>>& sums);
@@ -73,8 +75,8 @@ template <class T>
 /// @brief The angle, at most 1, by which errors of two natural frequencies may turn their modes towards each other: that of the
 /// squares over their distance. The modes of a chain keep their digits however far they are apart; those of other systems do not.
 [[nodiscard]] inline double angle_of_turn(const Bounded<double>& r_i, const Bounded<double>& r_k) {
-    const double of_squares = std::min(r_k.x * r_i.e + r_i.x * r_k.e, r_i.x * r_i.e + r_k.x * r_k.e); // the first of chains
-    return of_squares / std::max(of_squares, std::abs(r_i.x - r_k.x) * (r_i.x + r_k.x));
+    const double error_of_squares = std::min(r_k.x * r_i.e + r_i.x * r_k.e, r_i.x * r_i.e + r_k.x * r_k.e); // the first of chains
+    return error_of_squares / std::max(error_of_squares, std::abs(r_i.x - r_k.x) * (r_i.x + r_k.x));
 }
 
 } // namespace denhartog

@@ -91,10 +91,11 @@ double rounding_of_step(Eigen::Index rows) {
 
 } // namespace
 
-CoupledFriction::CoupledFriction(const System<double>& system, double r) {
+CoupledFriction::CoupledFriction(const System<double>& system, double r, Effort* effort) {
     set_coordinates(system, r);
-    motion_ = CoupledMotion(A_, std::max(1.0, size_of_A_), CoupledMotion::Asked::instants_of_one_start, nullptr);
+    motion_ = CoupledMotion(A_, std::max(1.0, size_of_A_), CoupledMotion::Asked::instants_of_one_start, &effort);
     set_start();
+    motion_.pay_no_more();
     motion_.start(c_);
 }
 
@@ -193,14 +194,14 @@ double CoupledFriction::rate_of_demand(std::size_t k, const CoupledState& s) con
 // A row times a half of the coordinates, which are off by no more than the error in size.
 Bounded<double> CoupledFriction::along(const Rows& rows, std::size_t k, const Column& half, double error) const {
     const auto row = rows.value.col(static_cast<Eigen::Index>(k));
-    const auto of_row = rows.error.col(static_cast<Eigen::Index>(k));
+    const auto errors_of_row = rows.error.col(static_cast<Eigen::Index>(k));
     double sum(0), size(0), of_rows(0), of_row_squared(0);
     for (Eigen::Index i = 0; i < half.size(); ++i) {
         const double each = row(i) * half(i);
         sum += each;
         size += abs(each);
-        of_rows += of_row(i) * abs(half(i));
-        of_row_squared += of_row(i) * of_row(i);
+        of_rows += errors_of_row(i) * abs(half(i));
+        of_row_squared += errors_of_row(i) * errors_of_row(i);
     }
     const double rounding = static_cast<int>(half.size() + 2) * unit_of<double>() * size;
     return Bounded<double>::of(sum, of_rows + (row.norm() + sqrt(of_row_squared)) * error, rounding);
@@ -216,13 +217,13 @@ evaluation::FrictionMotion<double> CoupledFriction::motion(std::size_t k, double
 evaluation::FrictionMotion<Bounded<double>> CoupledFriction::motion(std::size_t k, const Bounded<double>& tau) const {
     const Eigen::Index N = A_.rows() / 2;
     const CoupledState& s = at(tau.x);
-    const double of_state = error_at(tau.x) + tau.e * (s[1].norm() + tau.e * s[2].norm());
-    const double of_rate =
-        size_of_A_ * of_state + (error_of_A_ + 4 * static_cast<int>(N + 1) * unit_of<double>() * size_of_A_) * s[0].norm();
+    const double error_of_state = error_at(tau.x) + tau.e * (s[1].norm() + tau.e * s[2].norm());
+    const double error_of_rate =
+        size_of_A_ * error_of_state + (error_of_A_ + 4 * static_cast<int>(N + 1) * unit_of<double>() * size_of_A_) * s[0].norm();
     const Column moved = rest_ - s[0].head(N);
-    const double of_moved = of_state + error_of_rest_ + unit_of<double>() * moved.norm();
-    return {along(displacement_, k, moved, of_moved), -along(velocity_, k, s[0].tail(N), of_state),
-            -along(velocity_, k, s[1].tail(N), of_rate)};
+    const double error_of_moved = error_of_state + error_of_rest_ + unit_of<double>() * moved.norm();
+    return {along(displacement_, k, moved, error_of_moved), -along(velocity_, k, s[0].tail(N), error_of_state),
+            -along(velocity_, k, s[1].tail(N), error_of_rate)};
 }
 
 } // namespace denhartog

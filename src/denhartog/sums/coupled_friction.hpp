@@ -32,10 +32,10 @@ using CoupledState = std::array<Column, 4>;
 /// @brief Friction's share of the motion at one frequency ratio, where damping couples the modes. Not for two threads at once.
 class CoupledFriction {
 public:
-    /// @brief Of a system with a damping matrix, at a frequency ratio. DomainError at a pole, which is a
+    /// @brief Of a system with a damping matrix, at a frequency ratio; exponentials are paid from a budget. DomainError at a pole, which is a
     /// motion without damping that mirrors itself every half-period; PrecisionError where the number type does not have the
     /// digits of its coordinates.
-    CoupledFriction(const System<double>& system, double r);
+    CoupledFriction(const System<double>& system, double r, Effort* effort = nullptr);
 
     /// @brief Number of coordinates.
     [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(A_.rows() / 2); }

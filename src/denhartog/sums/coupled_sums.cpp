@@ -14,10 +14,10 @@ BoundedSystem::BoundedSystem(const Matrix<double>& A, const Matrix<double>& erro
     inverse_ = system.inverse();
 }
 
-std::vector<Bounded<double>> BoundedSystem::solved(const Column& b, const Column& of_b) const {
+std::vector<Bounded<double>> BoundedSystem::solved(const Column& b, const Column& error_of_b) const {
     const Column x = product(inverse_, b);
     const Column left_over =
-        (b - product(A_, x)).cwiseAbs() + product_of_sizes(error_, x) + (4 * unit_of<double>()) * b.cwiseAbs() + of_b;
+        (b - product(A_, x)).cwiseAbs() + product_of_sizes(error_, x) + (4 * unit_of<double>()) * b.cwiseAbs() + error_of_b;
     const Column error = 2.0 * (product_of_sizes(inverse_, left_over) + unit_of<double>() * x.cwiseAbs());
     std::vector<Bounded<double>> all;
     for (Eigen::Index k = 0; k < x.size(); ++k) all.emplace_back(x(k), error(k));
@@ -27,43 +27,43 @@ std::vector<Bounded<double>> BoundedSystem::solved(const Column& b, const Column
 BoundedSystem harmonic_system(const Matrix<double>& M, const Matrix<double>& C, const Matrix<double>& K,
                               const Matrix<double>& error_of_C, const Bounded<double>& r) {
     const Eigen::Index n = K.rows();
-    const double of_r = 2 * r.e / r.x;
+    const double error_of_r = 2 * r.e / r.x;
     const Matrix<double> inertia = (r.x * r.x) * M, damping = r.x * C, rest = K - inertia;
-    const Matrix<double> of_rest = of_r * inertia.cwiseAbs() + (4 * unit_of<double>()) * (K.cwiseAbs() + inertia.cwiseAbs()),
-                         of_damping = of_r * damping.cwiseAbs() + r.x * error_of_C;
+    const Matrix<double> error_of_rest =
+                             error_of_r * inertia.cwiseAbs() + (4 * unit_of<double>()) * (K.cwiseAbs() + inertia.cwiseAbs()),
+                         error_of_damping = error_of_r * damping.cwiseAbs() + r.x * error_of_C;
     Matrix<double> A(2 * n, 2 * n), error(2 * n, 2 * n);
     A << rest, -damping, damping, rest;
-    error << of_rest, of_damping, of_damping, of_rest;
+    error << error_of_rest, error_of_damping, error_of_damping, error_of_rest;
     return {A, error};
 }
 
 std::vector<Complex<Bounded<double>>> harmonic_responses(const BoundedSystem& system, const std::vector<Complex<double>>& forces,
                                                          const std::vector<double>& errors) {
     const std::size_t n = forces.size();
-    Column b = Column::Zero(static_cast<Eigen::Index>(2 * n)), of_b = b;
+    Column b = Column::Zero(static_cast<Eigen::Index>(2 * n)), error_of_b = b;
     for (std::size_t k = 0; k < n; ++k) {
-        const auto row = static_cast<Eigen::Index>(k), of_sine = static_cast<Eigen::Index>(n + k);
+        const auto row = static_cast<Eigen::Index>(k), row_of_sine = static_cast<Eigen::Index>(n + k);
         b(row) = forces[k].re;
-        b(of_sine) = forces[k].im;
-        if (!errors.empty()) of_b(row) = of_b(of_sine) = errors[k];
+        b(row_of_sine) = forces[k].im;
+        if (!errors.empty()) error_of_b(row) = error_of_b(row_of_sine) = errors[k];
     }
-    const std::vector<Bounded<double>> X = system.solved(b, of_b);
+    const std::vector<Bounded<double>> X = system.solved(b, error_of_b);
     std::vector<Complex<Bounded<double>>> V;
     for (std::size_t k = 0; k < n; ++k) V.push_back({X[k], X[n + k]});
     return V;
 }
 
-ModeSums<Bounded<double>> coupled_sums(const System<double>& system, const Bounded<double>& r) {
-    const auto friction = std::make_shared<const CoupledFriction>(system, r.x);
+ModeSums<Bounded<double>> coupled_sums(const System<double>& system, const Bounded<double>& r, Effort* effort) {
+    const auto friction = std::make_shared<const CoupledFriction>(system, r.x, effort);
     const Matrix<double> M = mass_matrix(system), C = system.damping_matrix;
-    const BoundedSystem motion =
-        harmonic_system(M, C, stiffness_matrix(system), Matrix<double>::Zero(C.rows(), C.rows()), r);
+    const BoundedSystem motion = harmonic_system(M, C, stiffness_matrix(system), Matrix<double>::Zero(C.rows(), C.rows()), r);
     if (!motion.is_regular()) throw DomainError(Why::response_33_is_infinite);
     const auto to = [&](const std::vector<Complex<double>>& forces, const std::vector<double>& errors) {
         std::vector<Complex<Bounded<double>>> V = harmonic_responses(motion, forces, errors);
         if (system.contact_with) {
-            const auto &of_j = V[system.contact.index], &of_k = V[system.contact_with->index];
-            V.push_back({of_j.re - of_k.re, of_j.im - of_k.im});
+            const auto &V_j = V[system.contact.index], &V_k = V[system.contact_with->index];
+            V.push_back({V_j.re - V_k.re, V_j.im - V_k.im});
         }
         return V;
     };

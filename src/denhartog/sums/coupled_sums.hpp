@@ -37,13 +37,15 @@ harmonic_responses(const BoundedSystem& system, const std::vector<Complex<double
 
 /// @brief V, U, G, Y_jj, H_j of a system whose damping couples the modes; it has no modes, and their lists are empty.
 /// @eq{33,34,35,64,65}
-[[nodiscard]] ModeSums<Bounded<double>> coupled_sums(const System<double>& system, const Bounded<double>& r);
+[[nodiscard]] ModeSums<Bounded<double>> coupled_sums(const System<double>& system, const Bounded<double>& r,
+                                                     Effort* effort = nullptr);
 
 /// @brief The sums over modes with bounds of their errors, or what has their place where damping couples the modes. DomainError
 /// at a pole of a mode without damping. @eq{33,34,35,64,65}
 [[nodiscard]] inline ModeSums<Bounded<double>> bounded_sums(const System<double>& system,
-                                                            const ModalBasis<Bounded<double>>& basis, const Bounded<double>& r) {
-    return basis.coupled() ? coupled_sums(system, r) : mode_sums(basis, contact_row(system), load_rows(system), r);
+                                                            const ModalBasis<Bounded<double>>& basis, const Bounded<double>& r,
+                                                            Effort* effort = nullptr) {
+    return basis.coupled() ? coupled_sums(system, r, effort) : mode_sums(basis, contact_row(system), load_rows(system), r);
 }
 
 } // namespace denhartog

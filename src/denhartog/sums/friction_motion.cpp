@@ -26,7 +26,8 @@ std::vector<evaluation::FrictionMotion<T>> friction_motions(const ModeSums<T>& s
     return y;
 }
 
-FrictionMotions::FrictionMotions(const ModeSums<double>& sums) : sums_(sums), first(0), last(sums.R.size()) {
+FrictionMotions::FrictionMotions(const ModeSums<double>& sums, Effort* effort)
+    : sums_(sums), effort_(effort), first(0), last(sums.R.size()) {
     c.reserve(last);
     for (std::size_t i = first; i < last; ++i) {
         // What bounds an overdamped mode does not come from two amplitudes, which are infinite at zeta = 1.
@@ -35,7 +36,7 @@ FrictionMotions::FrictionMotions(const ModeSums<double>& sums) : sums_(sums), fi
 }
 
 FrictionMotions::FrictionMotions(const FrictionMotions& all_, std::size_t mode)
-    : sums_(all_.sums_), all(&all_), first(mode), last(mode + 1), c{all_.c[mode]} {}
+    : sums_(all_.sums_), effort_(all_.effort_), all(&all_), first(mode), last(mode + 1), c{all_.c[mode]} {}
 
 FrictionMotionsAt FrictionMotions::evaluated(double tau) {
     FrictionMotionsAt at{0.0, 0.0, std::pmr::vector<evaluation::FrictionMotion<double>>(&memory),

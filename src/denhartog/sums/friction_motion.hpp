@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "denhartog/evaluation/friction_motion.hpp"
+#include "denhartog/number/effort.hpp"
 #include "denhartog/sums/mode_sums.hpp"
 
 namespace denhartog {
@@ -30,8 +31,8 @@ struct FrictionMotionsAt {
 /// @brief Braces of (40) at instants of the half-period, remembered: the masses of a system share their instants.
 class FrictionMotions {
 public:
-    /// @brief Of all modes; the sums must outlive the object.
-    explicit FrictionMotions(const ModeSums<double>& sums);
+    /// @brief Of all modes; the sums must outlive the object. Searches take their share of `effort`.
+    explicit FrictionMotions(const ModeSums<double>& sums, Effort* effort = nullptr);
 
     /// @brief Of one mode, which is not evaluated again at instants that are remembered of `all`; that must outlive the object.
     FrictionMotions(const FrictionMotions& all, std::size_t mode);
@@ -43,11 +44,15 @@ public:
     /// @brief The modes.
     [[nodiscard]] const ModeSums<double>& sums() const { return sums_; }
 
+    /// @brief The work allowed to a question; null: nobody allows any.
+    [[nodiscard]] Effort* effort() const { return effort_; }
+
     /// @brief Number of modes times number of instants that are remembered.
     [[nodiscard]] std::size_t remembered() const { return known.size() * c.size(); }
 
 private:
     const ModeSums<double>& sums_;
+    Effort* effort_;
     const FrictionMotions* all = nullptr; // where the range is one mode of these
     std::size_t first, last;
     std::vector<double> c;

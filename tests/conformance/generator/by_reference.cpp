@@ -191,20 +191,22 @@ std::optional<std::vector<T>> certain(const std::vector<Ball>& numbers, bool ang
 template <class T>
 class ByReference : public Route<T> {
 public:
-    ByReference(const ProtocolQuestion& q, Regime regime, const OrbitSeen* seen) : source_(source_of(q)), regime_(regime) {
+    ByReference(const ProtocolQuestion& q, Regime regime, const OrbitSeen* seen)
+        : effort_(masses_of(q), most_operations), source_(with_effort(source_of(q), &effort_)), regime_(regime) {
         if (seen != nullptr) seen_ = *seen;
     }
 
     std::vector<T> numbers(const ProtocolQuestion& q) override {
         const auto first = static_cast<slong>(4 * std::numeric_limits<T>::digits10 + 64);
-        const QuestionEffort enough(masses_of(q), most_operations);
-        return with_more_bits(masses_of(q), first, 8 * first, [&](slong bits, bool) {
+        effort_.spent = 0;
+        return with_more_bits(source_, first, 8 * first, [&](const SceneSource&, slong bits, bool) {
             if (!in_bits_.contains(bits)) in_bits_.try_emplace(bits, source_, regime_, seen_ ? &*seen_ : nullptr, bits);
             return certain<T>(in_bits_.at(bits).numbers(q), quantity(q.quantity).angle);
         });
     }
 
 private:
+    QuestionEffort effort_;
     SceneSource source_;
     Regime regime_;
     std::optional<OrbitSeen> seen_{};

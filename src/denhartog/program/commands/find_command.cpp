@@ -55,11 +55,11 @@ std::string found_table(const Json& a) {
     return text + std::string(whole) + "; " + std::to_string(a.at("questions").get<long>()) + " motions were asked for\n\n";
 }
 
-std::string found(const SceneText& part, const FindOptions& options) {
+std::string found(const SceneText& part, const FindOptions& options, Effort* effort) {
     const std::optional<VariedNumber> varied = interval_from(options.vary, options.between);
     if (!varied) throw InputError("between", "must be A:B, two numbers", options.between);
     const FoundPlaces places = find_places(part.text, *varied, wanted_from(options.so_that), options.samples,
-                                           options.damping == as_given ? 0 : largest_damping_tolerance);
+                                           options.damping == as_given ? 0 : largest_damping_tolerance, effort);
     const Json answer = found_json(places, options, *varied);
     return options.json ? answer.dump() + "\n" : found_table(answer);
 }
@@ -99,7 +99,9 @@ void add_find_command(CLI::App& app, ExitStatus& status) {
         "If nothing was found and some samples have no answer, the exit status is 3.");
     command->callback([options, &status] {
         answer_scenes(
-            *options, [&](const SceneText& part) { return off_poles([&] { return found(part, *options); }); }, status);
+            *options,
+            [&](const SceneText& part, Effort* effort) { return off_poles([&] { return found(part, *options, effort); }); },
+            status);
     });
 }
 

@@ -89,8 +89,8 @@ std::string functions_table(const Json& a) {
            damping_line(a) + "\n";
 }
 
-std::string evaluate(const SceneText& part, const SceneOptions& options) {
-    const Json answer = off_poles([&] { return functions_json(source_of(part, options.damping)); });
+std::string evaluate(const SceneText& part, const SceneOptions& options, Effort* effort) {
+    const Json answer = off_poles([&] { return functions_json(source_of(part, options.damping, effort)); });
     return options.json ? answer.dump() + "\n" : functions_table(answer);
 }
 
@@ -108,7 +108,7 @@ void add_functions_command(CLI::App& app, ExitStatus& status) {
         "no v, u and g of their own, and zeta is what the diagonal of the matrix gives.");
     command->callback([options, &status] {
         answer_scenes(
-            *options, [&](const SceneText& part) { return evaluate(part, *options); }, status);
+            *options, [&](const SceneText& part, Effort* effort) { return evaluate(part, *options, effort); }, status);
     });
 }
 

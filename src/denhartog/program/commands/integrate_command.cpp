@@ -154,9 +154,10 @@ std::string sampled(const SampledSolution& motion, const std::optional<MotionUni
 }
 
 // The answer to a scene without a load.
-std::string freed(const UnloadedScene& unloaded, const SceneText& part, const IntegrateOptions& options, ExitStatus& status) {
+std::string freed(const UnloadedScene& unloaded, const SceneText& part, const IntegrateOptions& options, ExitStatus& status,
+                  Effort* effort) {
     if (options.method_given && options.method == "paper") throw InputError("method", "must be exact where force is 0", "paper");
-    const SceneSource source = source_of(SceneText{unloaded.text, part.line, part.alone}, options.damping);
+    const SceneSource source = source_of(SceneText{unloaded.text, part.line, part.alone}, options.damping, effort);
     if (options.units_given && options.units == in_ratios) throw InputError("units", "must be scene where force is 0", in_ratios);
     if (options.start.empty()) throw InputError("start", "must be given where force is 0", "");
     const std::size_t N = number_of_masses(source->in_double().system);
@@ -185,9 +186,12 @@ std::string freed(const UnloadedScene& unloaded, const SceneText& part, const In
     return options.json ? json.dump() + "\n" : free_motion_table(json);
 }
 
-std::string integrated(const SceneText& part, const IntegrateOptions& options, ExitStatus& status) {
-    if (const std::optional<UnloadedScene> unloaded = unloaded_scene(part)) return freed(*unloaded, part, options, status);
-    const SceneSource source = source_of(part, options.damping);
+std::string integrated(const SceneText& part, const IntegrateOptions& options, ExitStatus& status, Effort* effort) {
+    if (options.settings.samples > 0 && !part.alone)
+        throw InputError("the input", "must be one scene where samples are asked for", "");
+    if (const std::optional<UnloadedScene> unloaded = unloaded_scene(part))
+        return freed(*unloaded, part, options, status, effort);
+    const SceneSource source = source_of(part, options.damping, effort);
     const Scene<double>& scene = source->in_double();
     PaperSettings settings = options.settings;
     const std::optional<MotionUnits> units = motion_units(scene, options.units);
@@ -237,13 +241,7 @@ void answer(const IntegrateOptions& given, ExitStatus& status) {
         check_writable(options.output);
     }
     answer_scenes(
-        options,
-        [&](const SceneText& part) {
-            if (options.settings.samples > 0 && !part.alone)
-                throw InputError("the input", "must be one scene where samples are asked for", "");
-            return integrated(part, options, status);
-        },
-        status);
+        options, [&](const SceneText& part, Effort* effort) { return integrated(part, options, status, effort); }, status);
 }
 
 } // namespace

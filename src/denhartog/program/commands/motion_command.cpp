@@ -22,8 +22,8 @@ struct MotionOptions : SceneOptions {
     std::string units{in_ratios};
 };
 
-std::string sampled(const SceneText& part, const MotionOptions& options) {
-    const SceneSource source = source_of(part, options.damping);
+std::string sampled(const SceneText& part, const MotionOptions& options, Effort* effort) {
+    const SceneSource source = source_of(part, options.damping, effort);
     const Scene<double>& scene = source->in_double();
     (void)frequency_ratio_of(scene);
     (void)friction_ratio_of(scene);
@@ -49,7 +49,7 @@ void answer(const MotionOptions& options) {
     std::optional<QuestionEffort> effort;
     if (allowed) effort.emplace(0, allowed);
     const std::string text = read_input(options.scene);
-    write_output(options.output, sampled(only_scene(text), options));
+    write_output(options.output, sampled(only_scene(text), options, effort ? &*effort : nullptr));
 }
 
 } // namespace

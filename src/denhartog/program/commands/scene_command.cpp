@@ -82,8 +82,8 @@ std::optional<long> allowed_operations(const std::optional<double>& effort) {
     return static_cast<long>(*effort);
 }
 
-SceneSource source_of(const SceneText& part, const std::string& damping) {
-    SceneSource source = scene_source(part);
+SceneSource source_of(const SceneText& part, const std::string& damping, Effort* effort) {
+    const SceneSource source = with_effort(scene_source(part), effort);
     return damping == as_given ? source : with_damping_tolerance(source, largest_damping_tolerance);
 }
 
@@ -93,7 +93,8 @@ SceneText only_scene(const std::string& text) {
     return parts.front();
 }
 
-void answer_scenes(const SceneOptions& options, const std::function<std::string(const SceneText&)>& answer, ExitStatus& status) {
+void answer_scenes(const SceneOptions& options, const std::function<std::string(const SceneText&, Effort*)>& answer,
+                   ExitStatus& status) {
     const std::optional<long> allowed = allowed_operations(options.effort);
     const std::string text = read_input(options.scene);
     for (const SceneText& part : split_scenes(text)) {
@@ -101,7 +102,7 @@ void answer_scenes(const SceneOptions& options, const std::function<std::string(
         try {
             std::optional<QuestionEffort> effort;
             if (allowed) effort.emplace(0, allowed);
-            output = answer(part);
+            output = answer(part, effort ? &*effort : nullptr);
         } catch (const InputError& fault) {
             const InputError e = with_place(fault, part);
             status.bad_input = true;

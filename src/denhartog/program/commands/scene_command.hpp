@@ -44,16 +44,17 @@ void add_effort_and_damping(CLI::App& command, SceneOptions& options);
 // The work that a user allows, in operations; none where `--effort` is not given. Throws InputError where it is no such number.
 [[nodiscard]] std::optional<long> allowed_operations(const std::optional<double>& effort);
 
-// A scene as the options have it.
-[[nodiscard]] SceneSource source_of(const SceneText& part, const std::string& damping);
+// A scene as the options have it, with the work that may be spent on it.
+[[nodiscard]] SceneSource source_of(const SceneText& part, const std::string& damping, Effort* effort = nullptr);
 
 // The only scene of a text, which must outlive it. Throws InputError where there are several.
 [[nodiscard]] SceneText only_scene(const std::string& text);
 
 // Answers every scene of the input in order, each written when it is complete; `answer` gives what is printed, its line end
-// included. A fault of a scene is a line on standard error; among JSON Lines it is also an object `{"error": {...}}` in the
+// included; it gets the work that the user allows, null where that is not said. A fault of a scene is a line on standard error; among JSON Lines it is also an object `{"error": {...}}` in the
 // scene's place. Throws InputError where the input cannot be read or the output not be written.
-void answer_scenes(const SceneOptions& options, const std::function<std::string(const SceneText&)>& answer, ExitStatus& status);
+void answer_scenes(const SceneOptions& options, const std::function<std::string(const SceneText&, Effort*)>& answer,
+                   ExitStatus& status);
 
 // What is asked for; where a formula has a pole, that is a fault of the scene's r.
 template <class Ask>

@@ -31,16 +31,17 @@ std::string response_table(const Json& a) {
     return text + damping_line(a) + method_in_words(a.at("method")) + "\n";
 }
 
-std::string respond(const SceneText& part, const SceneOptions& options) {
-    const SceneSource source = source_of(part, options.damping);
+std::string respond(const SceneText& part, const SceneOptions& options, Effort* effort) {
+    const SceneSource source = source_of(part, options.damping, effort);
     (void)friction_ratio_of(source->in_double());
     const Solution found = off_poles([&] { return sliding_answer(source, options.digits, options.proved); });
     Json answer = response_json(found, NumberWriter{options.digits});
     add_damping(answer, source);
     add_dimensional(answer, source, found, NumberWriter{options.digits});
     add_place_of_rest(answer, source);
-    return options.json ? answer.dump() + "\n"
-                        : response_table(answer) + place_of_rest_lines(answer) + from_ground_table(answer) + dimensional_table(answer);
+    return options.json
+               ? answer.dump() + "\n"
+               : response_table(answer) + place_of_rest_lines(answer) + from_ground_table(answer) + dimensional_table(answer);
 }
 
 std::string boundary_table(const Json& a) {
@@ -101,8 +102,8 @@ std::string invariant_points_table(const Json& masses) {
     return aligned(rows) + "\n";
 }
 
-std::string bound(const SceneText& part, const BoundaryOptions& options) {
-    const SceneSource source = without_friction_ratio(source_of(part, options.damping));
+std::string bound(const SceneText& part, const BoundaryOptions& options, Effort* effort) {
+    const SceneSource source = without_friction_ratio(source_of(part, options.damping, effort));
     const NumberWriter write{options.digits};
     const Solution found = off_poles([&] { return sliding_answer(source, options.digits, options.proved); });
     Json answer = boundary_json(found, write);
@@ -132,7 +133,7 @@ void add_response_command(CLI::App& app, ExitStatus& status) {
         "dimensional: the same in the units of a scene that was given by masses and stiffnesses.");
     command->callback([options, &status] {
         answer_scenes(
-            *options, [&](const SceneText& part) { return respond(part, *options); }, status);
+            *options, [&](const SceneText& part, Effort* effort) { return respond(part, *options, effort); }, status);
     });
 }
 
@@ -156,7 +157,7 @@ void add_boundary_command(CLI::App& app, ExitStatus& status) {
         "dimensional: the friction forces of a scene of masses, stiffnesses and force.");
     command->callback([options, &status] {
         answer_scenes(
-            *options, [&](const SceneText& part) { return bound(part, *options); }, status);
+            *options, [&](const SceneText& part, Effort* effort) { return bound(part, *options, effort); }, status);
     });
 }
 

@@ -44,8 +44,9 @@ Question question_of(const SolveOptions& options, std::size_t N) {
 }
 
 // The relative change of each amplitude over that of a number: to three digits, of which two are meant.
-void add_condition(Json& answer, const SceneText& part, const SolveOptions& options) {
-    for (const ConditionOfAmplitudes& c : conditions_of(part.text, options.damping == as_given ? 0 : largest_damping_tolerance)) {
+void add_condition(Json& answer, const SceneText& part, const SolveOptions& options, Effort* effort) {
+    const double tolerance = options.damping == as_given ? 0 : largest_damping_tolerance;
+    for (const ConditionOfAmplitudes& c : conditions_of(part.text, tolerance, effort)) {
         Json row = Json::array();
         for (const std::optional<double>& each : c.of_masses)
             row.push_back(each ? Json::parse(number_in_digits(*each, 3)) : Json());
@@ -73,7 +74,7 @@ std::string condition_table(const Json& answer) {
     return aligned(rows) + "\n";
 }
 
-std::string solved(const SceneText& part, const SolveOptions& options) {
+std::string solved(const SceneText& part, const SolveOptions& options, Effort* effort) {
     if (options.samples < 0 || options.samples > static_cast<long>(most_samples))
         throw InputError("samples", "must be from 1 to " + std::to_string(most_samples), std::to_string(options.samples));
     if (options.samples > 0 && options.ask != "motion")
@@ -86,7 +87,7 @@ std::string solved(const SceneText& part, const SolveOptions& options) {
     if (options.energy && (options.samples > 0 || options.mass || options.ask != "motion"))
         throw InputError("energy", "must be given without --samples, --mass and any --ask but motion", "");
     if (options.samples > 0 && options.mass) throw InputError("samples", "must be given without --mass", "");
-    const SceneSource source = source_of(part, options.damping);
+    const SceneSource source = source_of(part, options.damping, effort);
     const std::size_t N = number_of_masses(source->in_double().system);
     if (options.samples > 0) check_samples("samples", static_cast<std::size_t>(options.samples), N);
     const Solution solution = solve(source, question_of(options, N));
@@ -102,7 +103,7 @@ std::string solved(const SceneText& part, const SolveOptions& options) {
     if (solution.regime.regime != Regime::permanent_sticking) add_warning(answer, source);
     if (options.energy)
         add_energies(answer, source, solution, energies(source, solution, options.digits), NumberWriter{options.digits});
-    if (options.condition) add_condition(answer, part, options);
+    if (options.condition) add_condition(answer, part, options, effort);
     if (options.json) return answer.dump() + "\n";
     const std::string damping = damping_line(answer);
     const std::string warning = answer.contains("warning") ? "warning: " + answer.at("warning").get<std::string>() + "\n\n" : "";
@@ -170,7 +171,9 @@ void add_solve_command(CLI::App& app, ExitStatus& status) {
         "If no steady motion is found, or not to the digits asked for, the answer has a reason and the exit status is 3.");
     command->callback([options, &status] {
         answer_scenes(
-            *options, [&](const SceneText& part) { return off_poles([&] { return solved(part, *options); }); }, status);
+            *options,
+            [&](const SceneText& part, Effort* effort) { return off_poles([&] { return solved(part, *options, effort); }); },
+            status);
     });
 }
 
