@@ -170,7 +170,8 @@ def equation_view(run, sources, entry):
     callers = [function for function in functions if function not in paper and function not in forms]
     own, others, observations = ([claim_view(run, sources, claim, equation) for claim in claims]
                                  for claims in sorted_claims(entry))
-    statement, accuracy, correction = statement_of(run, entry), accuracy_rows(run, equation), entry["correction"]
+    statement, correction = statement_of(run, entry), entry["correction"]
+    accuracy = [row for type, row in accuracy_rows(run, equation) if type == "double"]
     departure, code, questions = statement.departure, run.formulas.get(equation), run.questions.get(equation, [])
     cost = fails(entry["printed"]) and bool(entry.get("scene") or entry["consequence"])
     more = [what for there, what in (

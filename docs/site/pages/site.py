@@ -69,7 +69,7 @@ def environment(run, sources):
         code_of=code_of, coq_lines=coq_lines, in_namespace=in_namespace,
         departure_text=lambda kind: DEPARTURES.get(kind, "none"),
         error=lambda worst: "not finite" if worst is None else f"{worst:.3g}",
-        snippet_lines=lambda function, signature=False: code_lines(sources.snippet(function), signature),
+        snippet_lines=lambda function: code_lines(sources.snippet(function)),
         brief=lambda function: sources.snippet(function).brief, number="{:.10g}".format, json=lambda value: json.dumps(value, ensure_ascii=False, separators=(",", ":")),
         sample=lambda name, of_modes: SAMPLES_OF_MODES[name] if of_modes else SAMPLES.get(name, "1"),
         names=lambda witness, claim="": witness_names(run, witness, claim), record=lambda claim: record_of(run, claim),
