@@ -20,7 +20,7 @@ do for [panel = 1:2] {
     set title panel == 1 ? '(a)  the median scene answered' : '(b)  nine scenes of ten; a missing answer has 0 digits' offset 0, -0.6
     set xlabel panel == 1 ? 'digits, median' : 'digits that nine of ten scenes have'
     if (panel == 2) { set key at screen 0.5, 0.2 center top vertical maxrows 4 Left reverse noenhanced } else { unset key }
-    if (panel == 2) { unset ylabel }
+    if (panel == 2 && !alone) { unset ylabel }
     plot for [m = 1:names] data index sprintf('method=%d;', m) using panel:3 with linespoints lt m pt open_mark[1 + (m - 1) % 8] \
              title entry(m), \
          for [m = 1:names] '' index sprintf('method=%d;', m) using ($4 >= 1 ? column(panel) : NaN):3 \
