@@ -17,7 +17,7 @@ template <class T>
     return 2 / sqrt(T(4 * mu * mu + pi<T>() * pi<T>()));
 }
 
-/// @brief What (69) falls like for \f$ r \to 0 \f$ where every mode is damped.
+/// @brief Leading term of (69) for \f$ r \to 0 \f$ if every mode is damped.
 /// \f[ \beta_{\lim} \sim \frac{\gamma_jr^2}{1+\mu}\,|V_{dj}|_{r=0} \f]
 /// The first damping functions are then smaller than every power of r, and the second ones 1 but for that. Without damping (69)
 /// is of the same order, but has zeros at every scale, and over \f$ r^2 \f$ no limit.

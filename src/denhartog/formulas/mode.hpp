@@ -1,5 +1,5 @@
 /// @file
-/// @brief What one vibrating mode contributes: (21)-(23), (28), (29), (61), (71), (A.8), (A.9).
+/// @brief The functions of one vibrating mode: (21)-(23), (28), (29), (61), (71), (A.8), (A.9).
 ///
 /// Throughout \f$ w = \sqrt{1-\zeta^2} \f$ (a symbol of ours); 0 <= zeta < 1 and R > 0.
 #pragma once

@@ -17,7 +17,7 @@ namespace denhartog::paper {
 /// @param K_j      row j of the non-dimensional stiffness matrix, Eq. (7), N values
 /// @param x        displacements, N values
 /// @param x_prime  velocities with respect to tau, N values
-/// @param delta_lj part of the load on the mass in contact: 1 where it acts on that alone, 0 where on another; p_j of several
+/// @param delta_lj part of the load on the mass in contact: 1 if it acts on that alone, 0 if on another; p_j of several
 /// @param tau      non-dimensional time, Eq. (5), zero at a maximum of the force; radians
 /// @return         the load, in units of P
 template <class T>
@@ -62,7 +62,7 @@ template <class T>
 /// @param C_j      row j of the non-dimensional damping matrix, Eq. (7)
 /// @param K_j      row j of the non-dimensional stiffness matrix, Eq. (7); less that of the mass matrix where it is not diagonal
 /// @param X        complex amplitudes of the displacements with the contact held, \f$ \bar{x}_k = \mathrm{Re}\{X_ke^{i\tau}\} \f$
-/// @param delta_lj part of the load on the mass in contact: 1 where it acts on that alone, 0 where on another; p_j of several,
+/// @param delta_lj part of the load on the mass in contact: 1 if it acts on that alone, 0 if on another; p_j of several,
 ///                 complex where they are out of phase
 /// @return         the amplitude, complex; in units of P
 template <class T>
@@ -85,7 +85,7 @@ template <class T>
     return modulus(load) / mu;
 }
 
-/// @brief What the first two lines of (88) put for \f$ \beta^*_{\lim} \f$: \f$ \kappa\overline{X}^*/\mu \f$.
+/// @brief The form of \f$ \beta^*_{\lim} \f$ in the first two lines of (88): \f$ \kappa\overline{X}^*/\mu \f$.
 ///
 /// The spring between the contact and its neighbour on the side of the load. The damping forces of the moving masses on the
 /// contact are left out.

@@ -2,7 +2,7 @@
 /// @brief A real number known to lie in a ball: the number type of the reference, by Arb.
 ///
 /// Every function gives a ball that holds the result for every number in its arguments, rounding included. A comparison is true
-/// only where it is true of all numbers in both balls. How many bits a midpoint has is a matter of the moment, see `Bits`.
+/// only if it is true of all numbers in both balls. How many bits a midpoint has is a matter of the moment, see `Bits`.
 #pragma once
 
 #include <arb.h>
@@ -64,11 +64,11 @@ public:
     [[nodiscard]] static Ball of_text(const std::string& text);
 
     /// @{
-    /// @brief Arithmetic, and comparisons, which are true only where that is certain: `==` where both are one exact number.
+    /// @brief Arithmetic, and comparisons, which are true only if that is certain: `==` where both are one exact number.
     friend Ball operator+(const Ball& x, const Ball& y) { return by(arb_add, x, y); }
     friend Ball operator-(const Ball& x, const Ball& y) { return by(arb_sub, x, y); }
     friend Ball operator*(const Ball& x, const Ball& y) { return by(arb_mul, x, y); }
-    /// @brief Quotient; not finite where the divisor may be zero.
+    /// @brief Quotient; not finite if the divisor may be zero.
     friend Ball operator/(const Ball& x, const Ball& y) { return by(arb_div, x, y); }
     friend Ball operator-(const Ball& x) {
         Ball r;

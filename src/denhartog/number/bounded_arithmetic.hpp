@@ -1,10 +1,10 @@
 /// @file
 /// @brief A number with a bound of its error: sums, products and quotients, errors followed through each.
 ///
-/// What the rounding of a sum, product, quotient or root took is computed, not estimated. The formulas are templates on their number type; on this one they give the error of what they give
-/// on the type inside, without a second computation in more digits. Errors are taken as if independent and of the worst sign, so
-/// that the bound is never too small for the operations carried out and often some times too large. Comparisons compare the
-/// values alone.
+/// The rounding error of a sum, product, quotient or root is computed, not estimated. The formulas are templates on their number
+/// type: on this type they give their value in the type inside and a bound of its error, without a second computation in more
+/// digits. Errors are taken as independent and of the worst sign. The bound is therefore never too small for the operations
+/// carried out, and often several times too large. Comparisons compare the values alone.
 #pragma once
 
 #include <algorithm>

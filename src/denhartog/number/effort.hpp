@@ -64,12 +64,12 @@ public:
     QuestionEffort(const QuestionEffort&) = delete;
     QuestionEffort& operator=(const QuestionEffort&) = delete;
 
-    // What was spent so far, if this is the outermost scope.
+    // The effort spent so far, if this is the outermost scope.
     [[nodiscard]] long spent() const { return effort_.spent; }
     // Whether the question of this thread has spent its budget, or was cancelled.
     [[nodiscard]] static bool exhausted() { return current() != nullptr && current()->effort_.exhausted(); }
 
-    // Spends of the budget of the question of this thread, where there is one. Throws PrecisionError where nothing is left of it.
+    // Spends of the budget of the question of this thread, if there is one. Throws PrecisionError if nothing is left of it.
     static void pay(long operations) {
         if (current() == nullptr) return;
         current()->effort_.spend(operations);
@@ -93,7 +93,7 @@ private:
     bool outermost_; // and so the one that counts
 };
 
-// What one search may spend: a share of the budget of its question, from which it is taken at the end of the scope.
+// The effort that one search may spend: a share of the budget of its question, from which it is taken at the end of the scope.
 class SearchEffort : public Effort {
 public:
     // share: operations, where the user has not chosen the budget of the question

@@ -12,7 +12,7 @@
 
 namespace denhartog {
 
-/// @brief What a reason says; number/why.hpp lists it.
+/// @brief The kinds of reasons, which number/why.hpp lists.
 enum class Why : std::uint8_t;
 
 /// @brief A reason of an answer or a refusal.
@@ -30,7 +30,7 @@ struct Reasons : std::vector<Reason> {
     /// @brief One reason. @param says what it says @param numbers the numbers that its sentence needs
     template <class... Numbers>
     Reasons(Why says, const Numbers&... numbers) : vector{Reason{says, {static_cast<double>(numbers)...}}} {}
-    /// @brief What somebody else says. @param text a sentence without its full stop
+    /// @brief A reason in the words of another library. @param text a sentence without its full stop
     template <std::convertible_to<std::string> Text>
     Reasons(const Text& text) : vector{Reason{Why{}, {}, text}} {}
     /// @brief Goes on. @param more what is told next @return these

@@ -8,7 +8,7 @@ namespace denhartog {
 namespace {
 
 struct Character {
-    std::size_t bytes = 0; // 0 where the text does not start with a character of UTF-8
+    std::size_t bytes = 0; // 0 if the text does not start with a character of UTF-8
     std::uint32_t code = 0;
 };
 

@@ -24,7 +24,7 @@ public:
         done_ += more;
         if (told_) told_(done_);
     }
-    // What is done, once no thread works any more.
+    // Number of finished items, once no thread works any more.
     [[nodiscard]] std::size_t done() const { return done_; }
 
 private:

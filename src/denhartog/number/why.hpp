@@ -1,4 +1,4 @@
-// What a reason of an answer or of a refusal says; messages/sentences.cpp has the sentence of each.
+// The reasons of answers and refusals; messages/sentences.cpp has the sentence of each.
 #pragma once
 
 #include "denhartog/number/errors.hpp"

@@ -61,11 +61,11 @@ struct RecentStates {
 /// @brief A fixed point of h half-periods, with what is known of its neighbourhood.
 struct OrbitCandidate {
     State z;                       ///< its state at tau = 0
-    int h = 0;                     ///< half-periods; 0 where there is none
+    int h = 0;                     ///< half-periods; 0 if there is none
     Matrix<double> jacobian;       ///< of the map over them
     double rounding = 0;           ///< norm of the map's rounding
     double error = 0;              ///< of the state, in the norm
-    double reach = 0;              ///< nearer than this every motion is proved to tend to it; 0 where that is not known
+    double reach = 0;              ///< nearer than this every motion is proved to tend to it; 0 if that is not known
     bool stable = false;           ///< whether it attracts its neighbours
     double largest_multiplier = 0; ///< over h half-periods
 };

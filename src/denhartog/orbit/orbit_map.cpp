@@ -108,7 +108,7 @@ Column OrbitMap::largest_energies() const {
     return largest;
 }
 
-// What errors get of a unit of energy of one mode, the column, into each mode, the row, over the stretch.
+// Error in each mode, the row, over the stretch, by a unit of energy of one mode, the column.
 //
 // Every phase adds some units in the last place of what it makes of the modes; Newton's method settles each mode to its own. A
 // natural frequency that is some units off, at least N, turns the mode by that part of its phase angle, which is the larger the

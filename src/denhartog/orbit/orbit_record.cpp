@@ -230,7 +230,7 @@ std::vector<Multiplier> multipliers_of_orbit(const OrbitMap& map, const ErrorsOf
     for (std::size_t n = 0; n + 1 < motion.phases.size(); ++n) {
         const bool slides = motion.phases[n].direction != 0;
         const EndOfPhase end = solver.end_of(n);
-        const double apart = end.error_of_instant(slides ? of_velocity : of_load); // infinite where the rate may vanish
+        const double apart = end.error_of_instant(slides ? of_velocity : of_load); // infinite if the rate may vanish
         error += 2 * rate * apart;
         // That of the rate at the event, relative.
         const double off = (2 * end.second * apart + fastest * (slides ? of_velocity : of_load)) / end.rate;

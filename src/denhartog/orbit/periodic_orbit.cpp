@@ -264,7 +264,7 @@ private:
     RecentStates recent_;
     double change_ = -1; // of the last half-period; negative before the first
     int rises_ = 0;      // half-periods that changed more than the one before
-    State best_;         // nearest to a fixed point so far, where there is one only
+    State best_;         // nearest to a fixed point so far, if there is one only
     double best_step_ = -1;
     OrbitCandidate candidate_;
     Approach approach_;     // of the motion from the start to the candidate

@@ -1,3 +1,6 @@
+// How much energy does friction dissipate in a period, what do load, dampers and base do, and with which force? Read
+// `energies_of_orbit` first. The work of the load is that of the first harmonic of the motion, which `HarmonicMotions` takes
+// from the equation of motion (6); `balance` fills in the rest.
 #include "denhartog/reference/energy.hpp"
 
 #include "denhartog/reference/maximum.hpp"
@@ -57,7 +60,7 @@ struct HarmonicMotions {
     }
 };
 
-// What base or wall take up: the force on the base is the row `of_x` of the displacements, `of_v` of their rates.
+// The force that base or wall take up: that on the base is the row `of_x` of the displacements, `of_v` of their rates.
 struct ForceOnBase {
     std::vector<Ball> of_x{}, of_v{};
     Ball of_d_x{}, of_d_v{}; // the same of the base's own motion d cos tau

@@ -149,8 +149,8 @@ private:
 /// pole, one at which (87) may divide by zero, and what is left when the effort is spent.
 /// Points that may lie on an end of the range are among those that are found. The scene's r is not used.
 /// @eq{33,34,87}
-/// @throws InputError where r_a is not positive, r_b not above it, or there are more than 100000 poles above r_a; Unproved where
-///         the modes are not proved; PrecisionError where the budget of work is spent before the modes are known
+/// @throws InputError if r_a is not positive, r_b not above it, or there are more than 100000 poles above r_a; Unproved where
+///         the modes are not proved; PrecisionError if the budget of work is spent before the modes are known
 [[nodiscard]] std::vector<InvariantPointsOfMass<Ball>> invariant_points_in_balls(const SceneInBalls& scene, const Ball& r_a,
                                                                                  const Ball& r_b);
 

@@ -41,13 +41,13 @@ using FunctionOfTime = std::function<Series(const Ball& tau)>;
 
 /// @brief The largest value of a function and the largest of its negative.
 struct LargestBothWays {
-    std::optional<LargestInBalls> up{};   ///< the largest value; none where it is certainly not the largest in size
+    std::optional<LargestInBalls> up{};   ///< the largest value; none if it is certainly not the largest in size
     std::optional<LargestInBalls> down{}; ///< the largest of the negative; none likewise
 };
 
 /// @brief The largest size of a function on [0, pi], by a search with few bits and then by Newton's method with all bits of the
 /// moment.
-/// @throws Unproved where the search does not come to its end
+/// @throws Unproved if the search does not come to its end
 [[nodiscard]] LargestBothWays largest_size_of(const FunctionOfTime& f);
 
 /// @brief The largest value on [0, pi] of n / sin for a function n that is zero at both ends.
@@ -55,7 +55,7 @@ struct LargestBothWays {
 /// \f$ W = n'\sin - n\cos \f$ has the sign of the rate of the quotient, and \f$ W' = (n'' + n)\sin \f$. At the ends the quotient
 /// is the rate of n over the cosine. Z is n'' + n with its slope and curvature, where that is a small difference of large terms.
 /// @eq{54,56,57}
-/// @throws Unproved where the search does not come to its end
+/// @throws Unproved if the search does not come to its end
 [[nodiscard]] LargestInBalls largest_over_sine(const FunctionOfTime& n, const FunctionOfTime& Z = {});
 
 } // namespace denhartog::reference

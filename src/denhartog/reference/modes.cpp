@@ -1,3 +1,5 @@
+// Natural frequencies and mode shapes, (15), with proof. `natural_modes` makes the matrix nearly diagonal and bounds what is
+// left; modes that are not told apart stay together in a cluster. `damping_matrix_in_balls` is (19).
 #include "denhartog/reference/modes.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -56,7 +58,7 @@ BallMatrix eigenvectors_in_double(const BallMatrix& A) {
     return X;
 }
 
-// The same in the bits of the moment, where double has lost the small ones beside the large.
+// Eigenvectors in the bits of the moment, if double has lost the small entries beside the large.
 BallMatrix eigenvectors_in_bits(const BallMatrix& A, long& work) {
     const slong N = A.rows();
     pay(N * N * N * 100, work);

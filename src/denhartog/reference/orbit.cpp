@@ -1,3 +1,6 @@
+// What is a proved motion with stops? Read `proved_orbit` first: it takes a guess from double, proves the motion
+// (orbit_newton.cpp), the law of friction (orbit_proof.cpp), amplitudes (orbit_peaks.cpp) and multipliers
+// (orbit_multipliers.cpp).
 #include "denhartog/reference/orbit.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Which equations does a motion with stops solve? One for each phase, by (6), and one for each event, by (3) and (74). The
+// unknowns are the states and the instants of the events; `linearised` gives the derivatives over a box of unknowns.
 #include "denhartog/reference/orbit_equations.hpp"
 
 #include <algorithm>

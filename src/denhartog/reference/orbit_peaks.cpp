@@ -1,3 +1,5 @@
+// How far does each mass go in a motion with stops? Branch and bound over all phases, so that no maximum is missed: read
+// `peak_of_mass` first, then `largest` and `narrowed`.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -145,7 +147,7 @@ private:
         return alone;
     }
 
-    // The zero of the velocity in a place; none where there is none.
+    // The zero of the velocity in a place; none if there is none.
     std::optional<PeakCandidate> at(const PlaceOfPeak& p) const {
         const PhaseInStretches& phase = phases_[p.phase];
         const auto stretch = static_cast<slong>(p.curve);

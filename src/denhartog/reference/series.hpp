@@ -73,7 +73,7 @@ struct Series {
 /// `off` are the instants of the stretch less the middle.
 [[nodiscard]] Series over_stretch(const Series& at_middle, const Ball& off, const Ball& constant, const Ball& size,
                                   const Ball& speed);
-/// @brief The same with a bound of each derivative over n!, of order 0 of the difference.
+/// @brief A function over a stretch by its series in the middle, with a bound of each derivative of the difference over n!.
 [[nodiscard]] Series over_stretch(const Series& at_middle, const Ball& off, const Ball& constant,
                                   const std::array<Ball, 6>& most);
 

@@ -1,3 +1,5 @@
+// What is the sliding motion, proved? (38) and (39) for the contact, `contact_in_balls`; (44) and (45) for the start of the
+// others; (46) at any instant. The largest displacement of a mass comes from maximum.cpp.
 #include "denhartog/reference/sliding.hpp"
 
 #include <cmath>

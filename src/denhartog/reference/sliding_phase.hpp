@@ -1,5 +1,5 @@
 /// @file
-/// @brief A phase of sliding by its modes, Eq. (20): where damping leaves these by themselves, no exponential of a matrix is needed.
+/// @brief A phase of sliding by its modes, Eq. (20): if damping leaves these by themselves, no exponential of a matrix is needed.
 #pragma once
 
 #include <optional>
@@ -27,7 +27,7 @@ private:
     Ball sigma_, beta_;
 };
 
-/// @brief The phases of a scene whose damping is given by damping ratios; none where its modes are not told apart, or one is
+/// @brief The phases of a scene whose damping is given by damping ratios; none if its modes are not told apart, or one is
 /// damped critically or beyond.
 [[nodiscard]] std::optional<SlidingPhases> sliding_phases(const SceneInBalls& scene, const Ball& sigma);
 

@@ -32,7 +32,7 @@ void branch_and_bound(Stretches& open, const Ends& ends, const Look& look) {
     }
 }
 
-/// @brief Where a function is going over a stretch, where that is certain.
+/// @brief Trend of a function over a stretch, if it is certain.
 enum class TrendOnStretch : unsigned char {
     unknown,    ///< nothing is certain
     rises,      ///< it does not fall
@@ -40,11 +40,11 @@ enum class TrendOnStretch : unsigned char {
     one_maximum ///< it has one stationary point, a maximum
 };
 
-/// @brief What a function says of itself over a stretch.
+/// @brief Bounds that a function gives of itself over a stretch.
 template <class T>
 struct SeenOverStretch {
     T range;              ///< holds its values
-    TrendOnStretch trend; ///< where it is going
+    TrendOnStretch trend; ///< whether it rises or falls
 };
 
 /// @brief A function on an interval, as a search sees it.
@@ -59,7 +59,7 @@ struct StretchOfLargest {
     double from;                                    ///< its lower end
     double to;                                      ///< its upper end; one instant where the ends are equal
     double upper;                                   ///< no value in it is larger
-    TrendOnStretch trend = TrendOnStretch::unknown; ///< where the function is going in it
+    TrendOnStretch trend = TrendOnStretch::unknown; ///< whether the function rises or falls in it
 
     /// @brief The higher one is looked into first.
     friend bool operator<(const StretchOfLargest& x, const StretchOfLargest& y) { return x.upper < y.upper; }

@@ -1,3 +1,6 @@
+// Where is a curve largest, with no maximum between two samples missed? Branch and bound on intervals, by values, slopes and a
+// bound of the rate of the curvature. Read `largest` first; `add` bounds an interval, and `dismiss` gathers the places that stay
+// open.
 #include "denhartog/search/largest_in_double.hpp"
 
 #include <algorithm>
@@ -50,7 +53,7 @@ public:
         const auto may_be_larger = [this](const Interval& in) { return in.upper > best_.value + noise_ + rounding(); };
         look([&](const Interval& next) { return effort_.exhausted() || !may_be_larger(next); });
         best_.settled = open_.empty() || !may_be_larger(open_.front());
-        // What is left holds no larger value, but perhaps one as large: where that is taken is narrowed down as the effort goes.
+        // The rest holds no larger value, but perhaps one as large: its place is narrowed down as the effort goes.
         int looks = 0;
         look([&](const Interval& next) { return effort_.exhausted() || next.upper < level() || looks++ == second_looks; });
         for (const Interval& each : open_) dismiss_unseen(each);

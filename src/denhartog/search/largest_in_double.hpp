@@ -41,7 +41,7 @@ struct Place {
     double instant; ///< where the largest value in it was seen
     double value;   ///< that value
     double upper;   ///< no value in it is larger, but for the error of a sample
-    double reach;   ///< how far from there the largest value in it may be; zero where it was found as a root of w
+    double reach;   ///< how far from there the largest value in it may be; zero if it was found as a root of w
 };
 
 /// @brief A maximum and where it lies.
@@ -49,7 +49,7 @@ struct Maximum {
     double value;        ///< the largest value seen; the largest value is not below it by more than the error of the samples
     double instant;      ///< where it is taken, or approached at an end of the interval
     double upper;        ///< no value is larger
-    bool settled = true; ///< false where the effort was spent before no interval could exceed the best value
+    bool settled = true; ///< false if the effort was spent before no interval could exceed the best value
     std::vector<Place> places; ///< ascending: outside of them every value is below the largest one
 };
 
@@ -66,7 +66,7 @@ struct Maximum {
 /// @brief The places of one function, ascending, with those that touch made one, which reaches as far as its maxima lie apart.
 [[nodiscard]] std::vector<Place> joined(std::vector<Place> places);
 
-/// @brief Where else than at the instant of its largest value a function may be largest that goes on at a as it ends at b; the
+/// @brief Places where a function that goes on at a as it ends at b may be largest, besides the instant of its largest value; the
 /// place of that instant is among them if it has a reach. Places are ascending, and no two touch.
 [[nodiscard]] std::vector<Place> rivals(const std::vector<Place>& places, double a, double b, double instant);
 

@@ -33,8 +33,8 @@ struct ValueAt {
 /// @brief The zero between two instants: t as a polynomial of third degree in f, through the last two instants with their slopes,
 /// shows where to look next, within what is known to hold the zero.
 ///
-/// What is left after a step is a multiple of the squares of the distances of both instants from the zero. That multiple is the
-/// one seen in the step before; or, if this is more, the one that leaves as much as the bracket is wide if both are that far. The
+/// A step leaves an error proportional to the product of the squared distances of both instants from the zero. The factor is
+/// taken from the step before, or, if this is larger, such that the error is the bracket's width if both are that far. The
 /// search starts at `now`; f has the opposite sign at `before`, or is zero at `now`. The zero is known to rounding; the function
 /// is not evaluated there.
 template <class Function>
@@ -160,7 +160,7 @@ template <class Function>
     return std::nullopt;
 }
 
-/// @brief What a function says of its zeros in a stretch.
+/// @brief Knowledge of a function's zeros in a stretch.
 enum class ZerosInStretch : unsigned char {
     unknown, ///< nothing is certain: the stretch is divided
     none,    ///< it has none

@@ -1,3 +1,5 @@
+// Amplitude and phase of the contact alone, for maps: (38), (39), and (69) with an upper bound of the demand (57) in place of
+// its maximum. Read `contact_solution` first; without an answer here a point is solved in full.
 #include "denhartog/sliding/contact_modes.hpp"
 
 #include <algorithm>
@@ -102,7 +104,7 @@ std::optional<double> demand_by_search(const ContactModes& all, const Number& r,
     return tried(demand).value;
 }
 
-// None where the bound of (57) leaves open whether the contact slides.
+// None if the bound of (57) leaves open whether the contact slides.
 std::optional<ContactSolution> solution_from(const SumsAtContact& s, const Number& beta) {
     const Number limit = paper::friction_ratio_limit(s.V, s.U, Number(s.demand));
     const double slides_below = limit.x - limit.e;

@@ -42,7 +42,7 @@ struct ContactSolution {
     Bounded<double> slides_below; ///< the boundary (69) is not below it
 };
 
-/// @brief Amplitude and phase of the contact in the sliding regime, mu = 1; none where sliding is not certain.
+/// @brief Amplitude and phase of the contact in the sliding regime, mu = 1; none if sliding is not certain.
 /// @eq{33,34,35,38,39,57,69}
 [[nodiscard]] std::optional<ContactSolution> contact_solution(const ContactModes& modes, const Bounded<double>& r,
                                                               const Bounded<double>& beta);

@@ -29,7 +29,7 @@ struct Event {
     int next;          ///< direction of the next phase
     int order;         ///< order of the zero of its guard function
     double load;       ///< load on the contact
-    bool found;        ///< false where the end of the stretch came first
+    bool found;        ///< false if the end of the stretch came first
     bool open = false; ///< no end was found up to t, and what comes after is not known
 };
 
@@ -61,7 +61,7 @@ struct ContactSystem {
 /// `stuck_configuration`.
 [[nodiscard]] ContactSystem contact_system(const System<double>& s);
 
-/// @brief The same with the modal basis known; `held` is what more digits have found beside it, where it comes from them too.
+/// @brief The system with its modal basis known; `held` is the held system in more digits, if the basis comes from them too.
 [[nodiscard]] ContactSystem contact_system(const System<double>& s, const ModalBasis<Bounded<double>>& modes,
                                            const RoundedModes* held = nullptr);
 
@@ -91,7 +91,7 @@ struct ExactMotion {
     std::vector<Phase> phases;                    ///< in order; the first starts, the last ends where asked
     std::vector<double> states;                   ///< the states at the starts of the phases, x then x', 2N values a phase
     State end;                                    ///< the state at the end
-    Matrix<double> jacobian;                      ///< d end / d start over (x, x'), 2N x 2N; only where it was asked for
+    Matrix<double> jacobian;                      ///< d end / d start over (x, x'), 2N x 2N; only if it was asked for
     int touching = 0;                             ///< events met so tangentially that rounding decided them
 };
 
@@ -102,8 +102,8 @@ struct EndOfPhase {
     double second; ///< bound of the size of its second derivative next to the end
     double noise;  ///< its rounding error
 
-    /// @brief How far the end may be from where it was found, if what vanishes there has an error besides: over twice as far it
-    /// bends too little to hide that it changes by more than its error on either side. Infinite where it may not reach zero at
+    /// @brief Error of the instant of an end, if the quantity that vanishes there has an error besides: over twice as far it
+    /// bends too little to hide that it changes by more than its error on either side. Infinite if it may not reach zero at
     /// all.
     [[nodiscard]] double error_of_instant(double error) const;
 };
@@ -111,7 +111,7 @@ struct EndOfPhase {
 /// @brief Solver of one system at one excitation; keeps its working space from call to call. Not for two threads at once.
 class ExactSolver {
 public:
-    /// @brief The system must outlive the solver. InputError where r, beta or mu breaks its rule.
+    /// @brief The system must outlive the solver. InputError if r, beta or mu breaks its rule.
     ExactSolver(const ContactSystem& system, const Excitation& excitation);
     ~ExactSolver();
     /// @brief Leaves the other without its working space.
@@ -136,8 +136,8 @@ public:
     /// @brief The state at an instant within a phase of the last motion.
     [[nodiscard]] State state_at(std::size_t phase, double tau);
 
-    /// @brief The same at evenly spaced instants: displacements, then velocities, of all masses at each. No mass loses more than
-    /// `most_lost` to rounding beside what `state_at` does, which answers where a recurrence would, and where damping couples.
+    /// @brief States at evenly spaced instants: displacements, then velocities, of all masses at each. No mass loses more than
+    /// `most_lost` to rounding beside what `state_at` does, which answers where a recurrence would, and if damping couples.
     void sample(std::size_t phase, const evaluation::EvenInstants& at, const std::vector<double>& most_lost, double* x,
                 double* x_prime);
 
@@ -152,7 +152,7 @@ public:
     /// @brief Largest size of every displacement over the last motion, then that of a contact between two, guaranteed between
     /// samples; of the contact without what else may be. One that is smaller by less than twice `error`, a bound of the errors of
     /// the displacements, may be the largest.
-    /// Where the frame of the displacements moves by `frame` cos tau, of the masses as they are seen from the ground, the one in
+    /// If the frame of the displacements moves by `frame` cos tau, of the masses as they are seen from the ground, the one in
     /// contact as every other, and of no contact.
     [[nodiscard]] std::vector<Extremum> largest_displacements(double error = 0, double frame = 0);
 

@@ -31,7 +31,7 @@ public:
     // The displacement of a mass at a time from the start of the stretch.
     [[nodiscard]] double of(Eigen::Index row, double t) { return at(t)(row, 0); }
 
-    // What rounding makes of it: some units of its terms.
+    // Its rounding error: some units of its terms.
     [[nodiscard]] double noise(Eigen::Index row, double t) {
         motion_.differentiate_at(t);
         return 4 * std::numeric_limits<double>::epsilon() * (sizes_.row(row).dot(column(motion_.q[0]).cwiseAbs()) + frame_);

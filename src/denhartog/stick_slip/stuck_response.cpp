@@ -1,3 +1,5 @@
+// How do the masses move while the contact is held, and which friction ratio holds it? The stuck modes under the load, each by
+// itself or coupled by damping, and (88). Read `stuck_response` first.
 #include "denhartog/stick_slip/stuck_response.hpp"
 
 #include <algorithm>

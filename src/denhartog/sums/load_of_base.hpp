@@ -18,7 +18,7 @@ namespace denhartog {
 /// @param system  the system
 /// @param r       frequency ratio, Eq. (10)
 /// @return        the system, with a force and a phase of each mass
-/// @throws        InputError where `check` throws; DomainError where the load vanishes; PrecisionError as `modal_basis`
+/// @throws        InputError where `check` throws; DomainError if the load vanishes; PrecisionError as `modal_basis`
 [[nodiscard]] System<double> with_load_at(const System<double>& system, double r);
 
 } // namespace denhartog
