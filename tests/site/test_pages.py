@@ -142,7 +142,7 @@ class Words(Case):
         self.assertEqual(text.raw(prose("(46) and zeta_i, a_b_c")), r"(46) and \(\zeta_{i}\), a_b_c")
         for value, shown in (("-329/333", r"\f$-\tfrac{329}{333}\f$"), ("0.25", "0.25"),
                              ("0.105313493022638536325369615526715714", "0.105313"),
-                             ("0.40000000000000002", "0.4"), ("-7.816875436426E-4", "-0.0007816875436426")):
+                             ("0.40000000000000002", "0.4"), ("-7.816875436426E-4", "-0.000781688")):
             self.assertEqual(witness_value(value), shown)
 
     def test_tables(self):

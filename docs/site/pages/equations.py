@@ -42,7 +42,7 @@ def steps_of(run, record):
     for step in record["steps"]:
         text, latex, here = step["text"], meant_by(run, record["claim"], step["latex"]), step["text"] == ABBREVIATED
         if text == DIVISORS and steps:
-            steps[-1]["condition"] += text + "\n" + displayed(latex)
+            steps[-1].update(text=steps[-1]["text"].removesuffix("."), condition=text + "\n" + displayed(latex))
             continue
         end = ":" if latex else "" if "zero with" in text else "."
         long = len(latex) > LONGEST_FORMULA and not here
