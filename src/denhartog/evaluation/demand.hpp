@@ -1,13 +1,13 @@
 /// @file
 /// @brief Forms of the expression under the maximum in (57) that keep their digits.
 ///
-/// The expression of (57) is a quotient whose numerator and denominator both vanish at the ends of the half-period. Up to the
-/// middle its numerator is taken from the start, where \f$ R_iq_i' - \cos\tau \f$ is a sum of three small terms; beyond the
-/// middle from the end, backwards in time, where friction and damping change their sign: with
-/// \f$ \sigma = \pi - \tau \f$ it is minus the same expression at \f$ \sigma \f$ with \f$ -\zeta_i \f$ and \f$ -g_i \f$.
-/// Where the decay over the half-period is large, \f$ 1 - g_i \f$ and \f$ u_{di} \f$ are both of the size of that decay, which is
-/// taken out. Around the middle the difference that is left is of half the size of its terms or less and each of them has
-/// roundings of its own, which add up to five units in the last place.
+/// The expression of (57) is a quotient whose numerator and denominator both vanish at the ends of the half-period. In the first
+/// half of it, \f$ R_iq_i' - \cos\tau \f$ in the numerator is written as a sum of three terms that are small near the start. In
+/// the second half time runs backwards from the end, and friction and damping change their signs: with
+/// \f$ \sigma = \pi - \tau \f$ the expression is minus its value at \f$ \sigma \f$ for \f$ -\zeta_i \f$ and \f$ -g_i \f$.
+/// If the mode decays much over the half-period, \f$ 1 - g_i \f$ and \f$ u_{di} \f$ are as small as the decay, which is then
+/// factored out. Around the middle the terms cancel to half of their size or less, and their own rounding errors add up to five
+/// units in the last place.
 /// From \f$ \zeta_i = 1 \f$ on there is no form from the end: both exponentials decay, and backwards in time the faster one has
 /// to cancel, so that next to \f$ \pi \f$ digits are lost. The number type carries its bound of the error, and where that does
 /// not suffice the reference answers.

@@ -2,7 +2,7 @@
 /// @brief A real number known to lie in a ball: the number type of the reference, by Arb.
 ///
 /// Every function gives a ball that holds the result for every number in its arguments, rounding included. A comparison is true
-/// only if it is true of all numbers in both balls. How many bits a midpoint has is a matter of the moment, see `Bits`.
+/// only if it is true of all numbers in both balls. The number of bits of a midpoint is a setting of the thread, see `Bits`.
 #pragma once
 
 #include <arb.h>

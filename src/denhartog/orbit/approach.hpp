@@ -11,8 +11,8 @@
 
 namespace denhartog {
 
-/// @brief Periods after which a motion from a start is no transient any more, where it has not become periodic: 500 and thirty
-/// times a mode's slowest decay time; `most`, which is never exceeded, if damping couples the modes.
+/// @brief Number of periods for which a motion is followed that does not become periodic: 500 and thirty decay times of the
+/// slowest mode, but at most `most`; `most` if damping couples the modes.
 [[nodiscard]] inline int periods_to_follow(const ExactSolver& solver, int most) {
     const ModalBasis<double>& basis = solver.system().basis;
     if (basis.coupled()) return most; // a motion may decay more slowly than the diagonal of the damping tells

@@ -64,12 +64,12 @@ struct PeriodicOrbit {
 /// @brief The steady motion that a start, the state at tau = 0, leads to; or why there is none. InputError if the start breaks
 /// a rule.
 ///
-/// The search ends where its effort is spent: `reason` then says how far it came.
-/// With mu = 1 and every damping ratio positive the steady velocities are unique, and the first orbit found is the answer. Else
-/// an orbit is taken only if it is stable and the motion from the start is seen to approach it as its linearisation tells, or,
-/// where it slides without a stop, comes so near that `sliding_reach` proves it, unless `follow_start` is off. A contact at rest
-/// rests for ever where the load on it in the steady stuck motion, and what the decaying rest of the motion adds to that at most,
-/// stay below mu beta; the motion then is one of a continuum, `multipliers` are those of the other masses.
+/// The search ends when its effort is spent: `reason` then says how far it came. If mu = 1 and every damping ratio is positive,
+/// the steady velocities are unique, and the first orbit found is the answer. Otherwise an orbit is accepted only if it is stable
+/// and the motion from the start approaches it as its linearisation predicts; or, for an orbit without stops, comes so near that
+/// `sliding_reach` proves the approach. `follow_start` switches this test off. A contact at rest stays for ever if the load on it
+/// in the steady stuck motion, plus a bound of what the transient adds, is below mu beta. That motion is one of a continuum, and
+/// `multipliers` are those of the other masses.
 [[nodiscard]] PeriodicOrbit periodic_orbit(ExactSolver& solver, const State& start, const OrbitSearch& search = {});
 
 } // namespace denhartog

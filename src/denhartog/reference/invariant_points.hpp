@@ -1,6 +1,6 @@
 /// @file
-/// @brief Invariant points, proved: (87) without damping, where it vanishes and where a factor does that it divides out. V and U of
-/// masses without damping over x = 1/r, with their poles multiplied out, are sums over modes of first terms of power series.
+/// @brief Invariant points, proved: the zeros of (87) without damping, and those of a factor that (87) divides out. Without
+/// damping V and U are functions of x = 1/r; multiplied by the factors of their poles they are sums over modes of power series.
 #pragma once
 
 #include <arb_poly.h>

@@ -1,8 +1,8 @@
 /// @file
 /// @brief The largest value of a function on an interval, proved. Nothing here knows of modes, masses or friction.
 ///
-/// A function says of itself what a search needs: its value at an instant, a range over a stretch, where it is going there, and a
-/// step of Newton's method towards a maximum. The number type offers `within(a, b)`, a number that holds an interval, and
+/// A function gives to the search its value at an instant, its range and trend over a stretch, and a step of Newton's method
+/// towards a maximum. The number type offers `within(a, b)`, a number that holds an interval, and
 /// `low()` and `high()`, bounds in double.
 #pragma once
 
@@ -15,10 +15,10 @@
 
 namespace denhartog {
 
-/// @brief Branch and bound: of stretches of a function the one that may hold the largest value is looked into, again and again.
-/// Of the stretches in `open` one is less than another where that one is to be looked into first; it is left with those that were
-/// not looked into, as a heap. `ends` says whether to end, of the stretch that would be next. `look` looks into a stretch, which
-/// is taken out: behind the others it adds the parts that are left of it, if any.
+/// @brief Branch and bound: takes from `open` the stretch that may hold the largest value and examines it, again and again.
+/// The stretches are ordered: the greatest one is examined first. `ends(next)` decides before each step whether the search ends;
+/// the stretches that were not examined are then in `open`, as a heap. `look(stretch)` examines a stretch that was taken out and
+/// appends to `open` the parts of it that may still hold the largest value, if any.
 template <class Stretches, class Ends, class Look>
 void branch_and_bound(Stretches& open, const Ends& ends, const Look& look) {
     std::make_heap(open.begin(), open.end());

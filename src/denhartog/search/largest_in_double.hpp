@@ -55,11 +55,11 @@ struct Maximum {
 
 /// @brief Largest value of f on [a, b], to the error of its samples.
 ///
-/// The places are those where a sample in double leaves open which maximum is the largest: more digits there settle it. `noise`
-/// bounds the absolute error of f at an instant: what is below it is not searched. Values not above `least` do not matter; where
-/// it exceeds all values, the result is `least` at a, without a place. `error` bounds an error of f that the search cannot
-/// lessen: a value below the largest by no more than twice that much may be the largest, and has a place. Without an effort the
-/// work allowed is that of `default_effort`, and PrecisionError says that it does not settle the maximum.
+/// If samples in double leave open which maximum is the largest, `places` has a place for each; more digits there settle it.
+/// `noise` bounds the absolute error of f at an instant; smaller differences are not searched. Values up to `least` do not count:
+/// if all values are below it, the result is `least` at a, without a place. `error` bounds an error of f that the search cannot
+/// reduce: a maximum may be the largest, and has a place, if it is below the largest value by twice that at most. Without an
+/// effort the search may spend `default_effort`; PrecisionError if that does not settle the maximum.
 [[nodiscard]] Maximum global_maximum(const Curve& curve, double a, double b, double noise = 0, Effort* effort = nullptr,
                                      double least = std::numeric_limits<double>::lowest(), double error = 0);
 

@@ -35,10 +35,10 @@ struct Boundary : RegimeBoundary<T> {
 
 /// @brief The boundary at a frequency ratio, with both maxima guaranteed by `global_maximum`.
 ///
-/// The contact can rest where a force of at most mu beta makes its displacement zero: \f$ V_{dj} - f Y_{jj} = 0 \f$, hence
-/// `sticking` \f$ = |V_{dj}/Y_{jj}|/\mu \f$, which is \f$ 1/\mu \f$ where the load acts on the contact. All four are zero where
-/// V_dj is below the rounding of its own terms: the load does not reach the contact. Where damping couples the modes (56) has no
-/// modes to sum over, and `paper` is `exact`. InputError if mu is below 1 or not finite.
+/// The contact can rest if a force f of at most mu beta makes its displacement zero: \f$ V_{dj} - f Y_{jj} = 0 \f$, hence
+/// `sticking` \f$ = |V_{dj}/Y_{jj}|/\mu \f$, which is \f$ 1/\mu \f$ if the load acts on the contact. All four boundaries are zero
+/// if the load does not reach the contact: V_dj is then below the rounding errors of its own terms. If damping couples the modes,
+/// (56) has no modes to sum over, and `paper` is `exact`. InputError if mu is below 1 or not finite.
 /// @eq{54,56,57,58,67,69,71,72}
 [[nodiscard]] Boundary<double> boundary(const ModeSums<double>& sums, double mu);
 

@@ -83,8 +83,8 @@ double instant_next_to_start(const Curve& curve) {
     return instant;
 }
 
-// The maximum of a demand. Next to the start the sampled quotient is of two small numbers, and its rounding can look like a
-// maximum or hide one: there the demand itself tells.
+// The instant of the largest demand. Next to the start the samples are quotients of two small numbers, whose rounding errors can
+// look like a maximum or hide one. A maximum there is therefore decided by the demand itself.
 template <class Demanded>
 double instant_of_largest(Curve curve, const Demanded& demanded) {
     ++work_counted.demand_searches;

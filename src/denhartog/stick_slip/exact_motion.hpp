@@ -102,9 +102,9 @@ struct EndOfPhase {
     double second; ///< bound of the size of its second derivative next to the end
     double noise;  ///< its rounding error
 
-    /// @brief Error of the instant of an end, if the quantity that vanishes there has an error besides: over twice as far it
-    /// bends too little to hide that it changes by more than its error on either side. Infinite if it may not reach zero at
-    /// all.
+    /// @brief Error of the instant of the end if the function has the given error besides its rounding. Over twice that distance
+    /// the function bends so little that it certainly changes by more than its error on either side. Infinite if it may not reach
+    /// zero at all.
     [[nodiscard]] double error_of_instant(double error) const;
 };
 
