@@ -111,7 +111,7 @@ template <class T>
 
 /// @brief The smallest friction ratio at which the contact never moves: \f$ |V_{dj}/Y_{jj}|/\mu \f$.
 ///
-/// The contact can rest where a force of at most \f$ \mu\beta \f$ makes its displacement zero: \f$ V_{dj} - f\,Y_{jj} = 0 \f$.
+/// The contact can rest if a force of at most \f$ \mu\beta \f$ makes its displacement zero: \f$ V_{dj} - f\,Y_{jj} = 0 \f$.
 /// @eq{88}  @derivation{paper/section_4_3_stuck}  @domain{Y_jj not zero}
 template <class T>
 [[nodiscard]] T sticking_limit_by_responses(const Complex<T>& V_dj, const Complex<T>& Y_jj, const T& mu) {

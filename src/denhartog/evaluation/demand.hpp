@@ -9,7 +9,7 @@
 /// factored out. Around the middle the terms cancel to half of their size or less, and their own rounding errors add up to five
 /// units in the last place.
 /// From \f$ \zeta_i = 1 \f$ on there is no form from the end: both exponentials decay, and backwards in time the faster one has
-/// to cancel, so that next to \f$ \pi \f$ digits are lost. The number type carries its bound of the error, and where that does
+/// to cancel, so that next to \f$ \pi \f$ digits are lost. The number type carries its bound of the error, and if that does
 /// not suffice the reference answers.
 ///
 /// tau is the non-dimensional time (5), R the modal frequency ratio (22), zeta the modal damping ratio, h the half angle and the

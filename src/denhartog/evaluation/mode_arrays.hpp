@@ -51,7 +51,7 @@ enum class Vectors : std::uint8_t {
 /// @param R        modal frequency ratios, Eq. (22)
 /// @param zeta     modal damping ratio
 /// @param out      arrays as long as R
-/// @param vectors  width of the vectors, one that this processor has; the widest where none is chosen
+/// @param vectors  width of the vectors, one that this processor has; the widest if none is chosen
 /// @return         how many R were left to the scalar forms
 /// @throws         InputError if zeta is negative or not finite, an R is not positive and finite, an array has another
 ///                 length than R, or the processor has no vectors of that width

@@ -1,7 +1,7 @@
 /// @file
 /// @brief The domain of validity of the sliding solution: (54), (55), (58), (59), (63), (66)-(69), (72).
 ///
-/// Each condition is given as the amount by which it holds, so that it is met where the value is positive.
+/// Each condition is given as the amount by which it holds, so that it is met if the value is positive.
 #pragma once
 
 #include <cstddef>

@@ -6,9 +6,9 @@
 
 namespace denhartog::paper {
 
-/// @brief The friction ratio that (69) tends to for \f$ r \to \infty \f$ where load and friction act on one mass.
+/// @brief The friction ratio that (69) tends to for \f$ r \to \infty \f$ if load and friction act on one mass.
 /// \f[ \beta_\infty = \frac{2}{\sqrt{4\mu^2+\pi^2}} \f]
-/// Neither the damping ratios nor the number of masses matter. Where the load acts on another mass, j not l, (69) tends to zero.
+/// Neither the damping ratios nor the number of masses matter. If the load acts on another mass, j not l, (69) tends to zero.
 /// @eq{86}  @erratum{86}  @derivation{paper/section_4_2_low_high_frequency}  @domain{j = l, mu >= 1; the limit r to infinity}
 /// @param mu  ratio of static to kinetic friction, Eq. (3)
 /// @return    the friction ratio; dimensionless

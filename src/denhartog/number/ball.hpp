@@ -60,11 +60,11 @@ public:
     explicit operator double() const { return arf_get_d(arb_midref(a), ARF_RND_NEAR); }
     /// @brief A ball that holds an interval.
     [[nodiscard]] static Ball within(double from, double to);
-    /// @brief A ball that holds what decimals stand for; NaN where they are no number.
+    /// @brief A ball that holds what decimals stand for; NaN if they are no number.
     [[nodiscard]] static Ball of_text(const std::string& text);
 
     /// @{
-    /// @brief Arithmetic, and comparisons, which are true only if that is certain: `==` where both are one exact number.
+    /// @brief Arithmetic, and comparisons, which are true only if that is certain: `==` if both are one exact number.
     friend Ball operator+(const Ball& x, const Ball& y) { return by(arb_add, x, y); }
     friend Ball operator-(const Ball& x, const Ball& y) { return by(arb_sub, x, y); }
     friend Ball operator*(const Ball& x, const Ball& y) { return by(arb_mul, x, y); }
@@ -130,7 +130,7 @@ struct PiOf<Ball> {
 };
 
 /// @{
-/// @brief Elementary functions: a root is NaN where the number may be negative. The angle of (x, y) is in [-pi, pi]; where it may be
+/// @brief Elementary functions: a root is NaN if the number may be negative. The angle of (x, y) is in [-pi, pi]; where it may be
 /// on either side of that, it is one about pi, so that its ball is no wider than it is uncertain.
 [[nodiscard]] Ball sqrt(const Ball& x);
 [[nodiscard]] Ball exp(const Ball& x);

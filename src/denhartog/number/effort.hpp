@@ -37,7 +37,7 @@ struct Effort {
 // Operations that products of matrices cost, by the multiplications in them: many are done at a time.
 [[nodiscard]] constexpr long cost_of_products(long multiplications) { return multiplications / 512; }
 
-// The budget of a question where none is asked for: about two seconds for twelve modes and fewer, half a minute for a hundred. Up
+// The budget of a question if none is asked for: about two seconds for twelve modes and fewer, half a minute for a hundred. Up
 // to there it grows as products of matrices do that a motion with stops takes.
 [[nodiscard]] constexpr long default_effort(std::size_t modes) {
     const auto N = static_cast<long>(std::max<std::size_t>(modes, 12)), of_modes = 10'000'000 / 12 * N;
@@ -48,7 +48,7 @@ struct Effort {
 // outermost one counts.
 class QuestionEffort {
 public:
-    // The budget is that of the modes where the user chose none; `cancelled` is asked now and then, and ends the question.
+    // The budget is that of the modes if the user chose none; `cancelled` is asked now and then, and ends the question.
     explicit QuestionEffort(std::size_t modes, std::optional<long> chosen = {}, std::function<bool()> cancelled = {})
         : cancelled_(std::move(cancelled)), chosen_(chosen.has_value()), outermost_(current() == nullptr) {
         effort_.allowed = chosen.value_or(default_effort(modes));
@@ -96,7 +96,7 @@ private:
 // The effort that one search may spend: a share of the budget of its question, from which it is taken at the end of the scope.
 class SearchEffort : public Effort {
 public:
-    // share: operations, where the user has not chosen the budget of the question
+    // share: operations, if the user has not chosen the budget of the question
     explicit SearchEffort(long share) : question_(QuestionEffort::current()) {
         allowed = share;
         if (question_ == nullptr) return;

@@ -12,7 +12,7 @@ namespace denhartog {
 /// @brief A Floquet multiplier.
 struct Multiplier {
     std::complex<double> value; ///< the multiplier
-    double error;               ///< bound of the error of its size: of the n-th largest size, where this is the n-th
+    double error;               ///< bound of the error of its size: of the n-th largest size, if this is the n-th
 };
 
 /// @brief Size of a multiplier, the same on every machine.

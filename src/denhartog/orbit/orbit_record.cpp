@@ -85,7 +85,7 @@ MassMotion contact_motion(const OrbitMap& map, double error) {
     return contact;
 }
 
-// The multipliers of a Jacobian between energies, where no event lets deviations grow by more than `growth`.
+// The multipliers of a Jacobian between energies, if no event lets deviations grow by more than `growth`.
 std::vector<Multiplier> multipliers_in_energy(const OrbitMap& map, const Matrix<double>& jacobian, double error, double growth) {
     const long n = jacobian.rows();
     map.solver().effort().spend(n * n * n / 32); // what making the matrix diagonal takes
@@ -168,7 +168,7 @@ std::optional<PeriodicOrbit> orbit_of(const OrbitMap& map, const State& z, const
     orbit.touching = map.motion().touching;
     if (search.with_stability) {
         orbit.multipliers = multipliers_of_orbit(map, *errors);
-        // With mu = 1, or without stops, no deviation grows, wherever the events are; where every motion is damped it falls.
+        // With mu = 1, or without stops, no deviation grows, wherever the events are; if every motion is damped it falls.
         const bool shrinks = map.solver().excitation().mu == 1 || (map.slides_throughout() && orbit.touching == 0);
         orbit.stable = are_inside(orbit.multipliers) ||
                        (shrinks && (every_motion_is_damped(map.solver().system().basis) ||

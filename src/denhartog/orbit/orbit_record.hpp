@@ -30,7 +30,7 @@ struct ErrorsOfOrbit {
 [[nodiscard]] std::optional<ErrorsOfOrbit> errors_of(const OrbitMap& map);
 
 /// @brief Reads the orbit with the state z at tau = 0 off the map that was applied to it last, with its Jacobian: all of the
-/// orbit, or half of it where the number h of its half-periods is odd. None if its error is too large for a number, or the
+/// orbit, or half of it if the number h of its half-periods is odd. None if its error is too large for a number, or the
 /// contact does not surely slip.
 [[nodiscard]] std::optional<PeriodicOrbit> orbit_of(const OrbitMap& map, const State& z, const OrbitSearch& search);
 

@@ -38,10 +38,10 @@ struct OrbitSearch {
 /// @brief A steady motion.
 struct PeriodicOrbit {
     OrbitStatus status = OrbitStatus::not_converged; ///< what was found
-    Reasons reason;                                  ///< why, where the status is no periodic orbit; else what to know of it
+    Reasons reason;                                  ///< why, if the status is no periodic orbit; else what to know of it
     int periods = 1;                                 ///< its period in periods of the force
     bool symmetric = false;                          ///< whether it mirrors itself after half its period, Eq. (25)
-    State start;                         ///< the state at tau = 0, a maximum of the force; the last one where none was found
+    State start;                         ///< the state at tau = 0, a maximum of the force; the last one if none was found
     std::vector<Stop> stops;             ///< within its period, starts ascending in [0, 2 pi periods)
     MassMotion contact{};                ///< amplitude and phase of the mass in contact
     std::vector<MassMotion> masses;      ///< amplitude and phase of every mass; empty if the contact's alone are asked

@@ -17,10 +17,10 @@ public:
     /// @brief Of a map, which must outlive this.
     explicit Shooting(OrbitMap& map) : map_(&map), contact_(&map.solver().system().stuck.contact) {}
 
-    /// @brief Looks from z for a fixed point of h half-periods in which the contact moves. Where one was found the map was
+    /// @brief Looks from z for a fixed point of h half-periods in which the contact moves. If one was found the map was
     /// applied to it last, with its Jacobian; else z is the state that the search ended at.
     ///
-    /// Where the map jumps, or the contact rests for ever, Newton's method may come nearer to that place by every half step and
+    /// If the map jumps, or the contact rests for ever, Newton's method may come nearer to that place by every half step and
     /// be taken back by every whole one. Nearly every orbit is found without a bad step.
     bool fixed_point(State& z, int h, BadSteps bad_steps) {
         constexpr int most_runs = 40;

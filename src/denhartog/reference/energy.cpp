@@ -91,7 +91,7 @@ struct ForceOnBase {
 
 // Fills in the energies of a motion with the first harmonic X, whose contact dissipates what is in `e` already.
 //
-// In the frame of the displacements the load does the work pi sum Im(conj(X_k) p_k). Where the base moves by d cos tau there,
+// In the frame of the displacements the load does the work pi sum Im(conj(X_k) p_k). If the base moves by d cos tau there,
 // dampers are strained by x - 1 d cos tau, and not by x.
 void balance(const SceneInBalls& s, const std::vector<Number>& X, const ForceOnBase& force, const Ball& d, EnergiesInBalls& e) {
     Ball work(0);

@@ -43,7 +43,7 @@ struct FreeDecayInBalls {
 /// and \f$ \mathbf P_M \f$ alike, what they add to the load on the contact,
 /// \f$ \mathbf a^T\bar{\mathbf x}+\mathbf b^T\bar{\mathbf x}' \f$, is at most
 /// \f[ \sqrt{2E\,(\mathbf a^T\mathbf P_K\mathbf a+\mathbf b^T\mathbf P_M\mathbf b)} \f]
-/// (Cauchy and Schwarz). Where this and the load of the springs at rest are less than static friction, the rest lasts.
+/// (Cauchy and Schwarz). If this and the load of the springs at rest are less than static friction, the rest lasts.
 /// @eq{6,74,75}
 /// @param scene    the scene with its damping matrix; its load p counts for nothing
 /// @param x        displacements at the start, N x 1; units of P / k_1

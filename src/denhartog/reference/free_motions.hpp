@@ -48,7 +48,7 @@ public:
     [[nodiscard]] acb_ptr all() const { return a->entries; }
 };
 
-/// @brief The free motions of a system, where its eigenvalues are proved simple: \f$ \mathrm e^{\mathbf B\tau} = \sum_i
+/// @brief The free motions of a system, if its eigenvalues are proved simple: \f$ \mathrm e^{\mathbf B\tau} = \sum_i
 /// \mathbf r_i\mathrm e^{\lambda_i\tau}\mathbf l_i^{\mathrm T} \f$.
 class FreeMotions {
 public:

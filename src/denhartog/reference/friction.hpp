@@ -127,7 +127,7 @@ struct ResponsesInBalls {
 /// Between two turns of the contact the state \f$ \mathbf z = (\bar{\mathbf x}, \bar{\mathbf x}') \f$ obeys
 /// \f$ \mathbf z' = \mathbf A\mathbf z + \mathbf b \f$ under a unit force on the contact. The motion that mirrors itself is
 /// \f$ \mathbf F(\tau) = \mathbf F_\infty - 2e^{\mathbf A\tau}(\mathbf I + e^{\mathbf A\pi})^{-1}\mathbf F_\infty \f$, with the
-/// static displacements \f$ \mathbf F_\infty \f$. Where the eigenvalues are proved simple, the exponential is a sum of free
+/// static displacements \f$ \mathbf F_\infty \f$. If the eigenvalues are proved simple, the exponential is a sum of free
 /// motions \f$ e^{\lambda\tau} \f$.
 [[nodiscard]] ResponsesInBalls responses_of_state(const SceneInBalls& scene);
 

@@ -170,7 +170,7 @@ void add_point(const SceneInBalls& s, const TransmissibilityInBalls& f, const Ba
     if (r < range.a || r > range.b) return;
     const bool by_87 = kind == InvariantPointKind::two_effects_cancel;
     const ResponsesAtX<Ball> here = f.responses(x);
-    // Where a function has no bound the zero may be a pole of it, which the factors have made one.
+    // If a function has no bound the zero may be a pole of it, which the factors have made one.
     const bool bounded = here.V_k.finite() && here.U_k.finite() && (!by_87 || (here.V_j.finite() && here.U_j.finite()));
     if (bounded && by_87 && here.V_j.may_vanish() && is_zero_of_common_factor(s, found.mass.index, here, r)) return;
     if (bounded && (!by_87 || !(here.V_j.may_vanish() || here.U_k.may_vanish())))

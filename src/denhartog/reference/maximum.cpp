@@ -61,7 +61,7 @@ Ball stretch(double from, double to) {
 // A function as a search in doubles sees it. As it may be beyond the range of double, the search is of the function over
 // its size.
 struct SeenBySearch {
-    slong bits; // few, or all where the function is so small a difference of its terms that few show little of it
+    slong bits; // few, or all if the function is so small a difference of its terms that few show little of it
     Ball size;  // about its largest value, exact
 };
 

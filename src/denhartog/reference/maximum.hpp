@@ -25,7 +25,7 @@ struct ValueAndSlope {
 /// @brief A largest value, and where it is taken.
 struct LargestInBalls {
     Ball value{};   ///< the largest value
-    Ball instant{}; ///< an instant at which it is taken; where several may be the largest, a ball that holds them all
+    Ball instant{}; ///< an instant at which it is taken; if several may be the largest, a ball that holds them all
 };
 
 /// @brief A function by its series about an instant or over a stretch.

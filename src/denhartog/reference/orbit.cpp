@@ -11,7 +11,7 @@
 namespace denhartog::reference {
 namespace {
 
-constexpr slong bits_of_multipliers[] = {64, 192}; // the next, with slopes of its own, where the slopes of the proof do not tell
+constexpr slong bits_of_multipliers[] = {64, 192}; // the next, with slopes of its own, if the slopes of the proof do not decide
 
 // An instant moved by whole periods to [0, period), by its midpoint; the other by as many.
 void bring_into_period(Ball& start, Ball& end, const Ball& period) {

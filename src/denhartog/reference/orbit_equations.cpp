@@ -17,7 +17,7 @@ BallMatrix row_of(const BallMatrix& w, slong from, slong length) {
     return row;
 }
 
-// M^-1, without noise where M is diagonal, so that what is zero stays so.
+// M^-1, without noise if M is diagonal, so that what is zero stays so.
 BallMatrix inverse_of(const BallMatrix& M) {
     if (arb_mat_is_diag(M.a) != 0) {
         BallMatrix inverse(M.rows(), M.rows());

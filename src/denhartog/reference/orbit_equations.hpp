@@ -38,7 +38,7 @@ struct ContactMechanics {
     bool equal;             ///< mu = 1
     bool on_a_wall;         ///< whether the contact is of one mass, on a wall: its row vanishes while it sticks, to the last bit
     slong lead;             ///< the mass on which w is largest
-    std::optional<SlidingPhases> sliding{}; ///< phases of sliding by modes, where these move by themselves
+    std::optional<SlidingPhases> sliding{}; ///< phases of sliding by modes, if these move by themselves
     slong bits = ball_bits; ///< bits of the scene
     mutable std::optional<std::shared_ptr<FastPhases>> fast[3] = {}; ///< phases by their free motions, sought when first needed
 

@@ -15,7 +15,7 @@ constexpr int most_rounds = 60; // of linearising anew, until Newton's method is
 constexpr int most_halvings = 12;
 constexpr slong bits_a_phase = 5; // about what a phase widens balls by, and some more
 
-// The binary logarithm of a midpoint's size, also where a double cannot hold it.
+// The binary logarithm of a midpoint's size, even if a double cannot hold it.
 double size_in_bits(const Ball& x) {
     if (arf_is_zero(arb_midref(x.a))) return -1e9;
     const slong exponent = arf_abs_bound_lt_2exp_si(arb_midref(x.a));

@@ -96,7 +96,7 @@ public:
     PeakInBalls largest(std::vector<PeakCandidate> candidates = {}) {
         for (const PeakCandidate& each : candidates) best_ = std::max(best_, each.size.low());
         std::vector<PlaceOfPeak> places = narrowed();
-        // Neighbours are one place; where they are too many the displacement hardly changes.
+        // Neighbours are one place; if they are too many the displacement hardly changes.
         std::erase_if(places, [&](const PlaceOfPeak& p) { return p.upper < best_; });
         for (const PlaceOfPeak& place : places)
             if (std::optional<PeakCandidate> found = at(place)) candidates.push_back(std::move(*found));

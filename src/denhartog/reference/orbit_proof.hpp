@@ -16,7 +16,7 @@ namespace denhartog::reference {
 /// @brief One number over a stretch, theta from 0 to 1.
 struct CurveInBalls {
     std::vector<Ball> powers{}; ///< of theta; the last one holds the rest of the series
-    NumberInTime in_time{};     ///< the number by free motions instead, where the stretch is a whole phase of fast ones
+    NumberInTime in_time{};     ///< the number by free motions instead, if the stretch is a whole phase of fast ones
     Ball length{};              ///< length of that phase
 };
 
@@ -57,7 +57,7 @@ private:
     slong each_ = 1;                         // stretches a leap
     slong count_ = 1;
     std::vector<ExponentialSeries> stretches_{}; // in few bits
-    std::shared_ptr<FastPhases> fast_{};         // instead of both, where the phase takes too many
+    std::shared_ptr<FastPhases> fast_{};         // instead of both, if the phase takes too many
     BallMatrix Z_{};
     Ball length_{};
 };
@@ -113,7 +113,7 @@ struct MapOfDeviations {
 /// @brief Sizes of the 2N multipliers over the whole period, descending; wide if the eigenvectors hardly differ.
 ///
 /// Arb encloses the eigenvalues, from approximate ones: by the method of van der Hoeven and Mourrain if they are simple, else by
-/// those of Miyajima and Rump. The approximate ones come from double, or, where that leaves the balls wide, from Arb. If both fail,
+/// those of Miyajima and Rump. The approximate ones come from double, or, if that leaves the balls wide, from Arb. If both fail,
 /// norms of powers of the matrix bound them.
 [[nodiscard]] std::vector<Ball> multipliers_over_period(const MapOfDeviations& map, bool mirrored);
 

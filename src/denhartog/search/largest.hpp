@@ -57,7 +57,7 @@ struct SearchedFunction {
 /// @brief A stretch that may hold the largest value.
 struct StretchOfLargest {
     double from;                                    ///< its lower end
-    double to;                                      ///< its upper end; one instant where the ends are equal
+    double to;                                      ///< its upper end; one instant if the ends are equal
     double upper;                                   ///< no value in it is larger
     TrendOnStretch trend = TrendOnStretch::unknown; ///< whether the function rises or falls in it
 
@@ -72,7 +72,7 @@ struct LargestOnStretches {
     bool settled;                            ///< whether the search came to its end
 };
 
-/// @brief Stretches that hold the largest value of a function: the interval is halved where its range may hold it. A stretch with
+/// @brief Stretches that hold the largest value of a function: the interval is halved if its range may hold it. A stretch with
 /// one maximum is kept once it is as narrow as `narrow`, and any once it is as narrow as `flat`. Stretches are halved `looks`
 /// times at most. Values below `at_least` are of no interest.
 template <class T>

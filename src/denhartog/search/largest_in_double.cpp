@@ -24,7 +24,7 @@ struct Node {
     Sample at;
 };
 
-// No value in it exceeds `upper`; where it is monotone, w has one zero at most. The higher one is looked into first.
+// No value in it exceeds `upper`; if it is monotone, w has one zero at most. The higher one is looked into first.
 struct Interval {
     Node left, middle, right;
     double upper;
@@ -172,7 +172,7 @@ std::vector<Place> rivals(const std::vector<Place>& places, double a, double b, 
     const auto from_instant = [&](const Place& place) { return std::max({place.from - instant, instant - place.to, 0.0}); };
     const auto own = std::min_element(places.begin(), places.end(),
                                       [&](const Place& x, const Place& y) { return from_instant(x) < from_instant(y); });
-    const auto goes_on = [&](auto place) { // beyond the end of the stretch, where that is the end of another place
+    const auto goes_on = [&](auto place) { // beyond the end of the stretch, if that is the end of another place
         const bool at_end =
             (place == places.begin() && place->instant == a) || (place + 1 == places.end() && place->instant == b);
         return at_end && place->reach == 0;

@@ -2,9 +2,9 @@
 /// @brief Zeros of a function: the one between two instants where it has opposite signs, the first one after a start, and all of
 /// them on an interval. Nothing here knows of modes, masses or friction.
 ///
-/// The first zero of a smooth function is found with none missed: steps are taken only where bounds allow. At an instant the
+/// The first zero of a smooth function is found with none missed: steps are taken only as far as bounds allow. At an instant the
 /// function comes with three derivatives and a bound of the fourth ahead. Over a step h the Taylor polynomial is bounded from below
-/// by its Bernstein coefficients on [0, h]. Where they exceed the remainder there is no zero in the step; where the polynomial of
+/// by its Bernstein coefficients on [0, h]. If they exceed the remainder there is no zero in the step; if the polynomial of
 /// the derivative stays negative by more than its remainder there is one at most, and the sign at the end tells. In short steps a
 /// tangent and a bound of the second derivative do as well: of fast modes that hardly move, rounding makes the fourth derivative
 /// too large to tell anything. Else the step is halved. Zeros are lost to rounding of the function alone.

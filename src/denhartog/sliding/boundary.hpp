@@ -43,7 +43,7 @@ struct Boundary : RegimeBoundary<T> {
 [[nodiscard]] Boundary<double> boundary(const ModeSums<double>& sums, double mu);
 
 /// @brief The two friction ratios alone, which is what a map asks for: the maxima of the modes by themselves are not sought, and
-/// the maximum of their sum only where `largest_at_start` does not tell it. The numbers are those of `boundary`, with bounds of
+/// the maximum of their sum only if `largest_at_start` does not decide it. The numbers are those of `boundary`, with bounds of
 /// their errors; PrecisionError if the maximum is not settled. @eq{54,57,58,67,69,71,72}
 [[nodiscard]] RegimeBoundary<Bounded<double>> regime_boundary(const ModeSums<Bounded<double>>& sums, const Bounded<double>& mu);
 

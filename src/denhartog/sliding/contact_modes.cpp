@@ -51,7 +51,7 @@ bool largest_at_start(const Number& R, const ContactMode& m, const evaluation::M
     return excess.x > excess.e && room.x > room.e;
 }
 
-// An upper bound of (57) of a mode at any instant. |c_i| is that of two amplitudes where the mode oscillates; where it does not,
+// An upper bound of (57) of a mode at any instant. |c_i| is that of two amplitudes if the mode oscillates; if it does not,
 // the root of R^2 y'^2 + R^4 y''^2 at tau = 0, which never grows.
 double largest_demand(const Number& R, const Number& zeta, const evaluation::ModeFunctions<Number>& f) {
     const Number cosine = 1 + f.g, uR = f.u * R;

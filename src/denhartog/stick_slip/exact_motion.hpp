@@ -2,7 +2,7 @@
 /// @brief The motion from phase to phase, each in closed form: (6) with (2), (3), (74), (75), without a time step.
 ///
 /// While the contact slides, (6) is linear and its modes are uncoupled. While it sticks, the others obey the linear system with
-/// row and column j taken out; its modes are uncoupled where they diagonalise their block of the damping matrix, else its
+/// row and column j taken out; its modes are uncoupled if they diagonalise their block of the damping matrix, else its
 /// Taylor series is summed to rounding. Ends of phases are isolated by bounds of the fourth derivative, so that none is missed.
 #pragma once
 
@@ -54,7 +54,7 @@ struct ContactSystem {
     ConstantLoad constant{};        ///< the constant load, see `add_static_load`
     Column contact_shape{};         ///< w^T phi: what each mode of sliding moves the contact by
     bool damping_fixes_modes{};     ///< a damping matrix was given: modes of one frequency are those that it does not couple
-    Reasons rounded_because{};      ///< why double has no modes of its own, where these are those of the reference; else empty
+    Reasons rounded_because{};      ///< why double has no modes of its own, if these are those of the reference; else empty
 };
 
 /// @brief Prepares a system for the exact solver, its modes sliding and stuck. InputError and PrecisionError as `modal_basis` and
@@ -129,7 +129,7 @@ public:
     /// @brief Frequency and friction as set last.
     [[nodiscard]] const Excitation& excitation() const;
 
-    /// @brief The motion from one instant to a later one; the forces are Re{p exp(i tau)}, and a contact at rest sticks where (74)
+    /// @brief The motion from one instant to a later one; the forces are Re{p exp(i tau)}, and a contact at rest sticks if (74)
     /// lets it. With the derivative of the end with respect to the start, if it is wanted. Valid until the next call.
     const ExactMotion& run(const State& start, double tau_0, double tau_1, bool with_jacobian = false);
 
@@ -137,7 +137,7 @@ public:
     [[nodiscard]] State state_at(std::size_t phase, double tau);
 
     /// @brief States at evenly spaced instants: displacements, then velocities, of all masses at each. No mass loses more than
-    /// `most_lost` to rounding beside what `state_at` does, which answers where a recurrence would, and if damping couples.
+    /// `most_lost` to rounding beside what `state_at` does, which answers if a recurrence would lose more or damping couples.
     void sample(std::size_t phase, const evaluation::EvenInstants& at, const std::vector<double>& most_lost, double* x,
                 double* x_prime);
 
@@ -164,7 +164,7 @@ private:
 /// @brief The highest natural frequency over that of the force, or 1 if that is more: of accelerations over velocities.
 [[nodiscard]] double highest_over_force(const ExactSolver& solver);
 
-/// @brief The error of what ends a phase, where the displacements of a motion are off by no more than `displacement` and the
+/// @brief Error of the function that ends a phase, if the displacements of a motion are off by no more than `displacement` and the
 /// velocities by one bound a coordinate: of the velocity of a contact that slides, or else of the load on it, in units of P.
 [[nodiscard]] double error_at_ends(const ExactSolver& solver, bool slides, double displacement,
                                    const std::vector<double>& velocity);

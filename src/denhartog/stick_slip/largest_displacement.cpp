@@ -40,7 +40,7 @@ public:
     // The size of the displacement as a curve, which refers to this object.
     [[nodiscard]] Curve size_of(Eigen::Index row) {
         Curve curve;
-        curve.cost = 0; // the effort is spent where an instant is new
+        curve.cost = 0; // the effort is spent if an instant is new
         curve.sample = [this, row](double t) {
             const Known x = at(t);
             return Sample{std::abs(x(row, 0)), x(row, 1), x(row, 2)};

@@ -110,7 +110,7 @@ private:
     OfCoordinates<evaluation::DrivenStart<double>> starts_;           // the last start
     OfCoordinates<evaluation::FreeMotion<double>> free_;              // the free motions at free_at_, whatever the start
     double free_at_ = -1;
-    CoupledMotion together_; // all coordinates where D couples them
+    CoupledMotion together_; // all coordinates if D couples them
 };
 
 } // namespace denhartog

@@ -19,7 +19,7 @@
 namespace denhartog {
 namespace {
 
-// The modulus, also where its square is at an end of the range of a double.
+// The modulus, even if its square is at an end of the range of a double.
 double amplitude_of(const Complex<double>& X) {
     const double square = squared_modulus(X);
     return square > 0x1p-900 && square < 0x1p900 ? std::sqrt(square) : elementary::hypot(X.re, X.im);

@@ -62,7 +62,7 @@ ModalBasis<Bounded<double>> bounded(const System<double>& system, const ModalBas
                                     const std::vector<Mass>* masses) {
     const std::size_t N = basis.r_n.size();
     const double of_input = unit_of<double>(), unit = (trust * static_cast<int>(N) + 4) * of_input;
-    const double of_springs = factor_of_springs(system); // of errors of each frequency; of the highest where it is none
+    const double of_springs = factor_of_springs(system); // of errors of each frequency; of the highest if it is none
     const bool chain = of_springs > 0;
     const double highest = basis.r_n.back();
     const Matrix<double> further = further_rows(system).cwiseAbs();

@@ -48,7 +48,7 @@ public:
 
 private:
     const ModeSums<double>& sums_;
-    const FrictionMotions* all = nullptr; // where the range is one mode of these
+    const FrictionMotions* all = nullptr; // if the range is one mode of these
     std::size_t first, last;
     std::vector<double> c;
     std::array<std::byte, 16384> first_memory; // holds what a search over a few modes asks for
