@@ -7,7 +7,7 @@ from .records import meant_by, record_of, symbols_in
 from .text import (EQUATIONS, Fault, counted, displayed, equation_label, escaped, fails, formula, label, prose,
                    statement_that_holds, symbol, typeset, without_marks)
 
-LONGEST_FORMULA = 700  # longer ones are left to the record: nobody reads them, and they take seconds to typeset
+LONGEST_FORMULA = 500  # longer ones are left to the record: nobody reads them, and they take seconds to typeset
 LONGEST_STATEMENT = 4000  # in the language of Coq
 ABBREVIATED, DIVISORS = "Abbreviations", "where no divisor is zero"  # steps of the record that are no steps of the argument
 ROLES = {"both": "on the formula as printed and as shipped", "printed": "on the formula as printed",
