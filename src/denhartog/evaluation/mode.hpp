@@ -159,7 +159,7 @@ template <class T>
     return {4 * E * t * s / (w * denominator), ((1 + E) * e - 4 * E * (zeta / w) * zeta * t * s) / denominator / zeta};
 }
 
-/// @brief Whether R is 1/n, n odd, to the last place: what a mode without damping has there is not told from its pole.
+/// @brief Whether R is 1/n, n odd, to the last place: a mode without damping is not distinguished from its pole there.
 /// @return whether 1/(2R), rounded, is half an odd number
 template <class T>
 [[nodiscard]] bool at_undamped_pole(const T& R) {

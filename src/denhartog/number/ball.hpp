@@ -144,7 +144,7 @@ struct PiOf<Ball> {
 /// @}
 /// @brief Square root of a number that is known not to be negative, though its ball may reach below zero.
 [[nodiscard]] Ball root_of_positive(const Ball& x);
-/// @brief An angle taken to (-pi, pi] by whole turns, by its midpoint. If it may be -pi exactly, as far as a narrow ball tells,
+/// @brief An angle taken to (-pi, pi] by whole turns, by its midpoint. If it may be -pi exactly, as far as a narrow ball decides,
 /// it is taken next to pi.
 [[nodiscard]] Ball wrapped_in_balls(const Ball& angle);
 /// @brief A ball that holds both.

@@ -86,7 +86,7 @@ static_assert(sizeof(Ball) == sizeof(arb_struct), "an entry of a matrix is a bal
     return r;
 }
 
-/// @brief A matrix rounded to the bits of the moment.
+/// @brief A matrix rounded to the current bits.
 [[nodiscard]] inline BallMatrix rounded(const BallMatrix& A) {
     BallMatrix r(A.rows(), A.columns());
     for (slong i = 0; i < A.rows(); ++i)

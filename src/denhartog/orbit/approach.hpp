@@ -1,5 +1,5 @@
 /// @file
-/// @brief Whether a motion that is followed comes nearer to an orbit for long, as the linearisation of the orbit tells.
+/// @brief Whether a motion that is followed comes nearer to an orbit for long, as the linearisation of the orbit predicts.
 #pragma once
 
 #include <algorithm>
@@ -76,7 +76,7 @@ public:
     /// @brief Forgets what was seen.
     void start_over() { maps_ = -1; }
 
-    /// @brief Takes the state z after one more half-period, to which the map was applied last; `held` tells whether the contact
+    /// @brief Takes the state z after one more half-period, to which the map was applied last; `held` says whether the contact
     /// rested over it.
     void take(const OrbitMap& map, const OrbitCandidate& to, const State& z, bool held) {
         moved_ = moved_ || !held;

@@ -56,8 +56,8 @@ std::vector<Stop> stops_of(const OrbitMap& map) {
     return stops;
 }
 
-/// Amplitude and phase of the mass in contact, which is farthest out where it turns back or comes to rest. A place where it is
-/// out by no less than the error of the displacements can tell may be the farthest as well.
+/// Amplitude and phase of the mass in contact, which is farthest out where it turns back or comes to rest. Another such place may
+/// be the farthest as well, if the displacements there differ by no more than their error.
 MassMotion contact_motion(const OrbitMap& map, double error) {
     const ExactMotion& motion = map.motion();
     const auto N = static_cast<std::size_t>(map.N);

@@ -42,7 +42,7 @@ struct EnergiesInBalls {
 ///
 /// Over a phase of sliding \f$ \mathbf A\int\bar{\mathbf x}e^{-\mathrm i\tau}\mathrm d\tau \f$ is what the forces bring, less the
 /// change of \f$ (r^2\mathbf M(\bar{\mathbf x}' + \mathrm i\bar{\mathbf x}) + r\mathbf C\bar{\mathbf x})e^{-\mathrm i\tau} \f$:
-/// states at events alone tell the first harmonic of the contact.
+/// states at events alone determine the first harmonic of the contact.
 /// @param s the scene, with its damping matrix @param motion the motion @param d as `motion_of_base_in_frame` @return what it
 /// dissipates
 /// @throws Unproved if more bits may help

@@ -23,7 +23,7 @@ using NumberInTime = std::function<Series(const Ball& t)>;
 class FastPhases {
 public:
     /// @brief Of a direction as `ContactMechanics::phase` has it.
-    /// @throws Unproved if free motions are not told apart, or the force may be in resonance with one without damping
+    /// @throws Unproved if free motions are not proved distinct, or the force may be in resonance with one without damping
     FastPhases(const ContactMechanics& s, int direction);
 
     /// @brief The state at the end of a phase.

@@ -37,7 +37,7 @@ struct FrictionMotionOfMode {
     Ball largest{};                         ///< a bound of |F - 1| throughout
     std::vector<MotionThatDiesOut> parts{}; ///< of F - 1, from critical damping on
 
-    /// @brief Of a damping ratio that is told from critical damping.
+    /// @brief The motion for a damping ratio that is proved not critical.
     FrictionMotionOfMode(const Ball& R, const Ball& zeta);
     /// @brief The motion and its derivatives at an instant, exact.
     [[nodiscard]] Series at(const Ball& tau) const;
@@ -112,7 +112,7 @@ struct ResponsesInBalls {
     return zeta < Ball(1) || zeta > Ball(1) || (zeta - 1).is_zero();
 }
 
-/// @brief Whether every mode moves by itself: its damping is told from critical damping.
+/// @brief Whether every mode moves by itself: its damping is proved not critical.
 [[nodiscard]] inline bool are_told_apart(const ModesInBalls& modes) {
     return std::ranges::all_of(modes.zeta, is_told_from_critical);
 }
@@ -122,7 +122,7 @@ struct ResponsesInBalls {
 /// @throws Unproved if the bits do not suffice
 [[nodiscard]] ResponsesInBalls responses_of_modes(const SceneInBalls& scene, ModesInBalls modes);
 
-/// @brief Responses of a scene that gives a damping matrix, or whose damping is not told from critical damping.
+/// @brief Responses of a scene that gives a damping matrix, or whose damping may be critical.
 ///
 /// Between two turns of the contact the state \f$ \mathbf z = (\bar{\mathbf x}, \bar{\mathbf x}') \f$ obeys
 /// \f$ \mathbf z' = \mathbf A\mathbf z + \mathbf b \f$ under a unit force on the contact. The motion that mirrors itself is
@@ -131,7 +131,7 @@ struct ResponsesInBalls {
 /// motions \f$ e^{\lambda\tau} \f$.
 [[nodiscard]] ResponsesInBalls responses_of_state(const SceneInBalls& scene);
 
-/// @brief Responses of one mass at r = R, which is a mode by itself: for modes whose damping is not told from critical damping.
+/// @brief Responses of one mass at r = R, which is a mode by itself: for modes whose damping may be critical.
 [[nodiscard]] ResponsesInBalls responses_of_one_mass(const Ball& R, const Ball& zeta);
 
 } // namespace denhartog::reference

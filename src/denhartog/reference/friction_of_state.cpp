@@ -130,7 +130,7 @@ void add_free_motions(const SceneInBalls& s, const FreeMotions& free, const Ball
 // Adds the states by the exponential of the matrix, if eigenvalues may coincide.
 void add_states(const SceneInBalls& s, const StateMatrix& m, FrictionInTime& f) {
     const slong N = s.N();
-    // With more bits the eigenvalues of so fast a system may be told apart, which costs less.
+    // With more bits the eigenvalues of so fast a system may prove distinct, which costs less.
     if (!(4 * halvings_of(m.A, pi<Ball>()) < static_cast<double>(ball_bits)))
         throw Unproved("a mode is too fast for the state to be followed");
     BallMatrix begin;

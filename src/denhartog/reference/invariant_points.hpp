@@ -143,8 +143,8 @@ private:
 ///
 /// Over x = 1/r, \f$ V_jU_k - 2V_kU_j \f$ and \f$ U_k \f$ are analytic once their poles are multiplied out. A stretch of x is
 /// divided until the Taylor polynomial about its middle, with the last coefficient over the whole stretch, proves that the
-/// function does not vanish there, or that it is monotone, so that its signs at the ends tell whether it vanishes once. Newton's
-/// method then proves the place to all bits of the moment. If V_j vanishes too, the point is no root of (87) if the response
+/// function does not vanish there, or that it is monotone, so that its signs at the ends decide whether it vanishes once.
+/// Newton's method then proves the place in all current bits. If V_j vanishes too, the point is no root of (87) if the response
 /// of some mass is a factor of V_j and of V_k, and (87) does not vanish without that factor. Undecided are a zero that may be a
 /// pole, one at which (87) may divide by zero, and what is left when the effort is spent.
 /// Points that may lie on an end of the range are among those that are found. The scene's r is not used.

@@ -14,7 +14,7 @@ namespace {
 // A function with the sign of another one's rate, and the slope of the first.
 using RateInTime = std::function<ValueAndSlope(const Ball&)>;
 
-// The stretch halved, as often as the bits can tell and no more often than is asked for.
+// The stretch halved, as often as the bits decide and no more often than is asked for.
 Ball halved(Ball at, const RateInTime& f, slong most) {
     for (slong looks = 0; looks < most; ++looks) {
         const Ball m = middle(at), there = f(m).value, half = radius_of(at) / 2;
@@ -83,7 +83,7 @@ SeenBySearch seen_by_search(const std::function<Ball(const Ball&)>& f) {
     throw Unproved("a sum is too small a difference of its terms");
 }
 
-// From stretches to the largest value in the bits of the moment.
+// From stretches to the largest value in the current bits.
 LargestInBalls refined(const LargestOnStretches& found, const std::function<Ball(const Ball&)>& value, const RateInTime& rate) {
     if (!found.settled || found.stretches.empty()) throw Unproved("a largest value is not settled");
     LargestInBalls best;

@@ -16,7 +16,7 @@ struct ValueAndSlope {
     Ball slope{}; ///< its slope
 };
 
-/// @brief The place, with all bits of the moment, of the one zero in a stretch of a function that falls through it.
+/// @brief The place, in all current bits, of the one zero in a stretch of a function that falls through it.
 ///
 /// A step of Newton's method that leads from a small stretch about the likely place into itself proves it. If it does not,
 /// halving finds the place.

@@ -1,5 +1,5 @@
 // Natural frequencies and mode shapes, (15), with proof. `natural_modes` makes the matrix nearly diagonal and bounds what is
-// left; modes that are not told apart stay together in a cluster. `damping_matrix_in_balls` is (19).
+// left; modes that are not proved distinct stay together in a cluster. `damping_matrix_in_balls` is (19).
 #include "denhartog/reference/modes.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -58,7 +58,7 @@ BallMatrix eigenvectors_in_double(const BallMatrix& A) {
     return X;
 }
 
-// Eigenvectors in the bits of the moment, if double has lost the small entries beside the large.
+// Eigenvectors in the current bits, if double has lost the small entries beside the large.
 BallMatrix eigenvectors_in_bits(const BallMatrix& A, long& work) {
     const slong N = A.rows();
     pay(N * N * N * 100, work);

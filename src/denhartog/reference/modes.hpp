@@ -11,7 +11,7 @@
 
 namespace denhartog::reference {
 
-/// @brief Modes whose frequencies the bits at hand do not tell apart. They enter every sum as a whole.
+/// @brief Modes whose frequencies the bits at hand do not distinguish. They enter every sum as a whole.
 struct ModeCluster {
     std::size_t first = 0; ///< its first mode
     std::size_t last = 0;  ///< the mode behind its last
@@ -59,7 +59,7 @@ struct NaturalModesInBalls {
 /// from any thread.
 class KeptModes {
 public:
-    /// @brief The natural modes of a scene in the bits of the moment. A question pays for them as if it had solved for them: what
+    /// @brief The natural modes of a scene in the current bits. A question pays for them as if it had solved for them: what
     /// it may cost does not depend on what was asked before.
     /// @throws as `modes_in_balls`; nothing is kept then
     [[nodiscard]] std::shared_ptr<const NaturalModesInBalls> of(const SceneInBalls& scene);

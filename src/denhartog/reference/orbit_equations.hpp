@@ -48,7 +48,7 @@ struct ContactMechanics {
     [[nodiscard]] BallMatrix phase(int direction) const;
     /// @brief The matrix that takes any state through a part of a phase, \f$ \mathrm e^{\mathbf A h} \f$.
     [[nodiscard]] BallMatrix propagator(int direction, const Ball& h) const;
-    /// @brief All phases of a kind by their free motions; null if these are not told apart, or the force may excite one without
+    /// @brief Phases of a kind by their free motions; null if these are not proved distinct, or the force may excite one without
     /// damping.
     [[nodiscard]] const std::shared_ptr<FastPhases>& by_free_motions(int direction) const;
     /// @brief The displacement of the contact, \f$ \mathbf w^T\bar{\mathbf x} \f$, as a row over Z.
@@ -135,7 +135,7 @@ struct Linearised {
     BallMatrix J{};                 ///< dF/du
 };
 
-/// @brief Linearises along all motions of a box, in the bits of the moment: balls that hold the derivatives at every point of it.
+/// @brief Linearises along all motions of a box, in the current bits: balls that hold the derivatives at every point of it.
 [[nodiscard]] Linearised linearised(const ContactMechanics& s, const OrbitUnknowns& box);
 
 /// @brief The state at the end of a phase. `leap` encloses exp(A length / leaps); `series`, if wanted, gets the motion over each.
@@ -147,7 +147,7 @@ struct Linearised {
 /// @brief The binary logarithm of a positive number, to a few units in its last place.
 [[nodiscard]] double binary_logarithm(double x);
 
-/// @brief Cost of products of balls in the bits of the moment, as `Effort` counts.
+/// @brief Cost of products of balls in the current bits, as `Effort` counts.
 [[nodiscard]] long cost_of_ball_products(double products);
 
 /// @brief A motion that is proved to obey the equations; whether it obeys the inequalities of friction is another matter.

@@ -34,13 +34,13 @@ struct EndsOfCurve {
 };
 
 /// @brief Requires that a curve is positive between the ends of a stretch, and at an end where it does not vanish.
-/// @throws Disproved if it is certainly negative somewhere, Unproved if that cannot be told
+/// @throws Disproved if it is certainly negative somewhere, Unproved if that is not decided
 void require_positive(const CurveInBalls& c, const EndsOfCurve& ends, const char* what);
 
 /// @brief A phase in stretches of one length.
 class PhaseInStretches {
 public:
-    /// @brief Phase i, 1 to m. Its curves have few bits, its states those of the moment.
+    /// @brief Phase i, 1 to m. Its curves have few bits, its states the current number.
     PhaseInStretches(const ProvedOrbit& orbit, slong i, slong few);
 
     /// @brief Number of stretches.

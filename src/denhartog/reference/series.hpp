@@ -12,7 +12,7 @@
 
 namespace denhartog::reference {
 
-/// @brief Bits with which this thread searches for maxima. Newton's method then finds them with all bits of the moment. The
+/// @brief Bits with which this thread searches for maxima. Newton's method then finds them with all current bits. The
 /// driver doubles both.
 inline thread_local slong bits_of_search = 64;
 

@@ -5,9 +5,9 @@
 /// The first zero of a smooth function is found with none missed: steps are taken only as far as bounds allow. At an instant the
 /// function comes with three derivatives and a bound of the fourth ahead. Over a step h the Taylor polynomial is bounded from below
 /// by its Bernstein coefficients on [0, h]. If they exceed the remainder there is no zero in the step; if the polynomial of
-/// the derivative stays negative by more than its remainder there is one at most, and the sign at the end tells. In short steps a
-/// tangent and a bound of the second derivative do as well: of fast modes that hardly move, rounding makes the fourth derivative
-/// too large to tell anything. Else the step is halved. Zeros are lost to rounding of the function alone.
+/// the derivative stays negative by more than its remainder there is one at most, and the sign at the end decides. In short steps
+/// a tangent and a bound of the second derivative do as well: for fast modes that hardly move, rounding makes the bound of the
+/// fourth derivative too large to decide anything. Otherwise the step is halved. Zeros are lost to rounding of the function alone.
 #pragma once
 
 #include <algorithm>

@@ -108,7 +108,7 @@ void settle_maximum(const ModeSums<T>& s, SteadyState<T>& state, std::size_t k, 
     }
     const double of_acceleration = reach * size_of_jerk(s, mass, k, instant, step, share),
                  of_displacement = reach * of_acceleration, least = ValueOf<T>::least(now.x_double_prime);
-    // A step over which the acceleration may vanish tells nothing of the maximum.
+    // A step over which the acceleration may vanish proves nothing about the maximum.
     const bool tells = least > 0 && (of_displacement == 0 || 2 * of_acceleration < least);
     const double of_instant = !tells ? pi<double>() : of_displacement == 0 ? 0 : of_displacement / least;
     set_maximum(state.masses[k], state.phi_j, with_neglected(T(instant + step), T(of_instant)),
