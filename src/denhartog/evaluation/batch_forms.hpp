@@ -201,7 +201,7 @@ template <class T>
     return R * u * (two_zeta * two_zeta - (1 - R) * (1 + R)) - two_zeta * (1 - g);
 }
 
-/// @brief Margin with which (57) of a mode is largest for tau -> 0: `excess_at_the_end` less a billionth of its terms, or
+/// @brief Margin with which (57) is largest for \f$ \tau\to0 \f$: `excess_at_the_end` less a billionth of its terms, or
 /// the excess of R over w / 2 if that is less.
 /// @eq{57,71}  @domain{R > 0, 0 <= zeta < 1}
 /// @return positive if it is certain

@@ -182,7 +182,7 @@ template <class T>
     return -R * R * friction_motion(pi<T>(), R, zeta, w_if_oscillating(zeta), f.u, f.g).double_prime;
 }
 
-/// @brief The expression in (57) of a mode with what has been found for (28) and (29), in the type of these.
+/// @brief The expression in (57) for any damping ratio, by (28) and (29) as found before: the form for callers.
 /// @eq{57,71}  @derivation{forms/evaluation_of_motion}  @domain{0 <= tau <= pi, R > 0, zeta >= 0}
 /// @return the expression; not finite at the poles at zeta = 0, R = 1/n, n odd
 template <class T>
