@@ -1,5 +1,5 @@
 # Fig. 3: flow chart of the paper's numerical algorithm, Section 3.1.
-width = 900; height = 860
+width = 900; height = 860; diagram = 1
 load 'style.gp'
 unset border
 unset tics
@@ -31,12 +31,12 @@ set arrow from 70, 51 to 70, 38 arrowstyle 1
 set label 'no' at 70.7, 47 left
 # the two phases
 set object rectangle from 4, 24 to 40, 38 fc rgb colour[2] fs solid 0.15 border lc rgb ink
-set label 'Sticking phase' at 22, 35.8 center font ',13'
+set label 'Sticking phase' at 22, 35.8 center font sprintf(',%g', sized(1))
 set label 'contact held, x̄_j = x̄_{j0}; all N equations' at 22, 32.4 center
 set label 'without friction, Runge–Kutta (4, 5),' at 22, 29.4 center
 set label 'until Σ_j > μβ or τ = 2π N_{cyc}' at 22, 26.4 center
 set object rectangle from 50, 24 to 86, 38 fc rgb colour[3] fs solid 0.15 border lc rgb ink
-set label 'Sliding phase' at 68, 35.8 center font ',13'
+set label 'Sliding phase' at 68, 35.8 center font sprintf(',%g', sized(1))
 set label '(6) with friction of one sign,' at 68, 32.4 center
 set label 'Runge–Kutta (4, 5),' at 68, 29.4 center
 set label "until x̄'_j = 0 or τ = 2π N_{cyc}" at 68, 26.4 center

@@ -41,8 +41,8 @@ set tmargin at screen 0.17
 set bmargin at screen 0
 unset title; unset xlabel; unset ylabel; unset border; unset tics; unset grid; unset label
 set yrange [0:1]
-set key at screen 0.5, 0.15 center top horizontal maxrows 3 reverse Left samplen 3
+set key at screen 0.5, 0.155 center top vertical maxrows 3 reverse Left samplen 3
 plot for [n=1:3] NaN with lines lt n dt n lw 2.4 title 'ζ_i = '.zeta[n].'/r_{n,i}, (69)', \
      for [n=1:3] NaN with lines lt n dt n lw 1.2 title 'ζ_i = '.zeta[n].'/r_{n,i}, (88)', \
-     NaN with points lt 7 pt 6 ps 0.75 lw 1.2 title 'numerical'
+     NaN with points lt 7 pt 6 ps 0.75 lw 1.2 title 'numerical, both'
 unset multiplot

@@ -5,15 +5,20 @@ if (!exists("height")) height = 560
 # A page shows a figure about 700 pixels wide: type is at least 10 of them high, lines one wide. `small` is the type of the least
 # labels.
 if (!exists("type")) type = width > 980 ? ceil(width / 70.0) : 14
-# SVG counts in pixels, PNG in points; a PDF is 170 mm wide, a page's text, and its type is as high beside the drawing.
-in_pdf = 170 / 25.4 * 72 / width # points a pixel
-sized(k) = k * type * (format eq 'svg' ? 1 : format eq 'pdf' ? in_pdf : 0.75)
+# SVG counts in pixels, PNG in points. A PDF is for a column of 90 mm: each panel has a page of its own, with labels on both axes,
+# as `draw` leaves `multiplot` out. A diagram stays whole, 170 mm wide.
+alone = format eq 'pdf'
+if (!exists("diagram")) diagram = 0
+in_pdf = diagram ? 170 / 25.4 * 72 / width * type : 6.5 # points
+sized(k) = k * (alone ? in_pdf : format eq 'svg' ? type : 0.75 * type)
 small = sprintf(',%g', sized(1))
 face = 'DejaVu Sans'.small
 if (format eq 'svg') {
     set terminal svg size width, height dynamic enhanced font face linewidth (type > 14 ? 1.3 : 1) background 'white'
 } else { if (format eq 'pdf') {
-    set terminal pdfcairo size 17 cm, 17.0 * height / width cm enhanced font face linewidth 0.7 background 'white'
+    set terminal pdfcairo size (diagram ? 17 : 9) cm, (diagram ? 17.0 * height / width : 6.4) cm enhanced font face linewidth 0.7 \
+        pointscale (diagram ? 1 : 0.5) dashlength 0.6 background 'white'
+    if (!diagram) { set tmargin 2 }
 } else {
     set terminal pngcairo size width, height enhanced font face linewidth (type > 14 ? 1.3 : 1) background 'white'
 } }

@@ -209,7 +209,7 @@ const Register claims_of_coupled_damping([] {
         list.push_back({.id = "20/energy-coordinates" + of_N,
                         .equations = {"20"},
                         .role = Role::step,
-                        .title = "Where damping does not couple the modes the energy coordinates can be those of the modes, (20)",
+                        .title = "If damping does not couple the modes, the energy coordinates can be those of the modes, (20)",
                         .assumptions = {"M diagonal, positive", "Omega_i > 0", "C by (19)", "N = " + std::to_string(N)},
                         .kernel = [N] { return rates_of_modes(static_cast<int>(N)); },
                         .derived = [N] { return derived_rates_of_modes(static_cast<int>(N)); },
@@ -223,7 +223,7 @@ const Register claims_of_coupled_damping([] {
                     .equations = {"28", "29"},
                     .by_component = {"28", "29"},
                     .role = Role::step,
-                    .title = "Of one mode the motion under friction that mirrors itself starts with (28) and (29)",
+                    .title = "For one mode the motion under friction that mirrors itself starts with (28) and (29)",
                     .assumptions = {"R_i > 0", "0 <= zeta_i < 1", "zeta_i > 0 or 1/R_i not an odd integer"},
                     .kernel =
                         [&s] {

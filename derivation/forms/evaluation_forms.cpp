@@ -66,7 +66,7 @@ const Register claims_of_evaluation_forms([] {
         {.id = "evaluation/half-angle-of-heavy-damping",
          .equations = {"28", "29"},
          .role = Role::shipped,
-         .title = "The same with the half angle as a product",
+         .title = "Damping functions, the half angle as a product",
          .assumptions = domain,
          .kernel =
              [=] {
@@ -164,7 +164,7 @@ const Register claims_of_evaluation_forms([] {
         {.id = "evaluation/rest-of-a-sum",
          .equations = {"36", "38"},
          .role = Role::shipped,
-         .title = "What the rounding of a sum took, in exact arithmetic: the sum less what it was rounded to",
+         .title = "The rounding error of a sum, in exact arithmetic: the sum less its rounded value",
          .kernel = [=] { return Values{evaluation::sum_error<Symbolic>(as_rounded.b, as_rounded.re_2, as_rounded.im_2)}; },
          .derived =
              [=] {

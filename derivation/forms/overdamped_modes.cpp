@@ -141,21 +141,21 @@ const Register claims_of_overdamped_modes([] {
             },
             damping_above, steps_above),
         claim(
-            "two-rates", {"28", "29"}, "The same from two decaying exponentials", above,
+            "two-rates", {"28", "29"}, "Damping functions from two decaying exponentials", above,
             [=] {
                 return values(
                     evaluation::damping_functions_of_free_motion(R, more, evaluation::half_period_of_two_rates(R, more)));
             },
             damping_above, steps_above),
         claim(
-            "small-argument", {"28", "29"}, "The same with the difference in (29) as one function", above,
+            "small-argument", {"28", "29"}, "Damping functions with the difference in (29) as one function", above,
             [=] {
                 return values(
                     evaluation::overdamped_functions_small_argument(R, more, evaluation::half_period_of_two_rates(R, more)));
             },
             damping_above, steps_above),
         claim(
-            "slow-rate", {"28", "29"}, "The same with hyperbolic tangents of the two rates", above,
+            "slow-rate", {"28", "29"}, "Damping functions with hyperbolic tangents of the two rates", above,
             [=] {
                 return values(evaluation::overdamped_functions_slow_rate(R, more, evaluation::half_period_of_two_rates(R, more)));
             },
@@ -184,7 +184,7 @@ const Register claims_of_overdamped_modes([] {
             [=, &s] { return Values{evaluation::s_d_integrand_from_rate(Symbolic(s.tau), R, Symbolic(s.u), rate_of_braces)}; },
             [=] { return std::vector<ex>{derived_demand(derived_two_rates())}; }),
         claim(
-            "s-d-integrand-from-start", {"57"}, "The same in terms that vanish at the start one by one", above,
+            "s-d-integrand-from-start", {"57"}, "The expression in (57) in terms that vanish at the start one by one", above,
             [=, &s] {
                 return Values{
                     evaluation::overdamped_s_d_integrand_from_start(Symbolic(s.tau), R, more, Symbolic(s.u), Symbolic(s.g))};

@@ -266,16 +266,20 @@ std::optional<Loss> loss_of(const std::string& equation) {
 std::string sentence(const Loss& loss) {
     std::ostringstream text;
     text.precision(3);
-    text << loss.quantity << ": ";
-    if (loss.searched > 0)
-        text << "worst error found over all r from 0.1 to 3 in the paper's systems " << loss.searched << " (" << loss.place
-             << "); ";
-    text << "worst error " << loss.on_paper << " on the grid of the paper's scenes";
-    if (!loss.paper_scene.empty()) text << " (" << loss.paper_scene << ")";
-    text << ", " << loss.on_others << " in the asymmetric ones that were drawn";
-    if (!loss.other_scene.empty()) text << " (" << loss.other_scene << ")";
-    text << ", " << loss.scenes << " scenes";
-    if (loss.without_value > 0) text << "; no real value in " << loss.without_value << " of them";
+    const auto off = [&text](double error, const char* where, const std::string& scene) {
+        text << (error < 10 ? 100 * error : error) << (error < 10 ? " %" : " times") << where;
+        if (!scene.empty()) text << " (" << scene << ")";
+    };
+    text << loss.quantity << ": off by up to ";
+    if (loss.searched > 0) {
+        off(loss.searched, " in the paper's systems over all r from 0.1 to 3", loss.place);
+        text << ", ";
+    }
+    off(loss.on_paper, " on the grid of the paper's scenes", loss.paper_scene);
+    text << ", ";
+    off(loss.on_others, " in asymmetric scenes drawn at random", loss.other_scene);
+    text << "; " << loss.scenes << " scenes";
+    if (loss.without_value > 0) text << ", " << loss.without_value << " of them without a real value";
     return text.str();
 }
 

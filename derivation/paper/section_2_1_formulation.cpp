@@ -141,7 +141,7 @@ const Register claims_of_section_2_1_formulation([] {
                     ""}}},
         {.id = "12/half-period",
          .equations = {"12"},
-         .title = "Where the contact moves from its maximum to its minimum, sgn is -1 and friction acts with + beta on the right",
+         .title = "While the contact moves from its maximum to its minimum, sgn is -1 and friction acts with + beta on the right",
          .assumptions = {"x_j' < 0 for 0 < tau < pi"},
          .kernel =
              [&s] {

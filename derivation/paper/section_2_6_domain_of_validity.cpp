@@ -243,7 +243,7 @@ const Register claims_of_section_2_6_domain_of_validity([] {
         list.push_back({.id = "56/sum" + of_N,
                         .equations = {"56"},
                         .role = Role::shipped,
-                        .title = "What X_j + beta G_j has to exceed at one tau is beta times the sum over the modes at that tau",
+                        .title = "X_j + beta G_j has to exceed, at one tau, beta times the sum over the modes at that tau",
                         .assumptions = modes,
                         .kernel =
                             [N] {

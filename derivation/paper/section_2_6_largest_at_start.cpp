@@ -106,7 +106,7 @@ const Register claims_of_section_2_6_largest_at_start([] {
         {.id = "67/exact",
          .equations = {"67", "69", "72", "56"},
          .role = Role::step,
-         .title = "Where 2 R_i >= w_i for every mode (72) is S_dj, and (67) is the boundary (69), for every mu",
+         .title = "If 2 R_i >= w_i for every mode, (72) is S_dj, and (67) is the boundary (69), for every mu",
          .assumptions = {"2 R_i >= w_i", "0 <= zeta_i < 1", "mu >= 1"},
          .check = exact_boundary},
     };

@@ -260,7 +260,7 @@ const Register claims_of_section_4_1_resonance([] {
          .steps = theta_step},
         {.id = "84/peak",
          .equations = {"84"},
-         .title = "The same for a single mass, whose mode shape at r = 1 is 1 by (17)",
+         .title = "The estimate of the peak of a single mass, whose mode shape at r = 1 is 1 by (17)",
          .assumptions = {"r = 1, then zeta -> 0", "beta below (85)"},
          .kernel = [zeta, beta] { return Values{paper::resonant_peak_of_single_mass(zeta, beta)}; },
          .derived = [] { return std::vector<ex>{derived_peak(1, 1, 1)}; },

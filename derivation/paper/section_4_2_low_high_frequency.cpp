@@ -268,7 +268,7 @@ const Register claims_of_section_4_2_low_high_frequency([] {
         {.id = "86/rates",
          .equations = {"86"},
          .role = Role::step,
-         .title = "Where j is not l the limit is zero; the boundary falls like 1/r, without damping like r^(-2|j - l|)",
+         .title = "If j is not l, the limit is zero; the boundary falls like 1/r, without damping like r^(-2|j - l|)",
          .assumptions = {"r -> infinity", "j not l", "the rate without damping: a chain"},
          .check = rates_off_the_contact},
         {.id = "86/powers-of-chain",

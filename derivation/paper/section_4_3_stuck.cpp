@@ -129,7 +129,7 @@ const Register claims_of_section_4_3_stuck([] {
         {.id = "87/other-factor",
          .equations = {"87", "52"},
          .role = Role::step,
-         .title = "Where U_k = 0 the monoharmonic amplitude is |V_k| at every beta as well: (87) divides this factor out",
+         .title = "If U_k = 0, the monoharmonic amplitude is |V_k| at every beta as well: (87) divides this factor out",
          .assumptions = {"all zeta_i = 0: V real, G_k = 0", "V_j not zero", "U_k = 0"},
          .kernel =
              [&s] {

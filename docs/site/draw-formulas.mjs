@@ -2,7 +2,8 @@
 //
 //   node draw-formulas.mjs SITE DATA KATEX
 //
-// A formula becomes HTML for the eye and MathML for who listens. In displayed formulas of the equations' pages the symbols of
+// A formula becomes HTML for the eye and MathML for who listens; in the steps of a derivation, which are long and folded, MathML
+// is for both, a quarter of the elements. In displayed formulas of the equations' pages the symbols of
 // DATA/symbols.json carry the number of their entry, for reader.js. SITE/symbols.js and SITE/statements.js hold the meanings of
 // the symbols and the statements of the equations, drawn. KATEX is the folder of katex.min.js. A formula that KaTeX rejects is
 // told, a line each; exit status 1 where there is any.
@@ -43,8 +44,9 @@ function marked(latex) {
 }
 
 // KaTeX takes a prime for a superscript, and a second one after it for a mistake: x'_{k0}^{(N)} is x_{k0}^{\prime(N)}.
-const one_superscript = (latex) => latex.replace(/'(_(?:\{[^{}]*\}|[A-Za-z0-9]))\^(?:\{([^{}]*)\}|([A-Za-z0-9]))/g,
-                                                 (_, below, group, letter) => below + "^{\\prime " + (group ?? letter) + "}");
+const one_superscript = (latex) => latex.replace(/('+)(_(?:\{[^{}]*\}|[A-Za-z0-9]))\^(?:\{([^{}]*)\}|([A-Za-z0-9]))/g,
+                                                 (_, primes, below, group, letter) =>
+                                                     below + "^{" + "\\prime ".repeat(primes.length) + (group ?? letter) + "}");
 
 const macros = {"\\misprint": "\\htmlClass{misprint}{#1}", "\\mended": "\\htmlClass{mended}{#1}"};
 const unmarked = (latex) => latex.replace(/\\(misprint|mended)(?=\{)/g, "");
@@ -68,6 +70,7 @@ function draw(given, displayed, explained, where, output = "htmlAndMathml") {
   const tex = html(unmarked(latex).trim());
   out = out.replace(/<annotation encoding="application\/x-tex">[\s\S]*?<\/annotation>/,
                     () => '<annotation encoding="application/x-tex">' + tex + "</annotation>");
+  if (output === "mathml") out = out.replace(/^<span class="katex">|<\/span>$/g, "");
   drawn.set(key, out);
   return out;
 }
@@ -80,16 +83,17 @@ const longest_unbroken = 24;
 const with_sign = (formula, latex, sign = "") =>
     sign && latex.length <= longest_unbroken ? '<span class="unbroken">' + formula + sign + "</span>" : formula + sign;
 
-function draw_in(text, explained, where) {
-  return text.replace(displays, (_, latex) => draw(plain(latex), true, explained, where))
-             .replace(inlines, (_, latex, sign) => with_sign(draw(plain(latex), false, false, where), latex, sign));
+function draw_in(text, explained, where, output) {
+  return text.replace(displays, (_, latex) => draw(plain(latex), true, explained, where, output))
+             .replace(inlines, (_, latex, sign) => with_sign(draw(plain(latex), false, false, where, output), latex, sign));
 }
 
 function draw_page(page, explained, where) {
-  let out = "", from = 0;
+  let out = "", from = 0, output;
   for (const found of page.matchAll(untouched)) {
-    out += draw_in(page.slice(from, found.index), explained, where) + found[0];
+    out += draw_in(page.slice(from, found.index), explained && !output, where, output) + found[0];
     from = found.index + found[0].length;
+    if (/^<\/?ol/.test(found[0])) output = found[0] === '<ol class="steps">' ? "mathml" : undefined;
   }
   return out + draw_in(page.slice(from), explained, where);
 }

@@ -13,9 +13,11 @@ set xtics ('1/4' -2, '1/2' -1, '1' 0, '2' 1, '4' 2)
 set ytics ('1/4' -2, '1/2' -1, '1' 0, '2' 1, '4' 2)
 set palette defined (0 '#F7FBFF', 0.5 '#6BAED6', 1 '#08306B')
 exponent(x) = log(x) / log(2)
-set title '(a)  best friction ratio; the search ends at 3' offset 0, -0.6
+set logscale cb
+set cbtics (1, 1.5, 2, 3, 4, 5, 7)
+set title '(a)  best friction ratio' offset 0, -0.6
 plot data index 0 nonuniform matrix using (exponent($1)):(exponent($2)):3 with image pixels
 set title '(b)  the lowest peak, units of P / k_1' offset 0, -0.6
-set logscale cb
+set cbtics (1, 2, 5, 10, 20, 50)
 plot data index 1 nonuniform matrix using (exponent($1)):(exponent($2)):3 with image pixels
 unset multiplot

@@ -22,7 +22,7 @@ do for [row = 1:2] {
         set title sprintf('(%s)  %s, as %s', substr('abcd', panel, panel), f, word(whats, column)) offset 0, -0.8
         set ylabel 'ζ' offset 2.4
         set ytics ('10^{−16}' 0, '10^{−12}' 16, '10^{−8}' 32, '10^{−4}' 48, '1/2' 62.5, '1 − 10^{−6}' 74, '1 − 10^{−16}' 94)
-        if (column > 1) {
+        if (column > 1 && !alone) {
             set ylabel
             set ytics ('' 0, '' 16, '' 32, '' 48, '' 62.5, '' 74, '' 94)
         }

@@ -1,5 +1,6 @@
 width = 1200; height = 1240
 load '../style.gp'
+if (alone) { set rmargin 6 }
 set multiplot layout 3, 3 margins 0.08, 0.925, 0.075, 0.9 spacing 0.085, 0.105
 set key at screen 0.05, 0.995 left top Left reverse maxrows 2 width 2
 set logscale y
@@ -18,10 +19,10 @@ set arrow 2 from graph 0, first 1e-4 to graph 1, first 1e-4 nohead lt 7 lw 1 dt 
 do for [n = 1:9] {
     p = substr('abcdefghi', n, n)
     set label 1 word(titles, n) at graph 0.03, 1.05
-    set label 2 (n % 3 == 0 ? '1 %' : '') at graph 1.01, first 1e-2
-    set label 3 (n % 3 == 0 ? '0.01 %' : '') at graph 1.01, first 1e-4
+    set label 2 (n % 3 == 0 || alone ? '1 %' : '') at graph 1.01, first 1e-2
+    set label 3 (n % 3 == 0 || alone ? '0.01 %' : '') at graph 1.01, first 1e-4
     if (n == 7) { set xlabel 'R' } else { set xlabel 'r' }
-    if (n % 3 == 1) { set ylabel 'error' offset 1 } else { unset ylabel }
+    if (n % 3 == 1 || alone) { set ylabel 'error' offset 1 } else { unset ylabel }
     if (n == 4) {
         set logscale x
         set format x '10^{%L}'

@@ -1,5 +1,6 @@
 width = 1200; height = 1500
 load '../style.gp'
+if (alone) { set rmargin 6 }
 set multiplot layout 3, 2 margins 0.105, 0.925, 0.055, 0.965 spacing 0.175, 0.085
 set key bottom right
 set logscale xy

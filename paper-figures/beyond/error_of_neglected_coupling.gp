@@ -1,5 +1,6 @@
 width = 1200; height = 540
 load '../style.gp'
+if (alone) { set rmargin 6 }
 set multiplot layout 1, 3 margins 0.085, 0.945, 0.16, 0.81 spacing 0.1, 0.095
 set key at screen 0.05, 0.99 left top Left reverse maxrows 1 width 2
 set logscale y

@@ -17,8 +17,8 @@ do for [panel = 1:4] {
     row = f eq 'u' ? 1 : 2
     name = word(names, panel)
     set title sprintf("(%s)  %s, %s", substr('abcd', panel, panel), f, word(ends, panel)) offset 0, -0.7
-    if (panel % 2 == 1) { set ylabel 'decimal digits' offset 0.5; set format y '%g' } else { set ylabel; set format y '' }
-    if (panel > 2) { set xlabel 'x' offset 0, 0.4 }
+    if (panel % 2 == 1 || alone) { set ylabel 'decimal digits' offset 0.5; set format y '%g' } else { set ylabel; set format y '' }
+    if (panel > 2 || alone) { set xlabel 'x' offset 0, 0.4 }
     plot for [t = 1:3] data index name.' '.word(types, t).';' using (log10($1)):(column(3 + row)) with lines lt t lw 2.4, \
      for [t = 1:3] '' index name.' '.word(types, t).';' using (log10($1)):(column(1 + row)) with lines lt t lw 1.6 dt (5,4)
 }

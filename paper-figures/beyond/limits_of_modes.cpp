@@ -48,20 +48,34 @@ const std::array<double, types>& digits_of_types() {
     return digits;
 }
 
-/// Digits and their share, a row a path, a column a function, type and form; and what is written beside them.
+/// Whether a form keeps less than half of the digits of a type.
+bool fails(const Row& row, std::size_t t, bool shipped, std::size_t f) {
+    return kept(row, t, shipped, f).digits < digits_of_types()[t] / 2;
+}
+
+/// A head for each function, and below it the paths on which a form of it fails in some type: digits and their share, a column a
+/// form and type, and what is written beside them.
 void add(Figure& figure, const std::vector<LimitPath>& paths, const std::vector<Row>& rows) {
     Table cells{"cells", {"column", "row", "digits", "share"}, {}};
     Table words{"words", {"row"}, {}, {}};
-    for (std::size_t n = 0; n < rows.size(); ++n) {
-        for (std::size_t f = 0; f < 3; ++f)
+    const auto write = [&](const std::string& path, const std::string& limit) {
+        words.rows.push_back({static_cast<double>(words.rows.size())});
+        words.words.push_back({path, limit});
+    };
+    for (std::size_t f = 0; f < 3; ++f) {
+        write(numbers_of_functions[f] + ", path", names_of_functions[f] + " →");
+        for (std::size_t n = 0; n < rows.size(); ++n) {
+            bool any = false;
+            for (std::size_t t = 0; t < types; ++t) any = any || fails(rows[n], t, false, f) || fails(rows[n], t, true, f);
+            if (!any) continue;
             for (std::size_t t = 0; t < types; ++t)
                 for (const bool shipped : {false, true}) {
                     const double digits = kept(rows[n], t, shipped, f).digits;
-                    cells.rows.push_back({static_cast<double>(8 * f + 4 * (shipped ? 1 : 0) + t), static_cast<double>(n),
+                    cells.rows.push_back({static_cast<double>((shipped ? 4 : 0) + t), static_cast<double>(words.rows.size()),
                                           std::floor(digits + 0.5), digits / digits_of_types()[t]});
                 }
-        words.rows.push_back({static_cast<double>(n)});
-        words.words.push_back({paths[n].words, paths[n].limits[0], paths[n].limits[1], paths[n].limits[2]});
+            write(paths[n].words, paths[n].limits[f]);
+        }
     }
     figure.add(cells);
     figure.add(words);
@@ -77,8 +91,8 @@ std::string in_types(const Row& row, bool shipped, std::size_t f) {
 
 /// The paths on which the paper's form of a function keeps less than half of the digits of a type.
 std::size_t lost_on(const std::vector<Row>& rows, std::size_t t, std::size_t f) {
-    return static_cast<std::size_t>(std::count_if(
-        rows.begin(), rows.end(), [&](const Row& row) { return kept(row, t, false, f).digits < digits_of_types()[t] / 2; }));
+    return static_cast<std::size_t>(
+        std::count_if(rows.begin(), rows.end(), [&](const Row& row) { return fails(row, t, false, f); }));
 }
 
 void describe(Record& record, const std::vector<LimitPath>& paths, const std::vector<Row>& rows) {

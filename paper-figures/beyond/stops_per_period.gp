@@ -29,8 +29,7 @@ do for [c = 1:3] {
          '' index 'boundary zeta='.z.';' using (log10($1)):5 with lines lt 7 dt (8,4), \
          '' index 'markers zeta='.z.';' using (log10($1)):2:($3 == $4 ? 6 : 2) with points lc 7 pt variable ps 0.45 lw 0.8, \
          '' index 'point of Fig. 13;' using (log10($1)):2 with points lt 2 pt 3 ps 1.2
-    set ylabel
-    set ytics format ''
+    if (!alone) { set ylabel; set ytics format '' }
 }
 # the keys, below the panels
 set lmargin at screen 0
@@ -40,7 +39,7 @@ set bmargin at screen 0.01
 unset title; unset label; unset xlabel; unset ylabel; unset border; unset xtics; unset ytics
 set yrange [0:1]
 set key at screen 0.5, 0.275 center top horizontal maxrows 2 samplen 2.5 width 1 Left reverse
-set colorbox horizontal user origin screen 0.2, 0.115 size screen 0.6, 0.03
+set colorbox horizontal user origin screen 0.2, (alone ? 0.5 : 0.115) size screen 0.6, 0.03
 plot NaN with lines lt 7 title 'boundary of continuous motion (69)', NaN with lines lt 7 dt (8,4) title 'β = 1/μ, (88)', \
      NaN with points lt 7 pt 6 ps 0.6 title 'numerical, as many stops', \
      NaN with points lt 7 pt 2 ps 0.6 title 'another number', \

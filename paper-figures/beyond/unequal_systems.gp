@@ -24,7 +24,8 @@ do for [c = 1:3] {
         set logscale y
         set yrange [0.002:30]
         set ytics 10 format '10^{%T}'
-        set xtics format ''
+        set xtics format (alone ? '%g' : '')
+        if (alone) { set xlabel 'frequency ratio r' }
         plot data index line(c, of, '0') using 1:2 with lines lt 7 lw 1, \
              for [b = 1:3] data index line(c, of, word(betas, b)) using 1:4 with lines lt b lw 1.2 dt (2,3), \
              for [b = 1:3] data index line(c, of, word(betas, b)) using 1:3 with lines lt b lw 1.2 dt (9,5), \
@@ -36,7 +37,7 @@ do for [c = 1:3] {
     set title sprintf('(%s)', word('g h i', c)) offset 0, -0.6
     set xtics format '%g'
     set xlabel 'frequency ratio r' offset 0, 0.6
-    set ylabel (c == 1 ? 'friction ratio β' : '')
+    set ylabel (c == 1 || alone ? 'friction ratio β' : '')
     set yrange [0.001:60]
     set label 1 'permanent sticking' at 2.95, 28 right
     if (c == 1) { set label 2 'stick-slip' at 0.1, 2.6 }

@@ -37,10 +37,10 @@ do for [c = 1:3] {
     set bmargin at screen 0.53
     set logscale y
     set yrange [0.02:1000]
-    set ytics format (c == 1 ? '10^{%T}' : '')
-    set xtics format ''
-    set xlabel
-    set ylabel (c == 1 ? 'transmissibility '.X : '') offset 1, 0
+    set ytics format (c == 1 || alone ? '10^{%T}' : '')
+    set xtics format (alone ? '%g' : '')
+    set xlabel (alone ? 'frequency ratio r' : '')
+    set ylabel (c == 1 || alone ? 'transmissibility '.X : '') offset 1, 0
     set title sprintf('(%s)  %s', word('a b c', c), damping(word(zetas, c))) offset 0, -0.6
     if (c == 1 && note ne '') {
         set label 9 note at last_r - 0.04, 0.12 right textcolor rgb '#333333'
@@ -57,10 +57,10 @@ do for [c = 1:3] {
     set tmargin at screen 0.49
     set bmargin at screen 0.235
     set yrange [least_phase:largest_phase]
-    set ytics step_phase format (c == 1 ? '%g' : '')
+    set ytics step_phase format (c == 1 || alone ? '%g' : '')
     set xtics format '%g'
     set xlabel 'frequency ratio r'
-    set ylabel (c == 1 ? 'phase '.phase.' in degrees' : '') offset 1, 0
+    set ylabel (c == 1 || alone ? 'phase '.phase.' in degrees' : '') offset 1, 0
     set title sprintf('(%s)', word('d e f', c)) offset 0, -0.9
     plot data index edge(c) using 1:($3 * degrees) with lines lw 5 lc rgb '#BBBBBB', \
          data index line(c, '0') using 1:(column(column_phase) * degrees) with lines lt 7 lw 1, \

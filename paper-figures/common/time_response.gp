@@ -11,11 +11,10 @@ set xlabel 'τ, from the maximum of the force'
 set ylabel 'x̄ₖ' offset 1
 set xzeroaxis lc rgb '#888888'
 set key at screen 0.05, 0.985 left top horizontal maxrows 1 samplen 3.5 width 2 reverse Left
-set label 1 'lines: closed form (46)    circles: numerical, 200 periods from rest' at screen 0.985, 0.965 right
 set title '(a) ζᵢ = 0.01' offset 0, -0.4
 plot for [k=1:5] data index 'lines a;' using 1:(column(k + 1)) with lines lt k dt k title sprintf('m_%d', k), \
-     for [k=1:5] data index 'markers a;' using 1:(column(k + 1)) with points lt k pt 6 ps 0.7 lw 1.2
-unset label 1
+     for [k=1:5] data index 'markers a;' using 1:(column(k + 1)) with points lt k pt 6 ps 0.7 lw 1.2, \
+     NaN with points lt 7 pt 6 ps 0.7 lw 1.2 title 'numerical'
 set title '(b) ζᵢ = 0.1'
 plot for [k=1:5] data index 'lines b;' using 1:(column(k + 1)) with lines lt k dt k, \
      for [k=1:5] data index 'markers b;' using 1:(column(k + 1)) with points lt k pt 6 ps 0.7 lw 1.2

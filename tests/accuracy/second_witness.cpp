@@ -245,7 +245,7 @@ TEST_CASE("the gate fails for a friction ratio that is wrong in the sixth digit"
     CHECK(smallest > 1e-10);
 }
 
-TEST_CASE("the gate fails for (44), (45) and (46) as printed", "[eq:44][eq:45][eq:46][witness][mutant]") {
+TEST_CASE("(44), (45) and (46) as printed do not pass the gate", "[eq:44][eq:45][eq:46][witness][mutant]") {
     Record x_0, x_prime_0, x;
     int caught_x_0 = 0, caught_x_prime_0 = 0, caught_x = 0, damped = 0;
     for (const auto& [named, witness] : scenes_for_wrong_forms()) {

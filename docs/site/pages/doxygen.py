@@ -32,7 +32,6 @@ def text_of_html(html):
     return text.removesuffix(" ")
 
 
-
 def first(pattern, text):
     """What a pattern with a group finds first; empty where nothing."""
     found = re.search(pattern, text, re.S)
@@ -130,9 +129,9 @@ def part(name, texts):
 
 
 def line_of_source(box):
-    """The line of the source that a box leads to, if the box says nothing but a sentence and this line; else empty."""
+    """The line of the source that a box leads to, if the box says nothing but a sentence, this line and who calls whom."""
     said = box.partition('<div class="memdoc">')[2]
-    if re.search("<(dl|div|pre|table|ul|ol)", said) or said.count("<p") > 2:
+    if re.search("<(dl|div|pre|table|ul|ol)", said) or said.count("<p") - said.count('<p class="reference">') > 2:
         return ""
     return first('<p class="definition">Definition at line <a class="el" href="([^"]*)"', said)
 

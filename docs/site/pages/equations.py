@@ -7,7 +7,7 @@ from .records import meant_by, record_of, symbols_in
 from .text import (EQUATIONS, Fault, counted, displayed, equation_label, escaped, fails, formula, label, prose,
                    statement_that_holds, symbol, typeset, without_marks)
 
-LONGEST_FORMULA = 700  # longer ones are left to the record: nobody reads them, and they take seconds to typeset
+LONGEST_FORMULA = 500  # longer ones are left to the record: nobody reads them, and they take seconds to typeset
 LONGEST_STATEMENT = 4000  # in the language of Coq
 ABBREVIATED, DIVISORS = "Abbreviations", "where no divisor is zero"  # steps of the record that are no steps of the argument
 ROLES = {"both": "on the formula as printed and as shipped", "printed": "on the formula as printed",
@@ -42,7 +42,7 @@ def steps_of(run, record):
     for step in record["steps"]:
         text, latex, here = step["text"], meant_by(run, record["claim"], step["latex"]), step["text"] == ABBREVIATED
         if text == DIVISORS and steps:
-            steps[-1]["condition"] += text + "\n" + displayed(latex)
+            steps[-1].update(text=steps[-1]["text"].removesuffix("."), condition=text + "\n" + displayed(latex))
             continue
         end = ":" if latex else "" if "zero with" in text else "."
         long = len(latex) > LONGEST_FORMULA and not here
@@ -170,7 +170,8 @@ def equation_view(run, sources, entry):
     callers = [function for function in functions if function not in paper and function not in forms]
     own, others, observations = ([claim_view(run, sources, claim, equation) for claim in claims]
                                  for claims in sorted_claims(entry))
-    statement, accuracy, correction = statement_of(run, entry), accuracy_rows(run, equation), entry["correction"]
+    statement, correction = statement_of(run, entry), entry["correction"]
+    accuracy = [row for type, row in accuracy_rows(run, equation) if type == "double"]
     departure, code, questions = statement.departure, run.formulas.get(equation), run.questions.get(equation, [])
     cost = fails(entry["printed"]) and bool(entry.get("scene") or entry["consequence"])
     more = [what for there, what in (

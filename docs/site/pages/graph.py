@@ -57,14 +57,16 @@ def graph_of(ledger, columns=20):
                              wide=(max(at) - min(at) + 1) * COLUMN) for section, at in sections.items()]
     middle = {equation: (MARGIN + column * COLUMN + WIDTH / 2, TOP + row * ROW + HEIGHT / 2)
               for equation, (row, column) in places.items()}
-    edges = []
-    for entry in ledger:
-        for ground in entry["rests_on"]:
+    edges, below = [], {}
+    for entry in sorted(ledger, key=lambda entry: places[entry["equation"]][0]):
+        direct = set(entry["rests_on"])
+        below[entry["equation"]] = direct.union(*(below[ground] for ground in direct))
+        for ground in direct - set().union(*(below[ground] for ground in direct)):  # others follow from these
             (x, y), (to_x, to_y) = middle[ground], middle[entry["equation"]]
             y, to_y = y + HEIGHT / 2, to_y - HEIGHT / 2
-            bend = (to_y - y) / 2
-            edges.append((ground, entry["equation"], f"M {x:.1f} {y:.1f} C {x:.1f} {y + bend:.1f} {to_x:.1f} {to_y - bend:.1f} "
-                                                     f"{to_x:.1f} {to_y:.1f}"))
+            bend, aside = (to_y - y) / 2, COLUMN * 2 / 3 if x == to_x and to_y - y > ROW else 0  # not behind the boxes between
+            edges.append((ground, entry["equation"], f"M {x:.1f} {y:.1f} C {x + aside:.1f} {y + bend:.1f} {to_x + aside:.1f} "
+                                                     f"{to_y - bend:.1f} {to_x:.1f} {to_y:.1f}"))
     rows, across = (max(place[n] for place in places.values()) for n in (0, 1))
     return SimpleNamespace(bands=sorted(bands, key=lambda band: band.left), edges=edges, places=middle,
                            width=2 * MARGIN + across * COLUMN + WIDTH, height=TOP + MARGIN + rows * ROW + HEIGHT)

@@ -43,6 +43,9 @@ def read_run(verify, source):
         theorems=read_if_there(source / "derivation/kernel/Statements.v"), figures=read_figures(verify / "figures", source),
         accuracy=sorted(accuracy, key=lambda record: {"d": 0, "l": 1}.get(record["type"][0], 2)),  # double, long double, others
         chart=read_if_there(verify / "chart/tables.md"), batch=read_if_there(verify / "chart/batch.md"),
+        benchmark=[(solver, *row.split()) for solver, rows in re.findall(
+            r"# name \d+ (.*)\n#.*\n((?:\d.*\n)*)", (source / "paper-figures/beyond/benchmark_work_precision.dat").read_text())
+            for row in rows.splitlines()],
         conformance={file.stem: file.read_text() for file in (verify / "conformance").glob("*.md")},
         departures={row["equation"]: SimpleNamespace(**({"printed": "", "holds": "", "why": ""} | row))
                     for row in read_json(source / "docs/ledger/departures.json")},
@@ -106,7 +109,7 @@ def read_figures(folder, source):
         if name not in captions:
             raise Fault(f"figure {name} must have its caption in docs/ledger/figures.json")
         record = read_json(folder / f"{name}.json") if (folder / f"{name}.json").exists() else None
-        title = record["title"] if record else title_of_script(scripts[name].read_text().splitlines())
+        title = (record["title"] if record else title_of_script(scripts[name].read_text().splitlines())).replace("->", "→")
         number = f"Fig. {int(name[3:5])}" if name.startswith("fig") else ""
         data = [file.name for ending in (".pdf", ".dat", ".csv") for file in sorted(folder.glob(f"{name}*{ending}"))]
         figures.append(SimpleNamespace(

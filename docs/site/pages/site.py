@@ -68,8 +68,8 @@ def environment(run, sources):
     jinja.filters |= {name: word for name, word in vars(text).items() if callable(word)} | dict(
         code_of=code_of, coq_lines=coq_lines, in_namespace=in_namespace,
         departure_text=lambda kind: DEPARTURES.get(kind, "none"),
-        error=lambda worst: "not finite" if worst is None else f"{worst:.3g}",
-        snippet_lines=lambda function, signature=False: code_lines(sources.snippet(function), signature),
+        error=lambda worst: "not finite" if worst is None else text.typeset(text.digits(worst, 2), "an error"),
+        snippet_lines=lambda function: code_lines(sources.snippet(function)),
         brief=lambda function: sources.snippet(function).brief, number="{:.10g}".format, json=lambda value: json.dumps(value, ensure_ascii=False, separators=(",", ":")),
         sample=lambda name, of_modes: SAMPLES_OF_MODES[name] if of_modes else SAMPLES.get(name, "1"),
         names=lambda witness, claim="": witness_names(run, witness, claim), record=lambda claim: record_of(run, claim),

@@ -3,10 +3,10 @@ import re
 from collections import namedtuple
 from pathlib import Path
 
-from .text import Fault, html
+from .text import Fault, html, prose
 
 Place = namedtuple("Place", "file line")
-Snippet = namedtuple("Snippet", "file first lines signature brief", defaults=("",))
+Snippet = namedtuple("Snippet", "file first lines brief")
 
 LITERAL = r'"(?:[^"\\]|\\.)*"'
 PIECES = re.compile(rf"//[^\n]*|/\*.*?\*/|R\"(?P<end>[^(]*)\((?P<raw>.*?)\)(?P=end)\"|{LITERAL}|(?<!\w)'(?:[^'\\]|\\.)*'",
@@ -88,29 +88,29 @@ class Sources:
         first = at - 1
         while first > 0 and not re.match(r"\s*($|//|#)|.*[;{}]\s*$", lines[first - 1]):
             first -= 1
-        end, depth, signature = first, 0, 0
+        end, depth = first, 0
         while end == first or depth > 0 or not re.search(r"[;}]\s*$", code):
             code = lines[end].partition("//")[0]
             end += 1
-            signature = signature or (end - first if "{" in code else 0)
             depth += code.count("{") - code.count("}")
-        return Snippet(file, first + 1, lines[first:end], signature or end - first, self.brief(lines, first))
+        return Snippet(file, first + 1, lines[first:end], self.brief(lines, first))
 
     @staticmethod
     def brief(lines, first):
-        """The first sentence after @brief in the comment above a line; its formulas as Doxygen has them."""
+        """The first sentence after @brief in the comment above a line, its formulas as Doxygen has them; and the domain."""
         above = first
         while above > 0 and lines[above - 1].startswith("///"):
             above -= 1
         told = " ".join(line.removeprefix("///").strip() for line in lines[above:first])
         found = re.search(r"@brief (.*?)(?=\.(?: |\Z)| \\f\[| @|\Z)", told)
-        return found[1].strip() + "." if found else ""
+        domain = re.search(r"@domain\{(.*?)\}(?= |\Z)", told)
+        return (found[1].strip() + "." if found else "") + (f" Domain: {prose(domain[1])}." if domain else "")
 
 
-def code_lines(snippet, signature=False):
-    """Lines of C++ with their numbers, comments and keywords marked as Doxygen marks them; or those before the body alone."""
+def code_lines(snippet):
+    """Lines of C++ with their numbers, comments and keywords marked as Doxygen marks them."""
     lines = []
-    for number, line in enumerate(snippet.lines[:snippet.signature if signature else None], snippet.first):
+    for number, line in enumerate(snippet.lines, snippet.first):
         code, slashes, comment = line.partition("//")
         marked = KEYWORDS.sub(r'<span class="keyword">\1</span>', html(code)) + (
             f'<span class="comment">{html(slashes + comment)}</span>' if slashes else "")

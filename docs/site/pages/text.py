@@ -8,6 +8,7 @@ EQUATIONS = [str(n) for n in range(1, 89)] + [f"A.{n}" for n in range(1, 16)]
 GREEK = set("alpha beta gamma delta zeta eta theta kappa mu pi phi psi tau omega Omega Sigma Psi".split())
 BARRED = {"X": r"\overline{X}", "x": r"\bar{x}", "K": r"\overline{K}", "C": r"\overline{C}", "M": r"\overline{M}"}
 WORD = re.compile(r"\w+", re.ASCII)
+OPERATORS = {"<=": "≤", ">=": "≥", "->": "→", "sqrt": "√"}
 PART = {"r": r"\mathrm{Re}\,", "i": r"\mathrm{Im}\,"}
 
 
@@ -117,11 +118,11 @@ def formula_at(text, at):
     if word == "r_n" and text.startswith(",i", end):
         return "r_{n,i}", end + 2
     latex = symbol(word, False)
-    value = re.compile(r"=[0-9](?:[0-9.]*[0-9])?").match(text, end)
+    value = re.compile(r"=[0-9](?:[0-9.]*[0-9])?|\^[0-9]+(?![\w.])").match(text, end)
     if not latex and not (value and re.fullmatch("[A-Za-z]", word)):
         return "", end
     more = value or (re.compile("'*").match(text, end) if "_" in word else None)
-    after = "=" + legible(value[0][1:]) if value else more[0] if more else ""
+    after = f"^{{{value[0][1:]}}}" if value and value[0][0] == "^" else "=" + legible(value[0][1:]) if value else more[0] if more else ""
     return (latex or word) + after, more.end() if more else end
 
 
@@ -129,22 +130,22 @@ def legible(number):
     """A decimal of a program to six digits where it has all digits of a double, and with a power of ten where it has an exponent."""
     if re.fullmatch(r"-?\d+\.\d{9,}", number):
         return digits(float(number), 6).replace("$", "")
-    return digits(float(number), len(re.sub(r"e.*|\D", "", number))).replace("$", "") if "e" in number else number
+    return digits(float(number), min(6, len(re.sub(r"e.*|\D", "", number)))).replace("$", "") if "e" in number else number
 
 
 @cache
 def prose(text):
     """A sentence of the run: escaped, its symbols typeset, the numbers of equations linked."""
     out, at = [], 0
-    token = re.compile(r"(?<![\w\\])\(((?:A\.)?[0-9]+)\)|<=|>=|->|"
+    token = re.compile(r"(?<![\w\\])\(((?:A\.)?[0-9]+)\)|<=|>=|->|sqrt(?=\()|"
                        r"(?P<number>(?<![\w.])(?:\d+\.\d{9,}|\d+(?:\.\d+)?e[+-]?\d+)(?![\w.]*\w))|\w+", re.ASCII)
     while found := token.search(text, at):
         out.append(escaped(text[at:found.start()]))
         at = found.end()
         if found[1]:
             out.append(equation_link(found[1]) if found[1] in EQUATIONS else escaped(found[0]))
-        elif found[0] in ("<=", ">=", "->"):
-            out.append({"<=": "≤", ">=": "≥", "->": "→"}[found[0]])
+        elif found[0] in OPERATORS:
+            out.append(OPERATORS[found[0]])
         elif found["number"]:
             shown = legible(found[0])
             out.append(formula(shown) if "\\" in shown else shown)

@@ -13,7 +13,7 @@
 
 namespace denhartog::evaluation {
 
-/// @brief What of a mode does not depend on R.
+/// @brief Constants of a mode, which do not depend on R.
 template <class T>
 struct ArrayMode {
     T zeta;        ///< modal damping ratio
@@ -37,7 +37,7 @@ struct HalfAngleProducts {
     T cosine_square; ///< cos^2
 };
 
-/// @brief What of a mode does not depend on R. @param zeta modal damping ratio @return the four numbers
+/// @brief The constants of a mode, which do not depend on R. @param zeta modal damping ratio @return the four numbers
 template <class T>
 [[nodiscard]] ArrayMode<T> array_mode(const T& zeta) {
     return {zeta, 2 * zeta, 2 * pi<T>() * zeta, 1 / oscillating_w(zeta)};
@@ -88,10 +88,10 @@ template <class T>
     return 2 * (e.head * e.tail) * (square * series) * inverse * delta;
 }
 
-/// @brief How the half angle of a mode is written: \f$ \pi\,(w-\lambda)/(2R) \f$.
+/// @brief Form of the half angle of a mode: \f$ \pi\,(w-\lambda)/(2R) \f$.
 template <class T>
 struct AngleOfMode {
-    T w;    ///< 1 where the angle is a difference, else sqrt(1 - zeta^2)
+    T w;    ///< 1 if the angle is a difference, else sqrt(1 - zeta^2)
     T late; ///< \f$ \lambda \f$: 1 - sqrt(1 - zeta^2) where it is a difference, else 0
 };
 
@@ -103,7 +103,7 @@ template <class T>
     return {T(1), one_minus_w(zeta)};
 }
 
-/// @brief What the arrays compute with vectors; what is beyond is left to the scalar forms.
+/// @brief Range within which the arrays compute with vectors; beyond it the scalar forms answer.
 template <class T>
 struct VectorRange {
     T least_ratio;   ///< least R
@@ -158,7 +158,7 @@ template <bool large_ratios, class T>
     }
 }
 
-/// @brief What of a mode's part in the sums over modes does not depend on r:
+/// @brief Factor of a mode in the sums over modes that does not depend on r:
 /// \f$ \psi_{ki}\psi_{li}R_i^2=\phi_{ki}\phi_{li}/r_{n,i}^2 \f$.
 template <class T>
 struct ArrayWeights {
@@ -188,7 +188,7 @@ template <class T>
     return m.square * (g + m.two_zeta * R * u);
 }
 
-/// @brief What decides where (57) is largest: \f$ R\,[\,u\,(4\zeta^2-1+R^2) - \frac{2\zeta}{R}(1-g)\,] \f$.
+/// @brief If positive, (57) is largest at the start: \f$ R\,[\,u\,(4\zeta^2-1+R^2) - \frac{2\zeta}{R}(1-g)\,] \f$.
 ///
 /// With N the velocity in (57), (57) is N / sin, and its derivative has the sign of W = N' sin - N cos, which is zero at both
 /// ends and of which the derivative is Z sin, Z = N'' + N. Z is a damped sine with zeros \f$ \pi R/w \f$ apart. The expression is
@@ -201,10 +201,10 @@ template <class T>
     return R * u * (two_zeta * two_zeta - (1 - R) * (1 + R)) - two_zeta * (1 - g);
 }
 
-/// @brief How certain it is that (57) of a mode is largest for tau -> 0: `excess_at_the_end` less a billionth of its terms, or
-/// what R has above w / 2 where that is less.
+/// @brief Margin with which (57) is largest for \f$ \tau\to0 \f$: `excess_at_the_end` less a billionth of its terms, or
+/// the excess of R over w / 2 if that is less.
 /// @eq{57,71}  @domain{R > 0, 0 <= zeta < 1}
-/// @return positive where it is certain
+/// @return positive if it is certain
 [[nodiscard, gnu::always_inline]] inline double certainty_of_start(double R, double zeta, double u, double g) {
     const double terms = (u < 0 ? -u : u) * (1 + R) * (1 + R) * R + 2 * zeta * (1 + (g < 0 ? -g : g));
     const double excess = excess_at_the_end(2 * zeta, R, u, g) - 1e-9 * terms;

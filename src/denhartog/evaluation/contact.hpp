@@ -1,5 +1,5 @@
 /// @file
-/// @brief What callers get for (38), (39): the root and the phase without the cancellation near the end of their domain.
+/// @brief The root of (38) and the phase (39) without the cancellation near the end of their domain.
 ///
 /// Where \f$ \beta|U_{dj}| \f$ comes near \f$ |V_{dj}| \f$ the squares under the root cancel: what their roundings took is all
 /// that is left. Here every product comes with what its rounding took, and is summed with it: the root is as exact as V, U and
@@ -16,7 +16,7 @@
 
 namespace denhartog::evaluation {
 
-/// @brief What the rounding of a product took: \f$ xy - \mathrm{fl}(xy) \f$. @param x a number @param y a number
+/// @brief Rounding error of a product: \f$ xy - \mathrm{fl}(xy) \f$. @param x a number @param y a number
 /// @param xy  their product as rounded
 /// @return    the rest, exact in binary floating-point types
 template <class T>
@@ -25,7 +25,7 @@ template <class T>
     return fma(x, y, T(-xy));
 }
 
-/// @brief What the rounding of a sum took. @param x a number @param y a number @param sum their sum as rounded
+/// @brief Rounding error of a sum. @param x a number @param y a number @param sum their sum as rounded
 /// @return the rest, exact in binary floating-point types
 template <class T>
 [[nodiscard]] T sum_error(const T& x, const T& y, const T& sum) {
@@ -47,7 +47,7 @@ template <class T, class Terms>
     return rests - rests == 0 ? T(sum + rests) : sum;
 }
 
-/// @brief What the root is made of, each number as it was rounded.
+/// @brief Parts of the root, each number as it was rounded.
 template <class T>
 struct RootParts {
     T b;             ///< beta U
@@ -111,7 +111,7 @@ template <class T>
 
 /// @brief The smallest friction ratio at which the contact never moves: \f$ |V_{dj}/Y_{jj}|/\mu \f$.
 ///
-/// The contact can rest where a force of at most \f$ \mu\beta \f$ makes its displacement zero: \f$ V_{dj} - f\,Y_{jj} = 0 \f$.
+/// The contact can rest if a force of at most \f$ \mu\beta \f$ makes its displacement zero: \f$ V_{dj} - f\,Y_{jj} = 0 \f$.
 /// @eq{88}  @derivation{paper/section_4_3_stuck}  @domain{Y_jj not zero}
 template <class T>
 [[nodiscard]] T sticking_limit_by_responses(const Complex<T>& V_dj, const Complex<T>& Y_jj, const T& mu) {

@@ -1,8 +1,8 @@
 /// @file
-/// @brief The sliding motion where damping couples the modes: its energy coordinates, and friction's share of it.
+/// @brief The sliding motion if damping couples the modes: its energy coordinates, and friction's share of it.
 ///
 /// The paper leaves such damping out (Section 2.1). These formulas are not in it; they follow from (12) as its own do, and are
-/// its own where the modes are not coupled.
+/// its own if the modes are not coupled.
 #pragma once
 
 #include <cstddef>

@@ -1,15 +1,15 @@
 /// @file
-/// @brief What callers get for the expression under the maximum in (57): forms that keep their digits.
+/// @brief Forms of the expression under the maximum in (57) that keep their digits.
 ///
-/// The expression of (57) is a quotient whose numerator and denominator both vanish at the ends of the half-period. Up to the
-/// middle its numerator is taken from the start, where \f$ R_iq_i' - \cos\tau \f$ is a sum of three small terms; beyond the
-/// middle from the end, backwards in time, where friction and damping change their sign: with
-/// \f$ \sigma = \pi - \tau \f$ it is minus the same expression at \f$ \sigma \f$ with \f$ -\zeta_i \f$ and \f$ -g_i \f$.
-/// Where the decay over the half-period is large, \f$ 1 - g_i \f$ and \f$ u_{di} \f$ are both of the size of that decay, which is
-/// taken out. Around the middle the difference that is left is of half the size of its terms or less and each of them has
-/// roundings of its own, which add up to five units in the last place.
+/// The expression of (57) is a quotient whose numerator and denominator both vanish at the ends of the half-period. In the first
+/// half of it, \f$ R_iq_i' - \cos\tau \f$ in the numerator is written as a sum of three terms that are small near the start. In
+/// the second half time runs backwards from the end, and friction and damping change their signs: with
+/// \f$ \sigma = \pi - \tau \f$ the expression is minus its value at \f$ \sigma \f$ for \f$ -\zeta_i \f$ and \f$ -g_i \f$.
+/// If the mode decays much over the half-period, \f$ 1 - g_i \f$ and \f$ u_{di} \f$ are as small as the decay, which is then
+/// factored out. Around the middle the terms cancel to half of their size or less, and their own rounding errors add up to five
+/// units in the last place.
 /// From \f$ \zeta_i = 1 \f$ on there is no form from the end: both exponentials decay, and backwards in time the faster one has
-/// to cancel, so that next to \f$ \pi \f$ digits are lost. The number type carries its bound of the error, and where that does
+/// to cancel, so that next to \f$ \pi \f$ digits are lost. The number type carries its bound of the error, and if that does
 /// not suffice the reference answers.
 ///
 /// tau is the non-dimensional time (5), R the modal frequency ratio (22), zeta the modal damping ratio, h the half angle and the
@@ -30,7 +30,7 @@ template <class T>
     return pi<T>() / 2 * sinc(T(pi<T>() * w / (2 * R))) * (h.c / (sinh_half * sinh_half + h.c * h.c));
 }
 
-/// @brief What the expression in (57) is made of at an instant, without the cancellations at \f$ \tau \to 0 \f$.
+/// @brief Parts of the expression in (57) at an instant, without the cancellations at \f$ \tau \to 0 \f$.
 template <class T>
 struct HarmonicDifference {
     T value; ///< R q' - cos(tau)
@@ -60,7 +60,7 @@ template <class T>
     return {exp_minus_one(T(-zeta * x)) * cos(b) + difference_of_cosines(tau, R, zeta) - zeta * (Rq / R), Rq};
 }
 
-/// @brief The expression in (57) from the start of the half-period.
+/// @brief The expression in (57) for the first quarter of the period, from differences that vanish at its start.
 /// @eq{57}  @derivation{forms/evaluation_of_motion}  @domain{0 < tau < pi, R > 0, 0 <= zeta < 1; keeps its digits for tau up to pi/2}
 template <class T>
 [[nodiscard]] T s_d_integrand_from_start(const T& tau, const T& R, const T& zeta, const T& u_R2, const T& g) {
@@ -68,7 +68,7 @@ template <class T>
     return ((1 + g) * f.Rq - u_R2 * f.value) / sin(tau);
 }
 
-/// @brief The expression in (57) from the end of the half-period, backwards in time.
+/// @brief The expression in (57) for the second quarter of the period, backwards in time from \f$ \tau = \pi \f$.
 /// @eq{57}  @derivation{forms/evaluation_of_motion}
 /// @domain{0 < sigma < pi, R > 0, 0 <= zeta < 1; keeps its digits for sigma up to pi/2, delta up to 1}
 template <class T>
@@ -83,7 +83,7 @@ struct DecayTakenOut {
     T u_R2;        ///< u R^2 / E
 };
 
-/// @brief What is left of \f$ 1-g_i \f$ and \f$ u_{di}R_i^2 \f$ when the decay is taken out.
+/// @brief The factors of \f$ 1-g_i \f$ and \f$ u_{di}R_i^2 \f$ beside the decay over the half-period.
 /// \f[ \frac{1-g}{E} = \frac{2\,[2c^2-(1-E)+2\frac{\zeta}{w}sc]}{(1-E)^2+4Ec^2}, \qquad
 ///     \frac{uR^2}{E} = \frac{4Rsc}{w\,[(1-E)^2+4Ec^2]} \f]
 /// @eq{28,29}  @derivation{forms/evaluation_of_motion}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for delta of 1 and more}
@@ -96,7 +96,7 @@ template <class T>
             4 * R * h.s * h.c / (h.w * denominator)};
 }
 
-/// @brief The expression in (57) from the end of the half-period, the decay taken out.
+/// @brief The expression in (57) from the end of the half-period, for a decay that leaves few digits of \f$ 1-g_i \f$.
 ///
 /// With \f$ b = w\sigma/R_i \f$, \f$ a = \zeta_i\sigma/R_i \f$ and the quotients of `decay_taken_out`
 /// \f[ -\frac{e^{-\zeta_i(\pi-\sigma)/R_i}}{\sin\sigma}\left\{\frac{1-g}{E}R_i\frac{\sin b}{w}
@@ -120,7 +120,7 @@ template <class T>
     return -paper::s_d_at_zero(R, T(-zeta), u, T(-g));
 }
 
-/// @brief The same limit, the decay over the half-period taken out.
+/// @brief The expression in (57) at the end of the half-period, the decay over the half-period taken out.
 /// @eq{57,71}  @derivation{forms/evaluation_of_motion}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for delta of 1 and more}
 template <class T>
 [[nodiscard]] T s_d_at_pi_after_decay(const T& R, const T& zeta, const DecayTakenOut<T>& f) {
@@ -147,7 +147,7 @@ template <class T>
     return late ? s_d_integrand_from_end(sigma, R, zeta, u_R2, f.g) : s_d_integrand_from_start(tau, R, zeta, u_R2, f.g);
 }
 
-/// @brief The expression in (57) from the rate of the braces of (40).
+/// @brief The expression in (57) by the rate of the braces of (40): for any damping ratio, away from both ends.
 /// \f[ \frac{R_i^2}{\sin\tau}\left\{\frac{d}{d\tau}\left[1-(1+g_i)d_i-u_{di}R_iq_i\right] + u_{di}\cos\tau\right\} \f]
 /// @eq{57}  @derivation{forms/overdamped_modes}  @domain{0 < tau < pi, R > 0, zeta >= 0}
 template <class T>
@@ -182,7 +182,7 @@ template <class T>
     return -R * R * friction_motion(pi<T>(), R, zeta, w_if_oscillating(zeta), f.u, f.g).double_prime;
 }
 
-/// @brief The expression in (57) of a mode with what has been found for (28) and (29), in the type of these.
+/// @brief The expression in (57) for any damping ratio, by (28) and (29) as found before: the form for callers.
 /// @eq{57,71}  @derivation{forms/evaluation_of_motion}  @domain{0 <= tau <= pi, R > 0, zeta >= 0}
 /// @return the expression; not finite at the poles at zeta = 0, R = 1/n, n odd
 template <class T>

@@ -48,7 +48,7 @@ template <class T>
     return {-gap / size, -(2 * a) / size};
 }
 
-/// @brief What the start has more than the rest under the constant force and the harmonic motion.
+/// @brief The free part of the start: the start less the place of rest under the constant force and less the harmonic motion.
 /// @eq{A.5,A.6}  @derivation{forms/driven_motion}
 template <class T>
 [[nodiscard]] InitialValues<T> free_start(const InitialValues<T>& start, const T& at_rest, const Complex<T>& X, const T& cos_0,
@@ -102,7 +102,7 @@ template <class T>
     return {(cos_0 * h.im + sin_0 * h.re) / (2 * b), (cos_0 * h_prime.im + sin_0 * h_prime.re) / (2 * b)};
 }
 
-/// @brief What of a driven coordinate does not depend on its start.
+/// @brief A driven coordinate, but for its start.
 template <class T>
 struct DrivenCoordinate {
     T omega;       ///< natural frequency 1 / R, in units of that of the force

@@ -1,3 +1,5 @@
+// Displacements and velocities at evenly spaced instants, by a recurrence in place of sines and exponentials, and what that
+// costs in digits, `loss_of_samples`.
 #include "denhartog/evaluation/even_samples.hpp"
 
 #include <Eigen/Core>

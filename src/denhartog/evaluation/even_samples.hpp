@@ -53,7 +53,7 @@ struct ErrorOfSamples {
 /// \f$ s-\mathrm{rest} \f$, which never grows, or where R is large by its acceleration.
 [[nodiscard]] double largest_size(const FreeCoordinate& c, double time);
 
-/// @brief What the samples of each mass lose to rounding, given the numbers of the motion.
+/// @brief Loss of the samples of each mass to rounding, from the numbers of the motion.
 [[nodiscard]] std::vector<ErrorOfSamples> loss_of_samples(const LinearSum& motion, const EvenInstants& instants);
 
 /// @brief Displacements and velocities at the instants, none before the start: all masses at the first, then at the next.

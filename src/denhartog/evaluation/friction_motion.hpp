@@ -1,5 +1,5 @@
 /// @file
-/// @brief What callers get for the braces of (40), the motion of a mode under friction alone: forms that keep their digits.
+/// @brief Forms of the braces of (40), the motion of a mode under friction alone, that keep their digits.
 ///
 /// At large R the braces are of the size of \f$ 1/R^2 \f$, and d is 1 less as little: \f$ 1-d \f$ is formed without the
 /// difference. With \f$ m = 1-e^{-\zeta x} \f$ and the half angle, one function each, it is a sum of two positive terms less
@@ -39,7 +39,7 @@ template <class T>
     return m * m / 2 + (1 - m) * (2 * s * s + zeta * x * sinhc_less_sinc_over_square(x, zeta) * x * x);
 }
 
-/// @brief The same for \f$ \zeta \ge 1 \f$, from both rates a and \f$ b = \zeta+w_1 \f$.
+/// @brief The braces of (40) for \f$ \zeta \ge 1 \f$, from both rates a and \f$ b = \zeta+w_1 \f$.
 /// \f[ 1-d = \tfrac12(1-e^{-ax})(1-e^{-bx}) + e^{-\zeta x}\zeta x\left(\frac{\sinh\zeta x}{\zeta x} - \frac{\sinh w_1x}{w_1x}
 ///     \right) \f]
 /// @eq{A.8}  @derivation{forms/overdamped_modes}  @domain{x >= 0, zeta >= 1; keeps its digits for zeta x up to 4}

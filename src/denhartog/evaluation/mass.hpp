@@ -1,5 +1,5 @@
 /// @file
-/// @brief What callers get for (44), (45): no angle is formed, and a node (a mass with no response function) is no exception.
+/// @brief Forms of (44), (45) without an angle, for which a node (a mass with no response function) is no exception.
 ///
 /// V_dk, U_dk, G_k are (33)-(35) of a mass, with j those of the mass in contact, and beta is the friction ratio (11).
 #pragma once

@@ -1,5 +1,5 @@
 /// @file
-/// @brief What callers get for (23), (28), (29) and the free motions (A.8): forms that keep their digits, and their selection.
+/// @brief Forms of (23), (28), (29) and of the free motions (A.8) that keep their digits, and their selection.
 ///
 /// With \f$ E = e^{-\delta} \f$, \f$ c = \cos(\theta/2) \f$, \f$ s = \sin(\theta/2) \f$ the denominator of (28) and (29) is
 /// \f$ 2E(\cosh\delta+\cos\theta) = (1-E)^2 + 4Ec^2 \f$, a sum of two positive terms: nothing cancels near the poles, and
@@ -70,7 +70,7 @@ template <class T>
     return complex_response_off_resonance(R, zeta, zeta >= 1 ? T(1) : T(1 / T(std::numeric_limits<T>::epsilon())));
 }
 
-/// @brief What the forms of (28) and (29) are made of.
+/// @brief Sine, cosine and exponents that the forms of (28) and (29) share.
 template <class T>
 struct HalfAngle {
     T w;     ///< sqrt(1 - zeta^2)
@@ -159,7 +159,7 @@ template <class T>
     return {4 * E * t * s / (w * denominator), ((1 + E) * e - 4 * E * (zeta / w) * zeta * t * s) / denominator / zeta};
 }
 
-/// @brief Whether R is 1/n, n odd, to the last place: what a mode without damping has there is not told from its pole.
+/// @brief Whether R is 1/n, n odd, to the last place: a mode without damping is not distinguished from its pole there.
 /// @return whether 1/(2R), rounded, is half an odd number
 template <class T>
 [[nodiscard]] bool at_undamped_pole(const T& R) {

@@ -1,3 +1,5 @@
+// (23), (28) and (29) of one mode over an array of frequency ratios, by vector instructions; R beyond their range are left to
+// the scalar forms. Read `compute_any` first.
 #include "denhartog/evaluation/mode_arrays.hpp"
 
 #include <algorithm>
@@ -16,7 +18,7 @@ constexpr std::size_t block = 512;
 std::atomic<long> evaluated{0};
 std::atomic<long> scalar_evaluations{0};
 
-/// What does not depend on R.
+/// Constants of a mode, which do not depend on R.
 struct ModeConstants {
     ArrayMode<double> mode;
     double w;             ///< the half angle is pi (w - late) / (2 R)
@@ -40,7 +42,7 @@ struct Pointers {
     double* g;
 };
 
-/// How much of a block the vectors cannot answer.
+/// Parts of a block that the vectors cannot answer.
 struct Left {
     std::int64_t outside; ///< R outside their range
     std::int64_t poles;   ///< results that are not finite

@@ -15,13 +15,13 @@
 
 namespace denhartog::evaluation {
 
-/// @brief Where the functions of a mode are written: arrays of one length.
+/// @brief Arrays of one length for the functions of a mode.
 struct ModeArrays {
     std::span<double> v_re;          ///< real part of (23)
     std::span<double> v_im;          ///< imaginary part of (23)
     std::span<double> u;             ///< first damping function, Eq. (28)
     std::span<double> g;             ///< second damping function, Eq. (29)
-    std::span<std::uint8_t> at_pole; ///< 1 where one of them is not finite, and all four are 0; elsewhere left as it was
+    std::span<std::uint8_t> at_pole; ///< 1 if one of them is not finite, and all four are 0; elsewhere left as it was
 };
 
 /// @brief Width of the vectors.
@@ -51,9 +51,9 @@ enum class Vectors : std::uint8_t {
 /// @param R        modal frequency ratios, Eq. (22)
 /// @param zeta     modal damping ratio
 /// @param out      arrays as long as R
-/// @param vectors  width of the vectors, one that this processor has; the widest where none is chosen
+/// @param vectors  width of the vectors, one that this processor has; the widest if none is chosen
 /// @return         how many R were left to the scalar forms
-/// @throws         InputError where zeta is negative or not finite, an R is not positive and finite, an array has another
+/// @throws         InputError if zeta is negative or not finite, an R is not positive and finite, an array has another
 ///                 length than R, or the processor has no vectors of that width
 std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArrays& out,
                            Vectors vectors = supported_vectors().back());
@@ -62,7 +62,7 @@ std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArr
 /// @return the count, over all threads
 [[nodiscard]] long array_mode_evaluations();
 
-/// @brief How many of them were left to the scalar forms; tests gate on it.
+/// @brief Number of values that were left to the scalar forms; tests bound it.
 /// @return the count, over all threads
 [[nodiscard]] long array_modes_left_to_scalar_forms();
 

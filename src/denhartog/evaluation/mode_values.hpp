@@ -1,12 +1,12 @@
 /// @file
-/// @brief What the evaluation forms of one mode return.
+/// @brief Values that the forms of one mode return.
 #pragma once
 
 #include "denhartog/formulas/complex.hpp"
 
 namespace denhartog::evaluation {
 
-/// @brief What one mode contributes at one frequency ratio: (23), (28), (29).
+/// @brief The functions of one mode at one frequency ratio: (23), (28), (29).
 template <class T>
 struct ModeFunctions {
     Complex<T> v; ///< complex response function, Eq. (23)

@@ -29,7 +29,7 @@ template <class T>
     return {re, -(quotient * re)};
 }
 
-/// @brief The same where B is larger.
+/// @brief The response function (23), for B larger than A.
 /// \f[ \mathrm{Im}\{v\} = -\frac{p^2}{B + A\,(A/B)}, \qquad \mathrm{Re}\{v\} = -\frac{A}{B}\,\mathrm{Im}\{v\} \f]
 /// @eq{23}  @derivation{forms/overdamped_modes}  @domain{R > 0, zeta > 0; keeps its digits for R of 2 and more}
 template <class T>
@@ -72,7 +72,7 @@ template <class T>
     return {free.d, free.q, free.d_prime / R, free.q_prime / R, free.q_double_prime / R / R};
 }
 
-/// @brief What (28) and (29) are made of: \f$ S = \rho^2K \f$ and \f$ \Sigma = 1 + 2C + e^{-2\delta} \f$ at \f$ x = \pi/R \f$.
+/// @brief Parts of (28) and (29): \f$ S = \rho^2K \f$ and \f$ \Sigma = 1 + 2C + e^{-2\delta} \f$ at \f$ x = \pi/R \f$.
 template <class T>
 struct HalfPeriodDecay {
     T root; ///< rho, the root of an exponential that decays

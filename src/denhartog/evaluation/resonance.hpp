@@ -1,5 +1,5 @@
 /// @file
-/// @brief What callers get for (79), (80), (83)-(85): forms that keep their digits at small damping ratios.
+/// @brief Forms of (79), (80), (83)-(85) that keep their digits at small damping ratios.
 ///
 /// With \f$ x = \pi\zeta/2 \f$, \f$ \sinh(2x)/(\cosh(2x)-1) = \coth x \f$, so that nothing is subtracted; the form of the print
 /// loses all digits below \f$ \zeta \approx 10^{-8} \f$. The boundary is \f$ \tanh(x)/(2\zeta) = \tfrac{\pi}{4}\,\tanh(x)/x \f$,

@@ -49,7 +49,7 @@ using elementary::nearest_whole;
     return {(1 + p) * first, second, p * first * second + (first * second - 1)};
 }
 
-/// @brief How late an angle can be, in parts of 2 R, before it is reduced anew. @return a sixty-fourth
+/// @brief Largest lag of an angle, in parts of 2 R, before it is reduced anew. @return a sixty-fourth
 [[nodiscard]] constexpr double most_late() { return 0x1p-6; }
 
 /// @brief \f$ \sin\alpha\cos\alpha \f$ and \f$ \cos^2\alpha \f$ of \f$ \alpha = \pi\,(w-\lambda)/(2R) \f$, reduced exactly.

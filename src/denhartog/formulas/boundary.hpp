@@ -1,7 +1,7 @@
 /// @file
 /// @brief The domain of validity of the sliding solution: (54), (55), (58), (59), (63), (66)-(69), (72).
 ///
-/// Each condition is given as the amount by which it holds, so that it is met where the value is positive.
+/// Each condition is given as the amount by which it holds, so that it is met if the value is positive.
 #pragma once
 
 #include <cstddef>
@@ -32,7 +32,7 @@ template <class T>
 /// @param K_j      row j of the non-dimensional stiffness matrix, Eq. (7), N values
 /// @param x        displacements, N values
 /// @param x_prime  velocities with respect to tau, N values
-/// @param delta_lj 1 where the load acts on the mass in contact, else 0
+/// @param delta_lj 1 if the load acts on the mass in contact, else 0
 /// @param tau      non-dimensional time, Eq. (5); radians
 /// @param phi_j    phase of the mass in contact, Eq. (39); radians
 /// @return         the load, in units of P
@@ -56,7 +56,7 @@ template <class T>
     return 2 * m.zeta * Omega * start.eta_prime_0 + Omega * Omega * start.eta_0 - m.psi_li * cos_phi;
 }
 
-/// @brief The same contribution without \f$ \cos\phi_j \f$, the left side of (63) without the bars.
+/// @brief Contribution of a mode without \f$ \cos\phi_j \f$, the left side of (63) without the bars.
 /// \f[ \eta_{i0} - \beta\psi_{ji}\left[(1-R_i^2)g_i + 2\zeta_i R_i u_{di}\right] \f]
 /// @eq{63}  @derivation{paper/section_2_6_domain_of_validity}  @domain{R > 0, 0 <= zeta < 1}
 /// @param m      the mode
@@ -98,7 +98,7 @@ template <class T>
     return sqrt(squared_modulus(V_dj) / (U_dj * U_dj + S * S));
 }
 
-/// @brief What (67) puts in place of \f$ S_{dj} \f$: \f$ H_j + \mu/(\gamma_j r^2) \f$; with mu = 1 it is (72).
+/// @brief The expression that (67) has in place of \f$ S_{dj} \f$: \f$ H_j + \mu/(\gamma_j r^2) \f$; with mu = 1 it is (72).
 /// @eq{67,72}  @derivation{paper/section_2_6_domain_of_validity}  @domain{mu >= 1; with mu = 1 a lower bound of S_dj}
 /// @param H_j             Eq. (64)
 /// @param mu              ratio of static to kinetic friction

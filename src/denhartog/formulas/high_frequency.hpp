@@ -6,9 +6,9 @@
 
 namespace denhartog::paper {
 
-/// @brief The friction ratio that (69) tends to for \f$ r \to \infty \f$ where load and friction act on one mass.
+/// @brief The friction ratio that (69) tends to for \f$ r \to \infty \f$ if load and friction act on one mass.
 /// \f[ \beta_\infty = \frac{2}{\sqrt{4\mu^2+\pi^2}} \f]
-/// Neither the damping ratios nor the number of masses matter. Where the load acts on another mass, j not l, (69) tends to zero.
+/// Neither the damping ratios nor the number of masses matter. If the load acts on another mass, j not l, (69) tends to zero.
 /// @eq{86}  @erratum{86}  @derivation{paper/section_4_2_low_high_frequency}  @domain{j = l, mu >= 1; the limit r to infinity}
 /// @param mu  ratio of static to kinetic friction, Eq. (3)
 /// @return    the friction ratio; dimensionless
@@ -17,7 +17,7 @@ template <class T>
     return 2 / sqrt(T(4 * mu * mu + pi<T>() * pi<T>()));
 }
 
-/// @brief What (69) falls like for \f$ r \to 0 \f$ where every mode is damped.
+/// @brief Leading term of (69) for \f$ r \to 0 \f$ if every mode is damped.
 /// \f[ \beta_{\lim} \sim \frac{\gamma_jr^2}{1+\mu}\,|V_{dj}|_{r=0} \f]
 /// The first damping functions are then smaller than every power of r, and the second ones 1 but for that. Without damping (69)
 /// is of the same order, but has zeros at every scale, and over \f$ r^2 \f$ no limit.

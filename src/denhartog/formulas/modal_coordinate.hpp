@@ -45,7 +45,7 @@ struct PhaseSystem {
 
 namespace paper {
 
-/// @brief What the equation of motion of a modal coordinate leaves over; zero for a motion.
+/// @brief Residual of the equation of motion of a modal coordinate; zero for a motion.
 /// \f[ \eta_i'' + \frac{2\zeta_i}{R_i}\eta_i' + \frac{1}{R_i^2}\eta_i - \psi_{ji}\beta - \psi_{li}\cos(\tau+\phi_j) \f]
 /// @eq{20,A.1}  @derivation{paper/a02_general_solution}  @domain{0 <= tau <= pi}
 /// @param eta               modal displacement
@@ -165,7 +165,7 @@ template <class T>
             -q_pi / m.R * start.eta_0 + (1 + m.R * qp_pi) * start.eta_prime_0 + m.psi_ji * m.R * q_pi * beta};
 }
 
-/// @brief What the condition on the displacement at \f$ \tau=\pi \f$ leaves over, \f$ \mathcal{A}c+\mathcal{B}s+\mathcal{C} \f$.
+/// @brief Residual of the condition on the displacement at \f$ \tau=\pi \f$, \f$ \mathcal{A}c+\mathcal{B}s+\mathcal{C} \f$.
 /// @eq{A.10}  @derivation{paper/a10_final_conditions}
 /// @param p      coefficients, Eq. (A.11)
 /// @param v_cos  v_di cos(phi_j)
@@ -176,7 +176,7 @@ template <class T>
     return p.A * v_cos + p.B * v_sin + p.C;
 }
 
-/// @brief What the condition on the velocity at \f$ \tau=\pi \f$ leaves over, \f$ \mathcal{P}c+\mathcal{Q}s+\mathcal{R} \f$.
+/// @brief Residual of the condition on the velocity at \f$ \tau=\pi \f$, \f$ \mathcal{P}c+\mathcal{Q}s+\mathcal{R} \f$.
 /// @eq{A.10}  @derivation{paper/a10_final_conditions}
 /// @param p      coefficients, Eq. (A.11)
 /// @param v_cos  v_di cos(phi_j)

@@ -1,5 +1,5 @@
 /// @file
-/// @brief What one vibrating mode contributes: (21)-(23), (28), (29), (61), (71), (A.8), (A.9).
+/// @brief The functions of one vibrating mode: (21)-(23), (28), (29), (61), (71), (A.8), (A.9).
 ///
 /// Throughout \f$ w = \sqrt{1-\zeta^2} \f$ (a symbol of ours); 0 <= zeta < 1 and R > 0.
 #pragma once
@@ -165,7 +165,7 @@ template <class T>
 
 /// @brief The function of time whose maximum over (0, pi) is \f$ s_{di} \f$.
 /// \f[ \frac{1}{\sin\tau}\left\{(1+g_i)R_i\,q_i(\tau) - u_{di}R_i^2\left[R_i q_i'(\tau) - \cos\tau\right]\right\} \f]
-/// The contact keeps sliding in mode i where the amplitude exceeds the friction ratio times this.
+/// The contact keeps sliding in mode i if the amplitude exceeds the friction ratio times this.
 /// @eq{57}  @erratum{57}  @derivation{paper/section_2_6_domain_of_validity}  @domain{0 < tau < pi, R > 0, 0 <= zeta < 1}
 /// @param tau   non-dimensional time, Eq. (5); radians
 /// @param R     modal frequency ratio, Eq. (22); dimensionless

@@ -1,5 +1,5 @@
 /// @file
-/// @brief What the functions of one mode, (23), (28), (29), tend to at the ends of their domain, each along a path.
+/// @brief Limits of the functions of one mode, (23), (28), (29), at the ends of their domain, each along a path.
 ///
 /// A path has one small quantity x, which falls to zero. Along it each function is \f$ c\,x^n \f$ to leading order. Next to the
 /// resonance n and c depend on the path: there the limits \f$ R \to 1 \f$ and \f$ \zeta \to 0 \f$ do not commute.
@@ -145,7 +145,7 @@ template <class T>
     return {{T(1), 0}, {-sign * pi_c * c / (2 * denominator), 0}, {sinh(pi_c) / denominator, 0}};
 }
 
-/// @brief How (28) vanishes for \f$ R \to 0 \f$ at a fixed damping ratio: faster than every power of R.
+/// @brief Leading term of (28) for \f$ R \to 0 \f$ at a fixed damping ratio: faster than every power of R.
 /// \f[ u \sim \frac{2e^{-\delta}\sin\theta}{R\,w}, \qquad \theta = \pi w/R,\quad \delta = \pi\zeta/R \f]
 /// @eq{28}  @derivation{forms/mode_limits}  @domain{R -> 0, 0 < zeta < 1}
 /// @param R     modal frequency ratio, Eq. (22)
@@ -157,7 +157,7 @@ template <class T>
     return 2 * exp(T(-(pi<T>() * zeta / R))) * sin(T(pi<T>() * w / R)) / (R * w);
 }
 
-/// @brief How (29) tends to 1 for \f$ R \to 0 \f$ at a fixed damping ratio: faster than every power of R.
+/// @brief Leading term of (29) less 1 for \f$ R \to 0 \f$ at a fixed damping ratio: faster than every power of R.
 /// \f[ g - 1 \sim -2e^{-\delta}\left(\cos\theta+\frac{\zeta}{w}\sin\theta\right), \qquad \theta = \pi w/R,\quad
 ///     \delta = \pi\zeta/R \f]
 /// @eq{29}  @derivation{forms/mode_limits}  @domain{R -> 0, 0 < zeta < 1}

@@ -131,7 +131,7 @@ template <class T>
 /// @eq{47}  @derivation{paper/section_2_5_other_masses}  @domain{0 <= tau_k_max <= pi}
 /// @param phi_j      phase of the mass in contact, Eq. (39); radians
 /// @param tau_k_max  instant of the largest absolute displacement in [0, pi]; radians
-/// @param minimum    0 where the displacement is positive there, 1 where it is negative
+/// @param minimum    0 if the displacement is positive there, 1 if it is negative
 /// @return           phi_k, radians; wrap it to (-pi, pi]
 template <class T>
 [[nodiscard]] T phase_of_mass(const T& phi_j, const T& tau_k_max, int minimum) {

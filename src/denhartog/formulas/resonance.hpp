@@ -94,7 +94,7 @@ template <class T>
                   2 * beta * (V_k_abs * magnitude(G_k) + beta * (psi_ki / psi_ji) * U_j * U_k)));
 }
 
-/// @brief The same without the first damping functions, \f$ \overline{X}_k \cong \big||V_{dk}|-\beta|G_k|\big| \f$.
+/// @brief Amplitude at resonance without the first damping functions, \f$ \overline{X}_k \cong \big||V_{dk}|-\beta|G_k|\big| \f$.
 /// @eq{82}  @erratum{82}  @derivation{paper/section_4_1_resonance}  @domain{R_i = 1, 0 < zeta_i << 1, beta below (85)}
 /// @param V_k_abs  amplitude of the complex response function of the mass, Eq. (77)
 /// @param G_k      second damping function of the mass, Eq. (80)

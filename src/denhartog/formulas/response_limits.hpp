@@ -1,5 +1,5 @@
 /// @file
-/// @brief What the response of the mass in contact, (33)-(35) and (38), tends to where modes merge, decouple or grow without
+/// @brief Limits of the response of the mass in contact, (33)-(35) and (38), as modes merge, decouple or grow without
 /// number, and at the boundary of the sliding regime.
 #pragma once
 
@@ -40,7 +40,7 @@ template <class T>
     return beta_lim * (S - G_j);
 }
 
-/// @brief How (38) approaches its value at the boundary (67) from below.
+/// @brief Approach of (38) to its value at the boundary (67) from below.
 /// \f[ \overline{X}_j\big|_{\beta_{\lim}(1-x)} - \overline{X}_j\big|_{\beta_{\lim}} \sim
 ///     \beta_{\lim}\left(\frac{U_{dj}^2}{S}+G_j\right)x \f]
 /// @eq{38,67}  @derivation{forms/response_limits}  @domain{x -> 0 from above}

@@ -17,7 +17,7 @@ namespace denhartog::paper {
 /// @param K_j      row j of the non-dimensional stiffness matrix, Eq. (7), N values
 /// @param x        displacements, N values
 /// @param x_prime  velocities with respect to tau, N values
-/// @param delta_lj part of the load on the mass in contact: 1 where it acts on that alone, 0 where on another; p_j of several
+/// @param delta_lj part of the load on the mass in contact: 1 if it acts on that alone, 0 if on another; p_j of several
 /// @param tau      non-dimensional time, Eq. (5), zero at a maximum of the force; radians
 /// @return         the load, in units of P
 template <class T>
@@ -60,10 +60,10 @@ template <class T>
 /// \f[ \sum_k\left(\overline{K}_{jk} + i\,\overline{C}_{jk}\right)\overline{X}_k^* - \delta_{lj} \f]
 /// @eq{88}  @derivation{paper/section_4_3_stuck}  @domain{contact held at zero, X_j = 0; arrays of one length}
 /// @param C_j      row j of the non-dimensional damping matrix, Eq. (7)
-/// @param K_j      row j of the non-dimensional stiffness matrix, Eq. (7); less that of the mass matrix where it is not diagonal
+/// @param K_j      row j of the non-dimensional stiffness matrix, Eq. (7); less that of the mass matrix if it is not diagonal
 /// @param X        complex amplitudes of the displacements with the contact held, \f$ \bar{x}_k = \mathrm{Re}\{X_ke^{i\tau}\} \f$
-/// @param delta_lj part of the load on the mass in contact: 1 where it acts on that alone, 0 where on another; p_j of several,
-///                 complex where they are out of phase
+/// @param delta_lj part of the load on the mass in contact: 1 if it acts on that alone, 0 if on another; p_j of several,
+///                 complex if they are out of phase
 /// @return         the amplitude, complex; in units of P
 template <class T>
 [[nodiscard]] Complex<T> load_on_held_contact(std::span<const T> C_j, std::span<const T> K_j, std::span<const Complex<T>> X,
@@ -85,13 +85,13 @@ template <class T>
     return modulus(load) / mu;
 }
 
-/// @brief What the first two lines of (88) put for \f$ \beta^*_{\lim} \f$: \f$ \kappa\overline{X}^*/\mu \f$.
+/// @brief The form of \f$ \beta^*_{\lim} \f$ in the first two lines of (88): \f$ \kappa\overline{X}^*/\mu \f$.
 ///
 /// The spring between the contact and its neighbour on the side of the load. The damping forces of the moving masses on the
 /// contact are left out.
 /// @eq{88}  @derivation{paper/section_4_3_stuck}
-/// @domain{chain, j not l; exact where row j of the damping matrix is zero off its diagonal}
-/// @param kappa  stiffness ratio of the spring: kappa_j where j > l, kappa_{j+1} where j < l
+/// @domain{chain, j not l; exact if row j of the damping matrix is zero off its diagonal}
+/// @param kappa  stiffness ratio of the spring: kappa_j if j > l, kappa_{j+1} if j < l
 /// @param X      amplitude of the neighbour with the contact held
 /// @param mu     ratio of static to kinetic friction, Eq. (3)
 /// @return       the friction ratio; dimensionless
@@ -100,7 +100,7 @@ template <class T>
     return kappa * X / mu;
 }
 
-/// @brief The third line of (88): \f$ \beta^*_{\lim} = 1/\mu \f$ where the load acts on the contact, as no other mass moves then.
+/// @brief The third line of (88): \f$ \beta^*_{\lim} = 1/\mu \f$ if the load acts on the contact, as no other mass moves then.
 /// @eq{88}  @derivation{paper/section_4_3_stuck}  @domain{j = l; mu >= 1}
 /// @param mu  ratio of static to kinetic friction, Eq. (3)
 /// @return    the friction ratio; dimensionless

@@ -1,3 +1,5 @@
+// The functions of balls by Arb. Root, exponential, sine and cosine of the last argument are remembered, as formulas ask for
+// them more than once.
 #include "denhartog/number/ball.hpp"
 
 namespace denhartog {

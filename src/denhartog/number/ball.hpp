@@ -2,7 +2,7 @@
 /// @brief A real number known to lie in a ball: the number type of the reference, by Arb.
 ///
 /// Every function gives a ball that holds the result for every number in its arguments, rounding included. A comparison is true
-/// only where it is true of all numbers in both balls. How many bits a midpoint has is a matter of the moment, see `Bits`.
+/// only if it is true of all numbers in both balls. The number of bits of a midpoint is a setting of the thread, see `Bits`.
 #pragma once
 
 #include <arb.h>
@@ -60,15 +60,15 @@ public:
     explicit operator double() const { return arf_get_d(arb_midref(a), ARF_RND_NEAR); }
     /// @brief A ball that holds an interval.
     [[nodiscard]] static Ball within(double from, double to);
-    /// @brief A ball that holds what decimals stand for; NaN where they are no number.
+    /// @brief A ball that holds what decimals stand for; NaN if they are no number.
     [[nodiscard]] static Ball of_text(const std::string& text);
 
     /// @{
-    /// @brief Arithmetic, and comparisons, which are true only where that is certain: `==` where both are one exact number.
+    /// @brief Arithmetic, and comparisons, which are true only if that is certain: `==` if both are one exact number.
     friend Ball operator+(const Ball& x, const Ball& y) { return by(arb_add, x, y); }
     friend Ball operator-(const Ball& x, const Ball& y) { return by(arb_sub, x, y); }
     friend Ball operator*(const Ball& x, const Ball& y) { return by(arb_mul, x, y); }
-    /// @brief Quotient; not finite where the divisor may be zero.
+    /// @brief Quotient; not finite if the divisor may be zero.
     friend Ball operator/(const Ball& x, const Ball& y) { return by(arb_div, x, y); }
     friend Ball operator-(const Ball& x) {
         Ball r;
@@ -130,7 +130,7 @@ struct PiOf<Ball> {
 };
 
 /// @{
-/// @brief Elementary functions: a root is NaN where the number may be negative. The angle of (x, y) is in [-pi, pi]; where it may be
+/// @brief Elementary functions: a root is NaN if the number may be negative. The angle of (x, y) is in [-pi, pi]; where it may be
 /// on either side of that, it is one about pi, so that its ball is no wider than it is uncertain.
 [[nodiscard]] Ball sqrt(const Ball& x);
 [[nodiscard]] Ball exp(const Ball& x);
@@ -144,7 +144,7 @@ struct PiOf<Ball> {
 /// @}
 /// @brief Square root of a number that is known not to be negative, though its ball may reach below zero.
 [[nodiscard]] Ball root_of_positive(const Ball& x);
-/// @brief An angle taken to (-pi, pi] by whole turns, by its midpoint. If it may be -pi exactly, as far as a narrow ball tells,
+/// @brief An angle taken to (-pi, pi] by whole turns, by its midpoint. If it may be -pi exactly, as far as a narrow ball decides,
 /// it is taken next to pi.
 [[nodiscard]] Ball wrapped_in_balls(const Ball& angle);
 /// @brief A ball that holds both.

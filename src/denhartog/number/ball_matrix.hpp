@@ -79,14 +79,14 @@ static_assert(sizeof(Ball) == sizeof(arb_struct), "an entry of a matrix is a bal
     return r;
 }
 
-/// @brief Exponential of a square matrix; wide where x is: never exponentiate a wide ball.
+/// @brief Exponential of a square matrix; wide if x is: never exponentiate a wide ball.
 [[nodiscard]] inline BallMatrix exp(const BallMatrix& x) {
     BallMatrix r(x.rows(), x.columns());
     arb_mat_exp(r.a, x.a, ball_bits);
     return r;
 }
 
-/// @brief A matrix rounded to the bits of the moment.
+/// @brief A matrix rounded to the current bits.
 [[nodiscard]] inline BallMatrix rounded(const BallMatrix& A) {
     BallMatrix r(A.rows(), A.columns());
     for (slong i = 0; i < A.rows(); ++i)
@@ -101,7 +101,7 @@ static_assert(sizeof(Ball) == sizeof(arb_struct), "an entry of a matrix is a bal
     return r;
 }
 
-/// @brief Solves x y = b; false where x may be singular.
+/// @brief Solves x y = b; false if x may be singular.
 [[nodiscard]] inline bool solved(const BallMatrix& x, const BallMatrix& b, BallMatrix& y) {
     y = BallMatrix(x.rows(), b.columns());
     return arb_mat_solve(y.a, x.a, b.a, ball_bits) != 0;

@@ -1,4 +1,4 @@
-// Balls where the library is built with them, and a name for the type in any case. Included by sources only.
+// Balls if the library is built with them, and a name for the type in any case. Included by sources only.
 #pragma once
 
 #include <concepts>

@@ -14,7 +14,7 @@ namespace denhartog {
 
 /// @brief Units in the last place that the library's exponential, sine, cosine and arc tangent are trusted with.
 constexpr double library_units = 0.6;
-/// @brief The same for hyperbolic functions and those of pi times x, which are made of others.
+/// @brief Units in the last place for hyperbolic functions and those of pi times x, which are made of others.
 constexpr double composed_units = 2;
 
 /// @brief Square root; of a number that may be zero, or negative by its error, with an error as large.
@@ -26,7 +26,7 @@ template <class T>
     const T error = a.x > 4 * a.e ? T(a.e / (root + sqrt(T(a.x - a.e)))) : sqrt(T(a.x + a.e));
     return Bounded<T>::of(root, error, root > 0 ? std::abs(elementary::fused_product(-root, root, a.x)) / root : 0);
 }
-/// @brief What the error of an exponent makes of an exponential.
+/// @brief Error of an exponential by the error of its exponent.
 template <class T>
 [[nodiscard]] T error_of_exponential(const Bounded<T>& a, const T& value) {
     // A large error is bounded by the largest value.
@@ -39,7 +39,7 @@ template <class T>
     const T value = exp(a.x);
     return Bounded<T>::rounded(value, error_of_exponential(a, value), library_units);
 }
-/// @brief What the error of an angle makes of its sine or cosine; `rate` is the other of the two.
+/// @brief Error of a sine or cosine by the error of the angle; `rate` is the other of the two.
 template <class T>
 [[nodiscard]] T error_by_angle(const T& e, const T& rate) {
     return std::min(T(2), T(e * (size_of_number(rate) + e)));
@@ -151,7 +151,7 @@ template <class T>
     (void)neglected;
     return value;
 }
-/// @brief The same with a bound, which takes in what was neglected; infinite where that is no number.
+/// @brief The value with a bound that includes a neglected term; infinite if that is no number.
 template <class T>
 [[nodiscard]] Bounded<T> with_neglected(const Bounded<T>& value, const Bounded<T>& neglected) {
     const T bound = value.e + neglected.most();
@@ -176,7 +176,7 @@ class numeric_limits<denhartog::Bounded<T>> : public numeric_limits<T> {};
 
 namespace Eigen {
 
-/// @brief What Eigen asks of a number that it stores.
+/// @brief The traits that Eigen requires of a number.
 template <class T>
 struct NumTraits<denhartog::Bounded<T>> : GenericNumTraits<denhartog::Bounded<T>> {
     using Real = denhartog::Bounded<T>;       ///< the number type

@@ -1,10 +1,10 @@
 /// @file
 /// @brief A number with a bound of its error: sums, products and quotients, errors followed through each.
 ///
-/// What the rounding of a sum, product, quotient or root took is computed, not estimated. The formulas are templates on their number type; on this one they give the error of what they give
-/// on the type inside, without a second computation in more digits. Errors are taken as if independent and of the worst sign, so
-/// that the bound is never too small for the operations carried out and often some times too large. Comparisons compare the
-/// values alone.
+/// The rounding error of a sum, product, quotient or root is computed, not estimated. The formulas are templates on their number
+/// type: on this type they give their value in the type inside and a bound of its error, without a second computation in more
+/// digits. Errors are taken as independent and of the worst sign. The bound is therefore never too small for the operations
+/// carried out, and often several times too large. Comparisons compare the values alone.
 #pragma once
 
 #include <algorithm>
@@ -41,7 +41,7 @@ struct Bounded {
     /// @brief A number with a bound of its error.
     Bounded(const T& value, const T& error) : x(value), e(error) {}
 
-    /// @brief A result with a bound. Where the bound is no number, as of zero times something unbounded, or the result is none,
+    /// @brief A result with a bound. If the bound is no number, as of zero times something unbounded, or the result is none,
     /// there is no bound: it is infinite. `error` is what the errors of the operands make of it, `rounding` how far its own
     /// rounding may have moved it.
     [[nodiscard, gnu::always_inline]] static Bounded of(const T& value, const T& error, const T& rounding) {
@@ -67,7 +67,7 @@ struct Bounded {
         const T product = a.x * b.x, error = size_of_number(a.x) * b.e + size_of_number(b.x) * a.e + a.e * b.e;
         return of(product, error, std::abs(elementary::fused_product(a.x, b.x, -product)));
     }
-    /// @brief Quotient; unbounded where the divisor may be zero.
+    /// @brief Quotient; unbounded if the divisor may be zero.
     [[nodiscard, gnu::always_inline]] friend Bounded operator/(const Bounded& a, const Bounded& b) {
         const T q = a.x / b.x, least = size_of_number(b.x) - b.e;
         const T error = least > 0 ? T((a.e + size_of_number(q) * b.e) / least) : std::numeric_limits<T>::infinity();

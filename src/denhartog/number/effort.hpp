@@ -36,7 +36,7 @@ struct Effort {
 // Whether a budget is exhausted, if there is one.
 [[nodiscard]] inline bool is_exhausted(const Effort* effort) { return effort != nullptr && effort->exhausted(); }
 
-// Spends of a budget, if there is one. Throws PrecisionError where nothing is left of it.
+// Spends of a budget, if there is one. Throws PrecisionError if nothing is left of it.
 inline void pay(Effort* effort, long operations) {
     if (effort == nullptr) return;
     effort->spend(operations);
@@ -49,7 +49,7 @@ inline void pay(Effort* effort, long operations) {
 // Pays half of what products of matrices cost.
 inline void pay_for_products(Effort* effort, long multiplications) { pay(effort, cost_of_products(multiplications) / 2); }
 
-// The budget of a question where none is asked for: about two seconds for twelve modes and fewer, half a minute for a hundred. Up
+// The budget of a question if none is asked for: about two seconds for twelve modes and fewer, half a minute for a hundred. Up
 // to there it grows as products of matrices do that a motion with stops takes.
 [[nodiscard]] constexpr long default_effort(std::size_t modes) {
     const auto N = static_cast<long>(std::max<std::size_t>(modes, 12)), of_modes = 10'000'000 / 12 * N;
@@ -59,7 +59,7 @@ inline void pay_for_products(Effort* effort, long multiplications) { pay(effort,
 // The budget of one question.
 class QuestionEffort : public Effort {
 public:
-    // That of the modes where the user chose none; `asked` now and then ends the question once it gives true.
+    // The budget is that of the modes if the user chose none; `asked` now and then ends the question once it gives true.
     explicit QuestionEffort(std::size_t modes, std::optional<long> by_user = {}, std::function<bool()> asked = {})
         : asked_(std::move(asked)) {
         allowed = by_user.value_or(default_effort(modes));
@@ -73,7 +73,7 @@ private:
     std::function<bool()> asked_;
 };
 
-// A budget that somebody gave, raised to that of the modes where the user chose none; or that of the modes.
+// A budget that somebody gave, raised to that of the modes if the user chose none; or that of the modes.
 class GivenEffort {
 public:
     GivenEffort(Effort* given, std::size_t modes) : own_{default_effort(modes)}, effort_(given != nullptr ? given : &own_) {
@@ -89,11 +89,11 @@ private:
     Effort* effort_;
 };
 
-// What one search may spend: a share of the budget of its question, if there is one, from which it is taken at the end of the
+// The effort that one search may spend: a share of the budget of its question, if there is one, from which it is taken at the end of the
 // scope.
 class SearchEffort : public Effort {
 public:
-    // share: operations, where the user has not chosen the budget of the question
+    // share: operations, if the user has not chosen the budget of the question
     SearchEffort(long share, Effort* question) : question_(question) {
         allowed = share;
         if (question_ == nullptr) return;

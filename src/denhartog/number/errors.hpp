@@ -12,7 +12,7 @@
 
 namespace denhartog {
 
-/// @brief What a reason says; number/why.hpp lists it.
+/// @brief The kinds of reasons, which number/why.hpp lists.
 enum class Why : std::uint8_t;
 
 /// @brief A reason of an answer or a refusal.
@@ -24,23 +24,23 @@ struct Reason {
     bool operator==(const Reason&) const = default;
 };
 
-/// @brief Reasons in the order in which they are told.
+/// @brief Reasons in the order in which they are given.
 struct Reasons : std::vector<Reason> {
     using vector::vector;
     /// @brief One reason. @param says what it says @param numbers the numbers that its sentence needs
     template <class... Numbers>
     Reasons(Why says, const Numbers&... numbers) : vector{Reason{says, {static_cast<double>(numbers)...}}} {}
-    /// @brief What somebody else says. @param text a sentence without its full stop
+    /// @brief A reason in the words of another library. @param text a sentence without its full stop
     template <std::convertible_to<std::string> Text>
     Reasons(const Text& text) : vector{Reason{Why{}, {}, text}} {}
-    /// @brief Goes on. @param more what is told next @return these
+    /// @brief Appends reasons. @param more the reasons to append @return these
     Reasons& operator+=(const Reasons& more) {
         insert(end(), more.begin(), more.end());
         return *this;
     }
 };
 
-/// @brief One reason after the other. @param first what is told first @param then what is told then @return both
+/// @brief Joins reasons. @param first the first ones @param then those after them @return all
 [[nodiscard]] inline Reasons operator+(Reasons first, const Reasons& then) { return std::move(first += then); }
 
 /// @brief Reasons as sentences. @param reasons the reasons @return the sentences, without the last full stop

@@ -1,3 +1,5 @@
+// How is text from outside shown in a message? Read `legible` first: it cuts long text and escapes the characters that a
+// terminal would obey, which `is_obeyed` decides.
 #include "denhartog/number/legible.hpp"
 
 #include <cstdint>
@@ -8,7 +10,7 @@ namespace denhartog {
 namespace {
 
 struct Character {
-    std::size_t bytes = 0; // 0 where the text does not start with a character of UTF-8
+    std::size_t bytes = 0; // 0 if the text does not start with a character of UTF-8
     std::uint32_t code = 0;
 };
 

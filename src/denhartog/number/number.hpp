@@ -1,5 +1,5 @@
 /// @file
-/// @brief What a number type must offer to the formulas.
+/// @brief Requirements of the formulas on a number type.
 ///
 /// A formula of the paper is one function template on its number type `T`. It asks of `T`
 ///  - construction from `int`,

@@ -1,3 +1,5 @@
+// Which double is a decimal, and which decimal shows a double? Read `number_from_text` for the first question and
+// `number_to_text` for the second; `number_in_certain_digits` cuts a number where its error begins.
 #include "denhartog/number/number_text.hpp"
 
 #include <algorithm>

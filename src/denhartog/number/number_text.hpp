@@ -7,7 +7,7 @@
 namespace denhartog {
 
 // A number as text from which the same number can be read again: the shortest such text for `double`; `inf`, `-inf` or
-// `nan` where it is no number.
+// `nan` if it is no number.
 template <class T>
 [[nodiscard]] std::string number_to_text(const T& x);
 template <>
@@ -17,7 +17,7 @@ std::string number_to_text(const double& x);
 [[nodiscard]] std::string number_in_digits(double x, int digits);
 
 // A number rounded for people to the digits that its error leaves, 12 at most. `0 to within` the
-// error where no digit is certain.
+// error if no digit is certain.
 [[nodiscard]] std::string number_in_certain_digits(double x, double error);
 
 template <class T>
@@ -41,7 +41,7 @@ enum class NumberFault {
 [[nodiscard]] std::string number_rule(NumberFault fault);
 
 // A number from its decimal text, rounded once and to nearest: `0.1` is one tenth to all the digits of the type. The
-// number stays as it was where there is a fault.
+// number stays as it was if there is a fault.
 template <class T>
 [[nodiscard]] NumberFault number_from_text(std::string_view text, T& value);
 

@@ -13,10 +13,10 @@ namespace denhartog {
 // more threads are started than there are pieces.
 void parallel_for(std::size_t count, unsigned threads, const std::function<bool(std::size_t n)>& piece);
 
-// Counts what threads have done, and tells of it: one thread at a time.
+// Counts the items that threads have finished, and reports the count: one thread at a time.
 class Progress {
 public:
-    // `told` hears how much is done; it may be empty.
+    // `told` gets the number of finished items; it may be empty.
     explicit Progress(std::function<void(std::size_t done)> told) : told_(std::move(told)) {}
 
     void add(std::size_t more) {
@@ -24,7 +24,7 @@ public:
         done_ += more;
         if (told_) told_(done_);
     }
-    // What is done, once no thread works any more.
+    // Number of finished items, once no thread works any more.
     [[nodiscard]] std::size_t done() const { return done_; }
 
 private:

@@ -8,7 +8,7 @@
 
 namespace denhartog {
 
-// An angle in half turns without whole turns, where there are many: Boost counts half turns in an int. NaN where not finite.
+// An angle in half turns without whole turns, where there are many: Boost counts half turns in an int. NaN if not finite.
 template <class T>
 [[nodiscard]] T without_many_turns(const T& x) {
     constexpr double many = 1e9;
@@ -16,7 +16,7 @@ template <class T>
     return x > -many && x < many ? x : T(fmod(x, T(2)));
 }
 
-// sin(pi x); NaN where x is not finite.
+// sin(pi x); NaN if x is not finite.
 template <class T>
 [[nodiscard]] T sine_of_half_turns(const T& x) {
     if constexpr (std::same_as<T, double>) {
@@ -27,7 +27,7 @@ template <class T>
     }
 }
 
-// cos(pi x); NaN where x is not finite.
+// cos(pi x); NaN if x is not finite.
 template <class T>
 [[nodiscard]] T cosine_of_half_turns(const T& x) {
     if constexpr (std::same_as<T, double>) {

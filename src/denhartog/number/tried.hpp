@@ -1,4 +1,4 @@
-// What came of a computation: its value, or why there is none.
+// The outcome of a computation: its value, or the reason why there is none.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ struct Tried {
     bool at_pole = false; // whether there is none because a formula is outside its domain
     Reasons why{};        // why there is none
 
-    // The value; what was thrown is thrown again where there is none.
+    // The value; what was thrown is thrown again if there is none.
     [[nodiscard]] Value& required() {
         if (at_pole) throw DomainError(why);
         if (!value) throw PrecisionError(why);

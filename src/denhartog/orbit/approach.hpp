@@ -1,5 +1,5 @@
 /// @file
-/// @brief Whether a motion that is followed comes nearer to an orbit for long, as the linearisation of the orbit tells.
+/// @brief Whether a motion that is followed comes nearer to an orbit for long, as the linearisation of the orbit predicts.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace denhartog {
 
-/// @brief Periods after which a motion from a start is no transient any more, where it has not become periodic: 500 and thirty
-/// times a mode's slowest decay time; `most`, which is never exceeded, if damping couples the modes.
+/// @brief Number of periods for which a motion is followed that does not become periodic: 500 and thirty decay times of the
+/// slowest mode, but at most `most`; `most` if damping couples the modes.
 [[nodiscard]] inline int periods_to_follow(const ExactSolver& solver, int most) {
     const ModalBasis<double>& basis = solver.system().basis;
     if (basis.coupled()) return most; // a motion may decay more slowly than the diagonal of the damping tells
@@ -61,11 +61,11 @@ struct RecentStates {
 /// @brief A fixed point of h half-periods, with what is known of its neighbourhood.
 struct OrbitCandidate {
     State z;                       ///< its state at tau = 0
-    int h = 0;                     ///< half-periods; 0 where there is none
+    int h = 0;                     ///< half-periods; 0 if there is none
     Matrix<double> jacobian;       ///< of the map over them
     double rounding = 0;           ///< norm of the map's rounding
     double error = 0;              ///< of the state, in the norm
-    double reach = 0;              ///< nearer than this every motion is proved to tend to it; 0 where that is not known
+    double reach = 0;              ///< nearer than this every motion is proved to tend to it; 0 if that is not known
     bool stable = false;           ///< whether it attracts its neighbours
     double largest_multiplier = 0; ///< over h half-periods
 };
@@ -76,7 +76,7 @@ public:
     /// @brief Forgets what was seen.
     void start_over() { maps_ = -1; }
 
-    /// @brief Takes the state z after one more half-period, to which the map was applied last; `held` tells whether the contact
+    /// @brief Takes the state z after one more half-period, to which the map was applied last; `held` says whether the contact
     /// rested over it.
     void take(const OrbitMap& map, const OrbitCandidate& to, const State& z, bool held) {
         moved_ = moved_ || !held;

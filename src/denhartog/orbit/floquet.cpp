@@ -59,8 +59,8 @@ void make_triangular(ComplexMatrix& R, ComplexMatrix& Q, Eigen::Index i, const s
 
 // A matrix as Q R Q^-1.
 struct TriangularForm {
-    ComplexMatrix R; // a triangular matrix that has the same eigenvalues, on its diagonal; empty where it was not found
-    ComplexMatrix Q; // a unitary matrix, or empty where it is not asked for
+    ComplexMatrix R; // a triangular matrix that has the same eigenvalues, on its diagonal; empty if it was not found
+    ComplexMatrix Q; // a unitary matrix, or empty if it is not asked for
 };
 
 TriangularForm triangular_form(const Matrix<double>& jacobian, bool with_Q = false) {
@@ -145,7 +145,7 @@ void intersect_with_joined(std::vector<SizeRange>& known, std::vector<SizeRange>
     }
 }
 
-// What the sizes of the eigenvalues of a triangular matrix lie in, the largest first, if its entries have an error.
+// Intervals that hold the sizes of the eigenvalues of a triangular matrix whose entries have an error, the largest first.
 std::vector<SizeRange> intervals_of_sizes(const ComplexMatrix& R, double error, double most) {
     const Eigen::Index n = R.rows();
     const double norm = R.norm();
@@ -198,7 +198,7 @@ std::vector<Multiplier> multipliers_of(const Matrix<double>& jacobian, double er
 ApproximateEigenvectors eigenvectors_of(const Matrix<double>& A) {
     const auto [R, Q] = triangular_form(A, true);
     const Eigen::Index n = R.rows();
-    ComplexMatrix Y = ComplexMatrix::Identity(n, n); // R Y = Y diagonal
+    ComplexMatrix Y = ComplexMatrix::Identity(n, n);   // R Y = Y diagonal
     const double least = unit_of<double>() * R.norm(); // keeps equal eigenvalues apart
     for (Eigen::Index k = 0; k < n; ++k)
         for (Eigen::Index i = k - 1; i >= 0; --i) {

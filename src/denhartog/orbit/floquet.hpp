@@ -12,7 +12,7 @@ namespace denhartog {
 /// @brief A Floquet multiplier.
 struct Multiplier {
     std::complex<double> value; ///< the multiplier
-    double error;               ///< bound of the error of its size: of the n-th largest size, where this is the n-th
+    double error;               ///< bound of the error of its size: of the n-th largest size, if this is the n-th
 };
 
 /// @brief Size of a multiplier, the same on every machine.
@@ -21,7 +21,7 @@ struct Multiplier {
 /// @brief Whether there are multipliers, and all are certainly inside the unit circle.
 [[nodiscard]] bool are_inside(const std::vector<Multiplier>& multipliers);
 
-/// @brief Eigenvalues of a map's Jacobian by descending size, each with a bound of the error of its size; none where they were
+/// @brief Eigenvalues of a map's Jacobian by descending size, each with a bound of the error of its size; none if they were
 /// not found.
 ///
 /// The matrix is made triangular by a unitary one, and then diagonal but for what couples eigenvalues of nearly the same value.
@@ -32,7 +32,7 @@ struct Multiplier {
 
 /// @brief Eigenvalues of a matrix, and vectors that belong to them, to rounding.
 struct ApproximateEigenvectors {
-    Eigen::VectorXcd values;              ///< the eigenvalues; none where they were not found
+    Eigen::VectorXcd values;              ///< the eigenvalues; none if they were not found
     Matrix<std::complex<double>> vectors; ///< an eigenvector of each, in columns
     Matrix<std::complex<double>> inverse; ///< the inverse of these columns
 };

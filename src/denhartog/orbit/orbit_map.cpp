@@ -108,13 +108,13 @@ Column OrbitMap::largest_energies() const {
     return largest;
 }
 
-// What errors get of a unit of energy of one mode, the column, into each mode, the row, over the stretch.
+// Error in each mode, the row, over the stretch, by a unit of energy of one mode, the column.
 //
 // Every phase adds some units in the last place of what it makes of the modes; Newton's method settles each mode to its own. A
 // natural frequency that is some units off, at least N, turns the mode by that part of its phase angle, which is the larger the
 // more of its periods fit in the stretch. Modes are turned towards each other by rounding: the difference of their stiffnesses
 // and of their dampings then lets the one force the other, which follows it at rest or is driven over the stretch. Of modes of
-// nearly one frequency the angle may be large; where they are damped differently, that damps each of them by some of the
+// nearly one frequency the angle may be large; if they are damped differently, that damps each of them by some of the
 // other's damping. All these errors are taken as an eighth of the bounds of the closed form. What a damping matrix loses on its
 // way to the modes, where large dashpots nearly cancel, is a force on each mode over the whole stretch.
 Matrix<double> OrbitMap::errors_between_modes(double units, bool of_modes) const {

@@ -17,15 +17,17 @@ namespace denhartog {
 [[nodiscard]] Matrix<double> in_energy_coordinates(const Matrix<double>& J, const Matrix<double>& momentum,
                                                    const Matrix<double>& shapes, const std::vector<double>& r_n, double r);
 
-/// @brief The motion over h half-periods of the force, mirrored after each: the map whose fixed points are the steady motions.
+/// @brief The map whose fixed points are the steady motions: the motion over h half-periods of the force, mirrored after each.
 /// \f[ P^h(z) = (-1)^h\,\Phi_{0\to h\pi}(z) \f]
-/// \f$ \Phi \f$ carries a state, displacements and velocities at tau = 0, to a later instant. The force changes its sign after
-/// half a period, so that P is the same map for every half-period. A fixed point with h = 1 has the symmetry (25).
+/// \f$ \Phi \f$ carries a state, displacements and velocities at \f$ \tau=0 \f$, to a later instant. The force changes its sign
+/// after half a period, so that P is the same map for every half-period. A fixed point with h = 1 has the symmetry (25).
 ///
-/// An object keeps what the last application left: the image, the motion to it, the Jacobian if it was asked for, and bounds of
-/// the rounding errors of both. Energy coordinates are modal displacements times frequencies, then modal velocities, 2N values:
-/// in them the distance of two motions never grows if mu = 1. `of_modes` adds the errors of the modes to the
-/// rounding; no step of Newton's method reduces these.
+/// Newton's method looks for a fixed point, and the Floquet multipliers follow from the Jacobian there. Call `apply` first: the
+/// object then holds the image, the motion to it, the Jacobian if you asked for it, and bounds of the rounding errors of both.
+///
+/// Energy coordinates are 2N values, modal displacements times frequencies and then modal velocities. If \f$ \mu=1 \f$, the
+/// distance of two motions in them never grows. With `of_modes` the bounds include the errors of the modes, which no step of
+/// Newton's method reduces.
 class OrbitMap {
 public:
     /// @brief The map of a system at one frequency and friction; the solver must outlive it.
@@ -35,7 +37,7 @@ public:
 
     const Eigen::Index N; ///< number of masses
 
-    /// @brief Applies the map to the state at tau = 0, with the Jacobian if that is wanted. False where the motion chatters.
+    /// @brief Applies the map to the state z at \f$ \tau=0 \f$, with the Jacobian if that is wanted; false if the motion chatters.
     bool apply(const State& z, int half_periods, bool with_jacobian);
 
     /// @brief Whether the contact rested throughout.
@@ -45,34 +47,34 @@ public:
 
     /// @brief Jacobian of the map, 2N x 2N.
     [[nodiscard]] Matrix<double> jacobian() const { return h_ % 2 != 0 ? Matrix<double>(-motion_->jacobian) : motion_->jacobian; }
-    /// @brief The Jacobian in energy coordinates, where `norm` is Euclid's.
+    /// @brief The Jacobian in energy coordinates, in which `norm` is the Euclidean norm.
     [[nodiscard]] const Matrix<double>& energy_jacobian() const;
-    /// @brief Bound in `norm` of the error of the Jacobian by rounding and the errors of the modes, without that of the events.
+    /// @brief Bound in `norm` of the error of the Jacobian by rounding and by the modes, not by the events.
     [[nodiscard]] double rounding_of_jacobian() const;
 
-    /// @brief The energy of a deviation.
+    /// @brief A deviation in energy coordinates.
     [[nodiscard]] Column in_energy(const Column& dz) const;
-    /// @brief Square root of twice the energy of a deviation, times 1/r: with mu = 1 it never grows between two motions.
+    /// @brief Square root of twice the energy of a deviation, over r: if \f$ \mu=1 \f$ it never grows between two motions.
     [[nodiscard]] double norm(const Column& dz) const { return in_energy(dz).norm(); }
     /// @brief The norm of a state.
     [[nodiscard]] double norm(const State& z) const { return norm(denhartog::difference(z, at_rest(z.x.size()))); }
 
-    /// @brief The rounding in energy.
+    /// @brief Bound of the rounding errors of the image, in energy coordinates.
     [[nodiscard]] Column rounding_in_energy(bool of_modes = false) const;
-    /// @brief The rounding mass by mass: of displacements, then velocities.
+    /// @brief Bound of the rounding errors of the image, mass by mass: of displacements, then velocities.
     [[nodiscard]] Column rounding(bool of_modes = false) const;
 
     /// @brief The solver, which holds the motion of the last application.
     [[nodiscard]] ExactSolver& solver() const { return *solver_; }
-    /// @brief The motion from the start, in the frame that is not mirrored.
+    /// @brief The motion from the start, not mirrored.
     [[nodiscard]] const ExactMotion& motion() const { return *motion_; }
-    /// @brief Image of the last application.
+    /// @brief The image of the last application.
     [[nodiscard]] const State& image() const { return image_; }
-    /// @brief Image less start: displacements, then velocities.
+    /// @brief The image less the start: displacements, then velocities.
     [[nodiscard]] const Column& difference() const { return difference_; }
-    /// @brief Half-periods of the last application, h.
+    /// @brief Number h of half-periods of the last application.
     [[nodiscard]] int half_periods() const { return h_; }
-    /// @brief Half-periods of all applications.
+    /// @brief Number of half-periods of all applications.
     [[nodiscard]] long half_periods_in_all() const { return half_periods_in_all_; }
 
 private:

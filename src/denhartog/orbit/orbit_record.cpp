@@ -56,8 +56,8 @@ std::vector<Stop> stops_of(const OrbitMap& map) {
     return stops;
 }
 
-/// Amplitude and phase of the mass in contact, which is farthest out where it turns back or comes to rest. A place where it is
-/// out by no less than the error of the displacements can tell may be the farthest as well.
+/// Amplitude and phase of the mass in contact, which is farthest out where it turns back or comes to rest. Another such place may
+/// be the farthest as well, if the displacements there differ by no more than their error.
 MassMotion contact_motion(const OrbitMap& map, double error) {
     const ExactMotion& motion = map.motion();
     const auto N = static_cast<std::size_t>(map.N);
@@ -85,7 +85,7 @@ MassMotion contact_motion(const OrbitMap& map, double error) {
     return contact;
 }
 
-// The multipliers of a Jacobian between energies, where no event lets deviations grow by more than `growth`.
+// The multipliers of a Jacobian between energies, if no event lets deviations grow by more than `growth`.
 std::vector<Multiplier> multipliers_in_energy(const OrbitMap& map, const Matrix<double>& jacobian, double error, double growth) {
     const long n = jacobian.rows();
     map.solver().effort().spend(n * n * n / 32); // what making the matrix diagonal takes
@@ -168,7 +168,7 @@ std::optional<PeriodicOrbit> orbit_of(const OrbitMap& map, const State& z, const
     orbit.touching = map.motion().touching;
     if (search.with_stability) {
         orbit.multipliers = multipliers_of_orbit(map, *errors);
-        // With mu = 1, or without stops, no deviation grows, wherever the events are; where every motion is damped it falls.
+        // With mu = 1, or without stops, no deviation grows, wherever the events are; if every motion is damped it falls.
         const bool shrinks = map.solver().excitation().mu == 1 || (map.slides_throughout() && orbit.touching == 0);
         orbit.stable = are_inside(orbit.multipliers) ||
                        (shrinks && (every_motion_is_damped(map.solver().system().basis) ||

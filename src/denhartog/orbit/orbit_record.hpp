@@ -21,7 +21,7 @@ struct ErrorsOfOrbit {
     std::vector<double> velocity; ///< of the velocity of each coordinate, then of each mass that is none; likewise
 };
 
-/// @brief Bounds of the errors over the orbit to which the map was applied last, with its Jacobian; none where the matrix is
+/// @brief Bounds of the errors over the orbit to which the map was applied last, with its Jacobian; none if the matrix is
 /// singular to rounding.
 ///
 /// In modal displacements times frequencies and modal velocities the distance of the start from the fixed point is bounded by
@@ -30,11 +30,11 @@ struct ErrorsOfOrbit {
 [[nodiscard]] std::optional<ErrorsOfOrbit> errors_of(const OrbitMap& map);
 
 /// @brief Reads the orbit with the state z at tau = 0 off the map that was applied to it last, with its Jacobian: all of the
-/// orbit, or half of it where the number h of its half-periods is odd. None where its error is too large for a number, or the
+/// orbit, or half of it if the number h of its half-periods is odd. None if its error is too large for a number, or the
 /// contact does not surely slip.
 [[nodiscard]] std::optional<PeriodicOrbit> orbit_of(const OrbitMap& map, const State& z, const OrbitSearch& search);
 
-/// @brief The steady motion with the contact at rest in x_j, as an orbit of the map, which is applied to it; none where the
+/// @brief The steady motion with the contact at rest in x_j, as an orbit of the map, which is applied to it; none if the
 /// contact does not stay.
 [[nodiscard]] std::optional<PeriodicOrbit> rest_of(OrbitMap& map, const LastingRest& rest, double x_j, const OrbitSearch& search);
 

@@ -61,7 +61,7 @@ private:
         }
     }
 
-    // Takes what one more half-period changed of a motion, where no two motions move apart: less than the one before, but for
+    // Takes what one more half-period changed of a motion, if no two motions move apart: less than the one before, but for
     // rounding.
     void take_change(double next) {
         rises_ += change_ >= 0 && next > change_ * 1.001;
@@ -71,7 +71,7 @@ private:
     // Whether rounding keeps the motion from settling: Newton's method would have to end at it too.
     bool is_restless() { return no_expansion_ && damped_ && rises_ >= 16 && !only_rest_is_steady(); }
 
-    // An orbit of one half-period near a state, where it does not matter whether the motion from the start tends to it.
+    // An orbit of one half-period near a state, if it does not matter whether the motion from the start tends to it.
     bool is_found_near(State z) {
         if (search_.follow_start && !(no_expansion_ && damped_)) return false;
         return shooting_.fixed_point(z, 1, BadSteps::none) && answer(orbit_of(map_, z, search_));
@@ -264,7 +264,7 @@ private:
     RecentStates recent_;
     double change_ = -1; // of the last half-period; negative before the first
     int rises_ = 0;      // half-periods that changed more than the one before
-    State best_;         // nearest to a fixed point so far, where there is one only
+    State best_;         // nearest to a fixed point so far, if there is one only
     double best_step_ = -1;
     OrbitCandidate candidate_;
     Approach approach_;     // of the motion from the start to the candidate

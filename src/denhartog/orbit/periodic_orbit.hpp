@@ -38,13 +38,13 @@ struct OrbitSearch {
 /// @brief A steady motion.
 struct PeriodicOrbit {
     OrbitStatus status = OrbitStatus::not_converged; ///< what was found
-    Reasons reason;                                  ///< why, where the status is no periodic orbit; else what to know of it
+    Reasons reason;                                  ///< why, if the status is no periodic orbit; else what to know of it
     int periods = 1;                                 ///< its period in periods of the force
     bool symmetric = false;                          ///< whether it mirrors itself after half its period, Eq. (25)
-    State start;                         ///< the state at tau = 0, a maximum of the force; the last one where none was found
+    State start;                         ///< the state at tau = 0, a maximum of the force; the last one if none was found
     std::vector<Stop> stops;             ///< within its period, starts ascending in [0, 2 pi periods)
     MassMotion contact{};                ///< amplitude and phase of the mass in contact
-    std::vector<MassMotion> masses;      ///< amplitude and phase of every mass; empty where the contact's alone are asked
+    std::vector<MassMotion> masses;      ///< amplitude and phase of every mass; empty if the contact's alone are asked
     std::vector<Multiplier> multipliers; ///< Floquet multipliers over its period, by descending size
     bool stable = false;                 ///< whether all multipliers are certainly inside the unit circle
     double error_bound = 0;              ///< bound of the error of the displacements, units of P / k_1
@@ -62,15 +62,15 @@ struct PeriodicOrbit {
     return orbit.status == OrbitStatus::periodic || orbit.status == OrbitStatus::permanently_stuck;
 }
 
-/// @brief The steady motion that a start, the state at tau = 0, leads to; or why there is none. InputError where the start breaks
+/// @brief The steady motion that a start, the state at tau = 0, leads to; or why there is none. InputError if the start breaks
 /// a rule.
 ///
-/// The search ends where its effort is spent: `reason` then says how far it came.
-/// With mu = 1 and every damping ratio positive the steady velocities are unique, and the first orbit found is the answer. Else
-/// an orbit is taken only where it is stable and the motion from the start is seen to approach it as its linearisation tells, or,
-/// where it slides without a stop, comes so near that `sliding_reach` proves it, unless `follow_start` is off. A contact at rest
-/// rests for ever where the load on it in the steady stuck motion, and what the decaying rest of the motion adds to that at most,
-/// stay below mu beta; the motion then is one of a continuum, `multipliers` are those of the other masses.
+/// The search ends when its effort is spent: `reason` then says how far it came. If mu = 1 and every damping ratio is positive,
+/// the steady velocities are unique, and the first orbit found is the answer. Otherwise an orbit is accepted only if it is stable
+/// and the motion from the start approaches it as its linearisation predicts; or, for an orbit without stops, comes so near that
+/// `sliding_reach` proves the approach. `follow_start` switches this test off. A contact at rest stays for ever if the load on it
+/// in the steady stuck motion, plus a bound of what the transient adds, is below mu beta. That motion is one of a continuum, and
+/// `multipliers` are those of the other masses.
 [[nodiscard]] PeriodicOrbit periodic_orbit(ExactSolver& solver, const State& start, const OrbitSearch& search = {});
 
 } // namespace denhartog

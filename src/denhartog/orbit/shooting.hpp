@@ -7,7 +7,7 @@
 
 namespace denhartog {
 
-/// @brief How many steps after which the residual does not fall Newton's method bears: it halves such a step, and may then go on
+/// @brief Largest number of steps of Newton's method without a fall of the residual: it halves such a step, and may then go on
 /// from the image of the last good state.
 enum class BadSteps : int { none = 0, some = 16, all_and_go_on_from_image = 40 };
 
@@ -17,16 +17,16 @@ public:
     /// @brief Of a map, which must outlive this.
     explicit Shooting(OrbitMap& map) : map_(&map), contact_(&map.solver().system().stuck.contact) {}
 
-    /// @brief Looks from z for a fixed point of h half-periods in which the contact moves. Where one was found the map was
+    /// @brief Looks from z for a fixed point of h half-periods in which the contact moves. If one was found the map was
     /// applied to it last, with its Jacobian; else z is the state that the search ended at.
     ///
-    /// Where the map jumps, or the contact rests for ever, Newton's method may come nearer to that place by every half step and
+    /// If the map jumps, or the contact rests for ever, Newton's method may come nearer to that place by every half step and
     /// be taken back by every whole one. Nearly every orbit is found without a bad step.
     bool fixed_point(State& z, int h, BadSteps bad_steps) {
         constexpr int most_runs = 40;
         residual_ = -1;
         double least = -1,
-               part = 1; // residual where the last step started, negative where there is none; part of it that is taken
+               part = 1; // residual where the last step started, negative if there is none; part of it that is taken
         int bad = 0;
         for (int n = 0; n < most_runs; ++n) {
             if (!map_->apply(z, h, true)) return false;
@@ -55,13 +55,13 @@ public:
         return false;
     }
 
-    /// @brief Smallest residual that the last search saw; negative where the contact rested throughout.
+    /// @brief Smallest residual that the last search saw; negative if the contact rested throughout.
     [[nodiscard]] double residual() const { return residual_; }
     /// @brief Steps of Newton's method so far.
     [[nodiscard]] int steps() const { return steps_; }
 
 private:
-    // The step from z, where the map was applied last; false where there is none.
+    // The step from z, where the map was applied last; false if there is none.
     bool prepare_step(const State& z) {
         from_ = z;
         image_ = map_->image();

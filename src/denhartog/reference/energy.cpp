@@ -1,3 +1,6 @@
+// How much energy does friction dissipate in a period, what do load, dampers and base do, and with which force? Read
+// `energies_of_orbit` first. The work of the load is that of the first harmonic of the motion, which `HarmonicMotions` takes
+// from the equation of motion (6); `balance` fills in the rest.
 #include "denhartog/reference/energy.hpp"
 
 #include "denhartog/reference/maximum.hpp"
@@ -58,7 +61,7 @@ struct HarmonicMotions {
     }
 };
 
-// What base or wall take up: the force on the base is the row `row_of_x` of the displacements, `row_of_v` of their rates.
+// The force that base or wall take up: that on the base is the row `row_of_x` of the displacements, `row_of_v` of their rates.
 struct ForceOnBase {
     std::vector<Ball> row_of_x{}, row_of_v{};
     Ball part_of_d{}, part_of_d_prime{}; // the same of the base's own motion d cos tau
@@ -89,7 +92,7 @@ struct ForceOnBase {
 
 // Fills in the energies of a motion with the first harmonic X, whose contact dissipates what is in `e` already.
 //
-// In the frame of the displacements the load does the work pi sum Im(conj(X_k) p_k). Where the base moves by d cos tau there,
+// In the frame of the displacements the load does the work pi sum Im(conj(X_k) p_k). If the base moves by d cos tau there,
 // dampers are strained by x - 1 d cos tau, and not by x.
 void balance(const SceneInBalls& s, const std::vector<Number>& X, const ForceOnBase& force, const Ball& d, EnergiesInBalls& e) {
     Ball work(0);

@@ -1,5 +1,5 @@
 /// @file
-/// @brief What a steady motion dissipates in a period of the force, and the forces that it hands over. Proved in every regime.
+/// @brief Energy that a steady motion dissipates in a period of the force, and forces on base and wall; proved in every regime.
 ///
 /// Only the first harmonic of the motion takes energy from the load. With
 /// \f$ \mathbf A = \mathbf K - r^2\mathbf M + \mathrm ir\mathbf C \f$ it is
@@ -25,32 +25,32 @@ struct EnergiesInBalls {
     Ball amplitude{}; ///< largest displacement of the contact, in units of P / k_1
     Ball friction{};  ///< largest size of the force at the contact, in units of P
     Ball on_base{};   ///< largest size of the force that springs and dampers hand to the base, in units of P
-    std::optional<Ball> by_textbooks{}; ///< amplitude of the contact by equivalent viscous damping; none where that has none
+    std::optional<Ball> by_textbooks{}; ///< amplitude of the contact by equivalent viscous damping; none if that has none
 };
 
-/// @brief How the harmonic motion of the base strains springs and dampers: by \f$ d\cos\tau \f$ in the frame of the displacements.
-/// @param motion  what moves
+/// @brief Strain of springs and dampers by the harmonic motion of the base: \f$ d\cos\tau \f$ in the frame of the displacements.
+/// @param motion  the base or the wall, whichever moves
 /// @return        d in units of P / k_1: 1 of a base that moves alone, -1 in the frame of a wall that does, else 0
 [[nodiscard]] Ball motion_of_base_in_frame(BaseMotion motion);
 
 /// @brief The sliding motion. @param s the scene, with its damping matrix @param r its responses @param d as
 /// `motion_of_base_in_frame` @return what it dissipates
-/// @throws Unproved where more bits may help
+/// @throws Unproved if more bits may help
 [[nodiscard]] EnergiesInBalls energies_of_sliding(const SceneInBalls& s, const ResponsesInBalls& r, const Ball& d);
 
 /// @brief A motion from phase to phase.
 ///
 /// Over a phase of sliding \f$ \mathbf A\int\bar{\mathbf x}e^{-\mathrm i\tau}\mathrm d\tau \f$ is what the forces bring, less the
 /// change of \f$ (r^2\mathbf M(\bar{\mathbf x}' + \mathrm i\bar{\mathbf x}) + r\mathbf C\bar{\mathbf x})e^{-\mathrm i\tau} \f$:
-/// states at events alone tell the first harmonic of the contact.
+/// states at events alone determine the first harmonic of the contact.
 /// @param s the scene, with its damping matrix @param motion the motion @param d as `motion_of_base_in_frame` @return what it
 /// dissipates
-/// @throws Unproved where more bits may help
+/// @throws Unproved if more bits may help
 [[nodiscard]] EnergiesInBalls energies_of_orbit(const SceneInBalls& s, const OrbitInPhases& motion, const Ball& d);
 
 /// @brief The motion with the contact at rest. @param s the scene, with its damping matrix @param stuck its response
 /// @param d as `motion_of_base_in_frame` @return what it dissipates
-/// @throws Unproved where more bits may help
+/// @throws Unproved if more bits may help
 [[nodiscard]] EnergiesInBalls energies_of_rest(const SceneInBalls& s, const StuckInBalls& stuck, const Ball& d);
 
 } // namespace denhartog::reference

@@ -1,3 +1,5 @@
+// What is the state at the end of a long phase, whose exponential would cost many squarings? The solution of (6) in one phase by
+// the free motions of its matrix. The constructor separates them, `state` and `propagator` put them together.
 #include "denhartog/reference/fast_phase.hpp"
 
 #include <algorithm>

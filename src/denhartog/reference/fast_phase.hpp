@@ -23,12 +23,12 @@ using NumberInTime = std::function<Series(const Ball& t)>;
 class FastPhases {
 public:
     /// @brief Of a direction as `ContactMechanics::phase` has it.
-    /// @throws Unproved where free motions are not told apart, or the force may be in resonance with one without damping
+    /// @throws Unproved if free motions are not proved distinct, or the force may be in resonance with one without damping
     FastPhases(const ContactMechanics& s, int direction);
 
     /// @brief The state at the end of a phase.
     [[nodiscard]] BallMatrix state(const BallMatrix& Z, const Ball& length) const;
-    /// @brief What takes any state to the end of a phase.
+    /// @brief The matrix that takes any state to the end of a phase.
     [[nodiscard]] BallMatrix propagator(const Ball& length) const;
     /// @brief A number over a phase.
     [[nodiscard]] NumberInTime number(const BallMatrix& row, const BallMatrix& Z) const;

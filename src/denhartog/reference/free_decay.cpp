@@ -1,3 +1,5 @@
+// Where does a motion without a load come to rest? Read `followed` first: it follows (6) from one standstill to the next, and
+// `after_standstill` decides by (74) whether the contact moves on. An energy bound proves that a contact at rest stays.
 #include "denhartog/reference/free_decay.hpp"
 
 #include <algorithm>
@@ -13,7 +15,7 @@ namespace {
 constexpr double norm_of_leap = 2;         // of A times its length
 constexpr double narrowest_part = 0x1p-60; // of a leap in which an event is looked for
 
-// Where a curve falls through zero first, theta in (0, 1]; none where it stays positive. It is positive from the start on, where it
+// First zero of a falling curve, theta in (0, 1]; none if it stays positive. It is positive from the start on, where it
 // vanishes to an order.
 std::optional<Ball> first_fall(const CurveInBalls& c, int order, double a = 0, double b = 1) {
     if (derivative_over(c, a == 0 ? order : 0, a, b) > Ball(0)) return std::nullopt;
@@ -111,7 +113,7 @@ private:
         return ContactMechanics(scene);
     }
 
-    // (74) where the velocity of the contact is zero: 0 where it sticks, else the direction in which its load moves it.
+    // (74) where the velocity of the contact is zero: 0 if it sticks, else the direction in which its load moves it.
     int after_standstill() {
         const Ball load = (s_.load * Z_)(0);
         if (abs(load) < s_.holds) return 0;

@@ -13,7 +13,7 @@
 
 namespace denhartog::reference {
 
-/// @brief Where the velocity of the contact is zero at the end of a stretch of sliding.
+/// @brief The end of a stretch of sliding, where the velocity of the contact is zero.
 struct TurnInBalls {
     Ball tau{}; ///< the instant, counted from the start
     Ball x{};   ///< displacement of the contact, w^T x; units of P / k_1
@@ -28,7 +28,7 @@ struct FreeDecayInBalls {
     Ball rest_at{};                   ///< displacement of the contact at rest
     std::vector<Ball> x{};            ///< places of rest of all masses with the contact there; units of P / k_1
     /// Whether the other masses come to rest there: every free motion of theirs is damped, so that they tend to these places and
-    /// never reach them; false where nothing damps them and they move for ever; empty where neither is proved, or there are none
+    /// never reach them; false if nothing damps them and they move for ever; empty if neither is proved, or there are none
     std::optional<bool> others_come_to_rest{};
     /// Whether the springs pull on the contact at rest with static friction, to all bits: if they are equal, (74) lets it stick
     bool on_limit = false;
@@ -43,7 +43,7 @@ struct FreeDecayInBalls {
 /// and \f$ \mathbf P_M \f$ alike, what they add to the load on the contact,
 /// \f$ \mathbf a^T\bar{\mathbf x}+\mathbf b^T\bar{\mathbf x}' \f$, is at most
 /// \f[ \sqrt{2E\,(\mathbf a^T\mathbf P_K\mathbf a+\mathbf b^T\mathbf P_M\mathbf b)} \f]
-/// (Cauchy and Schwarz). Where this and the load of the springs at rest are less than static friction, the rest lasts.
+/// (Cauchy and Schwarz). If this and the load of the springs at rest are less than static friction, the rest lasts.
 /// @eq{6,74,75}
 /// @param scene    the scene with its damping matrix; its load p counts for nothing
 /// @param x        displacements at the start, N x 1; units of P / k_1
@@ -53,7 +53,7 @@ struct FreeDecayInBalls {
 /// @param last     whether no more bits will be tried: a single mass whose springs pull with static friction to all bits then
 ///                 rests, see `on_limit`
 /// @return         the motion
-/// @throws         Unproved where more bits may help; PrecisionError where the work allowed is spent before the motion has come to
+/// @throws         Unproved if more bits may help; PrecisionError if the work allowed is spent before the motion has come to
 ///                 its end
 [[nodiscard]] FreeDecayInBalls free_decay_in_balls(const SceneInBalls& scene, const BallMatrix& x, const BallMatrix& x_prime,
                                                    const std::optional<Ball>& until, bool last);

@@ -1,3 +1,5 @@
+// The solution of z' = B z by simple eigenvalues: `FreeMotions` proves them, `shares_of` splits a state among them, and
+// `weights` and `sum_of` put a number together again.
 #include "denhartog/reference/free_motions.hpp"
 
 #include "denhartog/number/effort.hpp"
@@ -22,7 +24,7 @@ void add_free_motion(const ComplexBall& lambda, const Ball& tau, std::vector<Ser
     e.push_back(std::move(im));
 }
 
-// The same over a stretch, from the middle.
+// Adds a free motion over a stretch, from its series in the middle.
 void add_over_stretch(const ComplexBall& lambda, const Series& re, const Series& im, const Ball& tau, std::vector<Series>& e) {
     const Ball speed = root_of_positive(lambda.re() * lambda.re() + lambda.im() * lambda.im()), off = tau - middle(tau);
     const Ball size = upper_bound_of(exp(larger(lambda.re() * Ball(tau.low()), lambda.re() * Ball(tau.high()))));

@@ -20,7 +20,7 @@ struct ComplexBall {
     ComplexBall() { acb_init(a); }
     /// @brief A copy.
     ComplexBall(const ComplexBall& b) : ComplexBall() { acb_set(a, b.a); }
-    /// @brief The same number, taken from the other.
+    /// @brief Takes the number of another one.
     ComplexBall(ComplexBall&& b) noexcept : ComplexBall() { acb_swap(a, b.a); }
     /// @brief Assignment.
     ComplexBall& operator=(ComplexBall b) noexcept {
@@ -49,7 +49,7 @@ public:
     [[nodiscard]] acb_ptr all() const { return a->entries; }
 };
 
-/// @brief The free motions of a system, where its eigenvalues are proved simple: \f$ \mathrm e^{\mathbf B\tau} = \sum_i
+/// @brief The free motions of a system, if its eigenvalues are proved simple: \f$ \mathrm e^{\mathbf B\tau} = \sum_i
 /// \mathbf r_i\mathrm e^{\lambda_i\tau}\mathbf l_i^{\mathrm T} \f$.
 class FreeMotions {
 public:
@@ -60,9 +60,9 @@ public:
     [[nodiscard]] bool are_simple() const { return simple_; }
     /// @brief A rate of the free motion.
     [[nodiscard]] const ComplexBall& lambda(std::size_t i) const { return lambda_[i]; }
-    /// @brief How much of each free motion is in a state: \f$ \mathbf l_i^{\mathrm T}\mathbf z \f$.
+    /// @brief Share of each free motion in a state: \f$ \mathbf l_i^{\mathrm T}\mathbf z \f$.
     [[nodiscard]] std::vector<ComplexBall> shares_of(const BallMatrix& z) const;
-    /// @brief What the free motions add to a number, a row over states: factors of the real and the imaginary part of each in turn.
+    /// @brief Weights of the free motions in a number, a row over states: of the real and the imaginary part of each in turn.
     [[nodiscard]] std::vector<Ball> weights(const BallMatrix& row, const std::vector<ComplexBall>& shares) const;
     /// @brief The state that shares of the free motions have come to at a time.
     [[nodiscard]] BallMatrix state(std::vector<ComplexBall> shares, const Ball& t) const;

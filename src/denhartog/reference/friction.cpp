@@ -1,3 +1,5 @@
+// What do load and friction add to the motion if each mode moves by itself? V, U, G and H by (23), (28), (29) and (33)-(35),
+// (64). Read `responses_of_modes` first; `FrictionMotionOfMode` is the brace of (40) and (41) as a function of time.
 #include "denhartog/reference/friction.hpp"
 
 #include <algorithm>
@@ -12,7 +14,7 @@
 namespace denhartog::reference {
 namespace {
 
-// What is left of F - 1 of a mode that is damped critically or beyond.
+// The parts of F - 1 that die out, for a mode that is damped critically or beyond.
 std::vector<MotionThatDiesOut> parts_that_die_out(const Ball& R, const Ball& zeta) {
     const auto mirrored = [](const Ball& rate) { return 1 + exp(rate * pi<Ball>()); };
     if ((zeta - 1).is_zero()) {

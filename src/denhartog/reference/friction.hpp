@@ -1,5 +1,5 @@
 /// @file
-/// @brief What the load and the friction each add to the motion: V, U, G, H and the friction motion, (23) to (35), (41), (64).
+/// @brief The shares of load and friction in the motion: V, U, G, H and the friction motion, (23) to (35), (41), (64).
 #pragma once
 
 #include <algorithm>
@@ -37,22 +37,22 @@ struct FrictionMotionOfMode {
     Ball largest{};                         ///< a bound of |F - 1| throughout
     std::vector<MotionThatDiesOut> parts{}; ///< of F - 1, from critical damping on
 
-    /// @brief Of a damping ratio that is told from critical damping.
+    /// @brief The motion for a damping ratio that is proved not critical.
     FrictionMotionOfMode(const Ball& R, const Ball& zeta);
     /// @brief The motion and its derivatives at an instant, exact.
     [[nodiscard]] Series at(const Ball& tau) const;
-    /// @brief The same over a stretch, from its series in the middle.
+    /// @brief The motion over a stretch, from its series in the middle.
     [[nodiscard]] Series over(const Series& in_the_middle, const Ball& tau) const;
-    /// @brief How large F - 1 is over a stretch and later, below critical damping: it is e^(-zeta tau / R) times a cosine.
+    /// @brief Bound of F - 1 over a stretch and later, below critical damping: it is e^(-zeta tau / R) times a cosine.
     [[nodiscard]] Ball most_of(const Ball& tau) const;
-    /// @brief How far \f$ y = R^2F \f$ of two modes whose R is in the ball are apart at most throughout.
+    /// @brief Largest difference, at any instant, of \f$ y = R^2F \f$ of two modes whose R is in the ball.
     ///
     /// They obey \f$ y'' + dy' + \lambda y = 1 \f$, with \f$ d = 2\zeta/R \f$ and \f$ \lambda = 1/R^2 \f$. Their difference
     /// \f$ \delta \f$ obeys it with \f$ -(\Delta d\,y' + \Delta\lambda\,y) \f$ in place of 1. Damping takes energy away, so that
     /// \f$ \sqrt{\delta'^2 + \lambda\delta^2} \f$ grows by less than the integral of that; at 0 it follows from u and g. The
     /// derivative of order n is at most so often as large as `changes` to the n.
     [[nodiscard]] Ball apart() const;
-    /// @brief How fast such a difference changes at most.
+    /// @brief Largest rate of such a difference.
     [[nodiscard]] Ball changes() const { return 4 * (1 + zeta) * (1 + speed); }
     /// @brief Taylor's coefficients that follow from the first three, as many as are wanted.
     void go_on(std::vector<Ball>& c, std::size_t terms) const;
@@ -90,7 +90,7 @@ private:
 
 /// @brief Acceleration of the contact by a unit force on it: the sum of (w^T psi_i)^2 over the modes is w^T M^-1 w / r^2.
 /// @eq{65}
-/// @throws Unproved where the mass matrix is not proved regular
+/// @throws Unproved if the mass matrix is not proved regular
 [[nodiscard]] Ball acceleration_of_contact(const SceneInBalls& scene);
 
 /// @brief Response functions at a frequency ratio, of the N masses and then of the contact, w^T x.
@@ -102,7 +102,7 @@ struct ResponsesInBalls {
     Ball squares{};                 ///< acceleration of the contact by a unit force on it: the sum (65)
     Complex<Ball> Y{};              ///< displacement of the contact by a unit harmonic force on it
     FrictionInTime friction{};      ///< the friction motion
-    ModesInBalls modes{};           ///< the modes, where damping is given by their ratios; else none
+    ModesInBalls modes{};           ///< the modes, if damping is given by their ratios; else none
 
     /// @brief Place of the contact among the rows.
     [[nodiscard]] std::size_t contact() const { return V.size() - 1; }
@@ -113,26 +113,26 @@ struct ResponsesInBalls {
     return zeta < Ball(1) || zeta > Ball(1) || (zeta - 1).is_zero();
 }
 
-/// @brief Whether every mode moves by itself: its damping is told from critical damping.
+/// @brief Whether every mode moves by itself: its damping is proved not critical.
 [[nodiscard]] inline bool are_told_apart(const ModesInBalls& modes) {
     return std::ranges::all_of(modes.zeta, is_told_from_critical);
 }
 
 /// @brief The response functions by the paper's formulas, and those of modes that are damped critically or beyond.
 /// @eq{23,28,29,33,34,35,41,64,65}
-/// @throws Unproved where the bits do not suffice
+/// @throws Unproved if the bits do not suffice
 [[nodiscard]] ResponsesInBalls responses_of_modes(const SceneInBalls& scene, ModesInBalls modes);
 
-/// @brief The same where the scene gives a damping matrix, or damping is not told from critical damping.
+/// @brief Responses of a scene that gives a damping matrix, or whose damping may be critical.
 ///
 /// Between two turns of the contact the state \f$ \mathbf z = (\bar{\mathbf x}, \bar{\mathbf x}') \f$ obeys
 /// \f$ \mathbf z' = \mathbf A\mathbf z + \mathbf b \f$ under a unit force on the contact. The motion that mirrors itself is
 /// \f$ \mathbf F(\tau) = \mathbf F_\infty - 2e^{\mathbf A\tau}(\mathbf I + e^{\mathbf A\pi})^{-1}\mathbf F_\infty \f$, with the
-/// static displacements \f$ \mathbf F_\infty \f$. Where the eigenvalues are proved simple, the exponential is a sum of free
+/// static displacements \f$ \mathbf F_\infty \f$. If the eigenvalues are proved simple, the exponential is a sum of free
 /// motions \f$ e^{\lambda\tau} \f$.
 [[nodiscard]] ResponsesInBalls responses_of_state(const SceneInBalls& scene);
 
-/// @brief The same of one mass at r = R, which is a mode by itself: for modes whose damping is not told from critical damping.
+/// @brief Responses of one mass at r = R, which is a mode by itself: for modes whose damping may be critical.
 [[nodiscard]] ResponsesInBalls responses_of_one_mass(const Ball& R, const Ball& zeta, Effort* effort = nullptr);
 
 } // namespace denhartog::reference

@@ -1,3 +1,6 @@
+// What do load and friction add if damping couples the modes? The motion with the symmetry (25) of z' = A z + b, the state form
+// of (6), over a half-period. Read `responses_of_state` first; `add_free_motions` and `add_states` are two ways to the free
+// part.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -53,7 +56,7 @@ Complex<Ball> at_contact(const SceneInBalls& s, const std::vector<Complex<Ball>>
     return sum;
 }
 
-// How often A tau is halved until it is small.
+// Number of times that A tau is halved until it is small.
 double halvings_of(const BallMatrix& A, const Ball& tau) { return binary_logarithm(std::max(1.0, norm(A) * tau.high())); }
 
 // e^(A tau): a series for a small part of A, squared as often as that was halved. Each squaring takes a bit of what is right.
@@ -126,10 +129,10 @@ void add_free_motions(const SceneInBalls& s, const FreeMotions& free, const Ball
     f.shared = free.in_time();
 }
 
-// The same by the exponential of the matrix, where eigenvalues may coincide.
+// Adds the states by the exponential of the matrix, if eigenvalues may coincide.
 void add_states(const SceneInBalls& s, const StateMatrix& m, FrictionInTime& f) {
     const slong N = s.N();
-    // With more bits the eigenvalues of so fast a system may be told apart, which costs less.
+    // With more bits the eigenvalues of so fast a system may prove distinct, which costs less.
     if (!(4 * halvings_of(m.A, pi<Ball>()) < static_cast<double>(ball_bits)))
         throw Unproved("a mode is too fast for the state to be followed");
     BallMatrix begin;

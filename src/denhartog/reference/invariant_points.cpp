@@ -1,3 +1,5 @@
+// At which frequencies does the amplitude of a mass not depend on friction? At the zeros of (87) without damping. Read
+// `add_zeros` first, which divides the range of 1/r; `TransmissibilityInBalls` is the function whose zeros are proved.
 #include "denhartog/reference/invariant_points.hpp"
 
 #include <algorithm>
@@ -114,7 +116,7 @@ private:
     InvariantPointKind kind_;
 };
 
-// What the masses do where mass c moves by 1 and no load acts on them; none of those in a part with a load, or near a resonance.
+// Displacements of the masses if mass c moves by 1 and no load acts; none of a mass in a part with a load, or near a resonance.
 std::vector<std::optional<Ball>> moved_by(const SceneInBalls& s, slong c, const Ball& r) {
     std::vector<std::optional<Ball>> moved(static_cast<std::size_t>(s.N()));
     moved[static_cast<std::size_t>(c)] = Ball(1);
@@ -168,7 +170,7 @@ void add_point(const SceneInBalls& s, const TransmissibilityInBalls& f, const Ba
     if (r < range.a || r > range.b) return;
     const bool by_87 = kind == InvariantPointKind::two_effects_cancel;
     const ResponsesAtX<Ball> here = f.responses(x);
-    // Where a function has no bound the zero may be a pole of it, which the factors have made one.
+    // If a function has no bound the zero may be a pole of it, which the factors have made one.
     const bool bounded = here.V_k.finite() && here.U_k.finite() && (!by_87 || (here.V_j.finite() && here.U_j.finite()));
     if (bounded && by_87 && here.V_j.may_vanish() && is_zero_of_common_factor(s, found.mass.index, here, r)) return;
     if (bounded && (!by_87 || !(here.V_j.may_vanish() || here.U_k.may_vanish())))

@@ -1,3 +1,6 @@
+// How large is a smooth function over the half-period at most, and where? A search in doubles narrows the place down, and
+// `refined` proves it in all bits. `largest_over_sine` is for (57), a quotient whose numerator and denominator vanish at both
+// ends.
 #include "denhartog/reference/maximum.hpp"
 
 #include <algorithm>
@@ -8,10 +11,10 @@
 namespace denhartog::reference {
 namespace {
 
-// What has the sign of a function's rate, and its slope.
+// A function with the sign of another one's rate, and the slope of the first.
 using RateInTime = std::function<ValueAndSlope(const Ball&)>;
 
-// The stretch halved, as often as the bits can tell and no more often than is asked for.
+// The stretch halved, as often as the bits decide and no more often than is asked for.
 Ball halved(Ball at, const RateInTime& f, slong most) {
     for (slong looks = 0; looks < most; ++looks) {
         const Ball m = middle(at), there = f(m).value, half = radius_of(at) / 2;
@@ -25,7 +28,7 @@ Ball halved(Ball at, const RateInTime& f, slong most) {
     return at;
 }
 
-// Where Newton's method leads from the middle of a stretch, without proof. More bits are taken as digits come.
+// The place that Newton's method finds from the middle of a stretch, without proof. More bits are taken as digits come.
 Ball likely_place(const Ball& at, const RateInTime& f) {
     const slong full = ball_bits;
     Ball m = middle(at), last = radius_of(at);
@@ -55,10 +58,10 @@ Ball stretch(double from, double to) {
     return from < end ? either(Ball(from), pi<Ball>()) : pi<Ball>();
 }
 
-// What a search sees of a function. It is in doubles, and the function may be beyond their range: it searches the function over
+// A function as a search in doubles sees it. As it may be beyond the range of double, the search is of the function over
 // its size.
 struct SeenBySearch {
-    slong bits; // few, or all where the function is so small a difference of its terms that few show little of it
+    slong bits; // few, or all if the function is so small a difference of its terms that few show little of it
     Ball size;  // about its largest value, exact
 };
 
@@ -80,7 +83,7 @@ SeenBySearch seen_by_search(const std::function<Ball(const Ball&)>& f) {
     throw Unproved("a sum is too small a difference of its terms");
 }
 
-// From stretches to the largest value in the bits of the moment.
+// From stretches to the largest value in the current bits.
 LargestInBalls refined(const LargestOnStretches& found, const std::function<Ball(const Ball&)>& value, const RateInTime& rate) {
     if (!found.settled || found.stretches.empty()) throw Unproved("a largest value is not settled");
     LargestInBalls best;
@@ -102,7 +105,7 @@ LargestInBalls refined(const LargestOnStretches& found, const std::function<Ball
     return best;
 }
 
-// Where a function is going from a to b, from what has the sign of its rate, and from the sign of the slope of that.
+// The trend of a function from a to b, by a function with the sign of its rate and the slope of that function.
 template <class Rate>
 TrendOnStretch trend_by(const Ball& slope_of_rate, double a, double b, const Rate& rate) {
     const bool up = slope_of_rate.low() > 0;
@@ -113,7 +116,7 @@ TrendOnStretch trend_by(const Ball& slope_of_rate, double a, double b, const Rat
     return at_a.low() > 0 && at_b.high() < 0 ? TrendOnStretch::one_maximum : TrendOnStretch::unknown;
 }
 
-// Where a smooth function may be largest, if it is at least so large, searched for with some bits.
+// Stretches on which a smooth function may have its largest value, if that is `at_least` so large; searched for with some bits.
 LargestOnStretches stretches_of(const FunctionOfTime& f, slong bits, double at_least) {
     SearchedFunction<Ball> searched;
     searched.value = [&](const Ball& t) { return f(static_cast<double>(t) < end ? t : pi<Ball>()).rate(0); };

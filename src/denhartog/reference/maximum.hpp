@@ -16,7 +16,7 @@ struct ValueAndSlope {
     Ball slope{}; ///< its slope
 };
 
-/// @brief The place, with all bits of the moment, of the one zero in a stretch of a function that falls through it.
+/// @brief The place, in all current bits, of the one zero in a stretch of a function that falls through it.
 ///
 /// A step of Newton's method that leads from a small stretch about the likely place into itself proves it. If it does not,
 /// halving finds the place.
@@ -25,7 +25,7 @@ struct ValueAndSlope {
 /// @brief A largest value, and where it is taken.
 struct LargestInBalls {
     Ball value{};   ///< the largest value
-    Ball instant{}; ///< an instant at which it is taken; where several may be the largest, a ball that holds them all
+    Ball instant{}; ///< an instant at which it is taken; if several may be the largest, a ball that holds them all
 };
 
 /// @brief A function by its series about an instant or over a stretch.
@@ -41,13 +41,13 @@ using FunctionOfTime = std::function<Series(const Ball& tau)>;
 
 /// @brief The largest value of a function and the largest of its negative.
 struct LargestBothWays {
-    std::optional<LargestInBalls> up{};   ///< the largest value; none where it is certainly not the largest in size
+    std::optional<LargestInBalls> up{};   ///< the largest value; none if it is certainly not the largest in size
     std::optional<LargestInBalls> down{}; ///< the largest of the negative; none likewise
 };
 
 /// @brief The largest size of a function on [0, pi], by a search with few bits and then by Newton's method with all bits of the
 /// moment.
-/// @throws Unproved where the search does not come to its end
+/// @throws Unproved if the search does not come to its end
 [[nodiscard]] LargestBothWays largest_size_of(const FunctionOfTime& f);
 
 /// @brief The largest value on [0, pi] of n / sin for a function n that is zero at both ends.
@@ -55,7 +55,7 @@ struct LargestBothWays {
 /// \f$ W = n'\sin - n\cos \f$ has the sign of the rate of the quotient, and \f$ W' = (n'' + n)\sin \f$. At the ends the quotient
 /// is the rate of n over the cosine. Z is n'' + n with its slope and curvature, where that is a small difference of large terms.
 /// @eq{54,56,57}
-/// @throws Unproved where the search does not come to its end
+/// @throws Unproved if the search does not come to its end
 [[nodiscard]] LargestInBalls largest_over_sine(const FunctionOfTime& n, const FunctionOfTime& Z = {});
 
 } // namespace denhartog::reference

@@ -1,3 +1,5 @@
+// Natural frequencies and mode shapes, (15), with proof. `natural_modes` makes the matrix nearly diagonal and bounds what is
+// left; modes that are not proved distinct stay together in a cluster. `damping_matrix_in_balls` is (19).
 #include "denhartog/reference/modes.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -61,7 +63,7 @@ BallMatrix eigenvectors_in_double(const BallMatrix& A) {
     return X;
 }
 
-// The same in the bits of the moment, where double has lost the small ones beside the large.
+// Eigenvectors in the current bits, if double has lost the small entries beside the large.
 BallMatrix eigenvectors_in_bits(const BallMatrix& A, Payment& payment) {
     const slong N = A.rows();
     payment.pay(N * N * N * 100);

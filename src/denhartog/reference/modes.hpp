@@ -11,7 +11,7 @@
 
 namespace denhartog::reference {
 
-/// @brief Modes whose frequencies the bits at hand do not tell apart. They enter every sum as a whole.
+/// @brief Modes whose frequencies the bits at hand do not distinguish. They enter every sum as a whole.
 struct ModeCluster {
     std::size_t first = 0; ///< its first mode
     std::size_t last = 0;  ///< the mode behind its last
@@ -34,12 +34,12 @@ struct ModesInBalls {
     /// @brief Row of the load, p^T psi_i.
     [[nodiscard]] const std::vector<Ball>& at_load() const { return psi[static_cast<std::size_t>(N) + 1]; }
 
-    /// @brief Row of the imaginary part of the load; null where forces are in phase.
+    /// @brief Row of the imaginary part of the load; null if forces are in phase.
     [[nodiscard]] const std::vector<Ball>* at_load_i() const {
         return psi.size() > static_cast<std::size_t>(N) + 2 ? &psi.back() : nullptr;
     }
 
-    /// @brief What the sum of psi_ki psi_ni f_i over the modes leaves open, if a cluster has one ball f for all its modes.
+    /// @brief Error of the sum of psi_ki psi_ni f_i over the modes if all modes of a cluster share one ball f.
     ///
     /// With f_i = f + e_i and |e_i| at most e, the sum of psi_ki psi_ni f_i differs from that with f alone by at most e times
     /// the product of the lengths of both rows in the cluster (Cauchy and Schwarz), whichever basis the shapes are.
@@ -48,7 +48,7 @@ struct ModesInBalls {
     [[nodiscard]] static Ball lengths_in(const ModeCluster& cluster, const std::vector<Ball>& k, const std::vector<Ball>& n);
 };
 
-/// @brief What of the modes depends neither on the frequency ratio nor on damping and friction.
+/// @brief Frequencies and shapes of the modes, which depend neither on the frequency ratio nor on damping and friction.
 struct NaturalModesInBalls {
     std::vector<Ball> lambda{};           ///< squares of the natural frequency ratios, ascending
     std::vector<std::vector<Ball>> phi{}; ///< mass-normalised shapes, with the rows of `ModesInBalls::psi`
@@ -60,7 +60,7 @@ struct NaturalModesInBalls {
 /// from any thread.
 class KeptModes {
 public:
-    /// @brief The natural modes of a scene in the bits of the moment. A question pays for them as if it had solved for them: what
+    /// @brief The natural modes of a scene in the current bits. A question pays for them as if it had solved for them: what
     /// it may cost does not depend on what was asked before.
     /// @throws as `modes_in_balls`; nothing is kept then
     [[nodiscard]] std::shared_ptr<const NaturalModesInBalls> of(const SceneInBalls& scene);
@@ -88,7 +88,7 @@ private:
 /// vector within \f$ \sqrt2\varepsilon/\delta \f$.
 /// Without damping ratios `zeta` is empty.
 /// @eq{13,14,15,16,17,22}
-/// @throws Unproved where the mass matrix is not proved positive definite, a frequency is not proved positive, or modes of
+/// @throws Unproved if the mass matrix is not proved positive definite, a frequency is not proved positive, or modes of
 ///               one cluster have different damping ratios
 [[nodiscard]] ModesInBalls modes_in_balls(const SceneInBalls& scene);
 
@@ -98,10 +98,10 @@ private:
 /// @brief The damping matrix that gives the modes their damping ratios. @eq{19}
 [[nodiscard]] BallMatrix damping_matrix_in_balls(const SceneInBalls& scene, const ModesInBalls& modes);
 
-/// @brief The same scene with the load of its base or wall, where that depends on the frequency: in the frame at rest
+/// @brief A copy of a scene with the load of its base or wall, if that depends on the frequency: in the frame at rest
 /// \f$ (\mathbf K + \mathrm ir\mathbf C)\mathbf 1 \f$ of a base that moves alone; in that of a wall that does
 /// \f$ -(\mathbf K + \mathrm ir\mathbf C - r^2\mathbf M)\mathbf 1 \f$.
-/// @throws as `modes_in_balls`, where (19) is needed
+/// @throws as `modes_in_balls`, if (19) is needed
 [[nodiscard]] SceneInBalls with_load_of_base(SceneInBalls scene);
 
 } // namespace denhartog::reference

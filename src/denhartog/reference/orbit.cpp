@@ -1,3 +1,6 @@
+// What is a proved motion with stops? Read `proved_orbit` first: it takes a guess from double, proves the motion
+// (orbit_newton.cpp), the law of friction (orbit_proof.cpp), amplitudes (orbit_peaks.cpp) and multipliers
+// (orbit_multipliers.cpp).
 #include "denhartog/reference/orbit.hpp"
 
 #include <algorithm>
@@ -8,7 +11,7 @@
 namespace denhartog::reference {
 namespace {
 
-constexpr slong bits_of_multipliers[] = {64, 192}; // the next, with slopes of its own, where the slopes of the proof do not tell
+constexpr slong bits_of_multipliers[] = {64, 192}; // the next, with slopes of its own, if the slopes of the proof do not decide
 
 // An instant moved by whole periods to [0, period), by its midpoint; the other by as many.
 void bring_into_period(Ball& start, Ball& end, const Ball& period) {

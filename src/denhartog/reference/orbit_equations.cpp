@@ -1,3 +1,5 @@
+// Which equations does a motion with stops solve? One for each phase, by (6), and one for each event, by (3) and (74). The
+// unknowns are the states and the instants of the events; `linearised` gives the derivatives over a box of unknowns.
 #include "denhartog/reference/orbit_equations.hpp"
 
 #include <algorithm>
@@ -15,7 +17,7 @@ BallMatrix row_of(const BallMatrix& w, slong from, slong length) {
     return row;
 }
 
-// M^-1, without noise where M is diagonal, so that what is zero stays so.
+// M^-1, without noise if M is diagonal, so that what is zero stays so.
 BallMatrix inverse_of(const BallMatrix& M) {
     if (arb_mat_is_diag(M.a) != 0) {
         BallMatrix inverse(M.rows(), M.rows());

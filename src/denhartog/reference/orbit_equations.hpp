@@ -47,16 +47,16 @@ struct ContactMechanics {
     [[nodiscard]] slong n() const { return 2 * N + 3; }
     /// @brief The matrix A of a phase: direction 1 or -1 while the contact slides, against a constant friction, 0 while it sticks.
     [[nodiscard]] BallMatrix phase(int direction) const;
-    /// @brief What takes any state through a part of a phase, \f$ \mathrm e^{\mathbf A h} \f$.
+    /// @brief The matrix that takes any state through a part of a phase, \f$ \mathrm e^{\mathbf A h} \f$.
     [[nodiscard]] BallMatrix propagator(int direction, const Ball& h) const;
-    /// @brief All phases of a kind by their free motions; null where these are not told apart, or the force may excite one without
+    /// @brief Phases of a kind by their free motions; null if these are not proved distinct, or the force may excite one without
     /// damping.
     [[nodiscard]] const std::shared_ptr<FastPhases>& by_free_motions(int direction) const;
     /// @brief The displacement of the contact, \f$ \mathbf w^T\bar{\mathbf x} \f$, as a row over Z.
     [[nodiscard]] BallMatrix place() const;
     /// @brief The velocity of the contact, \f$ \mathbf w^T\bar{\mathbf x}'/\sigma \f$, as a row over Z.
     [[nodiscard]] BallMatrix speed() const;
-    /// @brief What is zero where a phase ends: the velocity of a contact that slides, or the load on a contact that sticks less
+    /// @brief The zero at the end of a phase: the velocity of a contact that slides, or the load on a contact that sticks less
     /// static friction, (74); as a row over Z. The directions are those of the phases before and after.
     [[nodiscard]] BallMatrix ending(int before, int after) const;
 };
@@ -64,7 +64,7 @@ struct ContactMechanics {
 /// @brief A matrix whose entries are off by no more than a part of the largest of their column.
 [[nodiscard]] BallMatrix with_width(BallMatrix E, double part);
 
-/// @brief Where the unknowns are, and the order of the phases.
+/// @brief Places of the unknowns, and the order of the phases.
 struct OrbitUnknowns {
     std::vector<int> directions{}; ///< as in `OrbitGuess`
     bool mirrored = false;         ///< as in `OrbitGuess`
@@ -75,7 +75,7 @@ struct OrbitUnknowns {
     [[nodiscard]] slong m() const { return static_cast<slong>(directions.size()) - 1; }
     /// @brief Number of displacements and velocities.
     [[nodiscard]] slong states() const { return u.rows() - m(); }
-    /// @brief What the stretch does to a state: -1 where it mirrors it.
+    /// @brief Sign that the stretch gives to a state: -1 if it mirrors it.
     [[nodiscard]] int sign() const { return mirrored ? -1 : 1; }
     /// @brief Direction in the phase before event i; that of m + 1 is after event m.
     [[nodiscard]] int direction(slong i) const;
@@ -90,7 +90,7 @@ struct OrbitUnknowns {
 };
 
 /// @brief The unknowns where a guess puts them, exact.
-/// @throws Disproved where no contact has such an order of phases
+/// @throws Disproved if no contact has such an order of phases
 [[nodiscard]] OrbitUnknowns unknowns_of(const ContactMechanics& s, const OrbitGuess& guess);
 
 /// @brief Terms of \f$ \mathrm e^{\mathbf B\theta}\mathbf y = \sum_k \mathbf y_k\theta^k/k! \f$, from
@@ -125,7 +125,7 @@ inline constexpr slong many_leaps = 24;
 /// @brief Leaps of all phases beyond which series are too many.
 inline constexpr slong most_leaps = 4096;
 
-/// @brief What the phases make of deviations, over all unknowns of a box.
+/// @brief The phases linearised over all unknowns of a box.
 struct Linearised {
     std::vector<Ball> lengths{};    ///< lengths of phases 1 to m in the middle of the box, at [0 .. m-1]
     std::vector<BallMatrix> E{};    ///< exp(A length) of these lengths
@@ -136,7 +136,7 @@ struct Linearised {
     BallMatrix J{};                 ///< dF/du
 };
 
-/// @brief Linearises along all motions of a box, in the bits of the moment: balls that hold the derivatives at every point of it.
+/// @brief Linearises along all motions of a box, in the current bits: balls that hold the derivatives at every point of it.
 [[nodiscard]] Linearised linearised(const ContactMechanics& s, const OrbitUnknowns& box);
 
 /// @brief The state at the end of a phase. `leap` encloses exp(A length / leaps); `series`, if wanted, gets the motion over each.
@@ -148,7 +148,7 @@ struct Linearised {
 /// @brief The binary logarithm of a positive number, to a few units in its last place.
 [[nodiscard]] double binary_logarithm(double x);
 
-/// @brief What products of balls cost in the bits of the moment, as `Effort` counts.
+/// @brief Cost of products of balls in the current bits, as `Effort` counts.
 [[nodiscard]] long cost_of_ball_products(double products);
 
 /// @brief A motion that is proved to obey the equations; whether it obeys the inequalities of friction is another matter.
@@ -159,7 +159,7 @@ struct ProvedOrbit {
     Linearised along{};          ///< what the phases make of deviations, in few bits, over a larger box
 };
 
-/// @brief Where from u the one solution of F = 0 next to it is; none where that is not proved.
+/// @brief A box around u, from u, with the only solution of F = 0 next to it; none if that is not proved.
 ///
 /// With an approximate inverse \f$ \mathbf Y \f$ of the derivative J, Krawczyk's operator of a box U about u,
 /// \f[ \mathbf u - \mathbf Y\mathbf F(\mathbf u) + (\mathbf 1 - \mathbf Y\mathbf J(U))(U - \mathbf u) \f]

@@ -8,7 +8,7 @@ namespace denhartog {
 
 /// @brief A periodic motion with stops as double precision sees it. Nothing in it is certain; a proof needs it to be near.
 ///
-/// It covers one stretch: the period of the motion, or half of it where the other half is its mirror image, Eq. (25). Event 0 is
+/// It covers one stretch: the period of the motion, or half of it if the other half is its mirror image, Eq. (25). Event 0 is
 /// the first of the stretch; event m, a stretch later, is event 0 again.
 struct OrbitGuess {
     /// m + 1 values: direction of the contact in the phase before event 0, then in the phases that end at events 1 to m. It is

@@ -1,3 +1,5 @@
+// How do deviations from a motion with stops grow over a period? `map_of_deviations` multiplies the parts of phases and events,
+// and `sizes_of_eigenvalues` encloses the multipliers, in double by Gershgorin's discs or by Arb.
 #include "denhartog/reference/orbit_proof.hpp"
 
 #include <algorithm>
@@ -12,7 +14,7 @@ namespace {
 
 constexpr double narrow_multiplier = 1e-9;
 
-// Balls that hold the sizes of all eigenvalues, which Arb makes certain from approximate ones; false where they are not bounded.
+// Balls that hold the sizes of all eigenvalues, which Arb makes certain from approximate ones; false if they are not bounded.
 bool enclosed(const ComplexMatrix& A, const ComplexMatrix& near, const ComplexMatrix& vectors, std::vector<Ball>& sizes) {
     const slong n = acb_mat_nrows(A.a);
     ComplexMatrix found(1, n);
@@ -33,7 +35,7 @@ struct ComplexParts {
 // Balls that hold the sizes of all eigenvalues, from approximate eigenvalues l and eigenvectors V in double, and their inverse W.
 //
 // The eigenvalues of A are those of (W V)^-1 W A V = diag(l) + (1 + F)^-1 S with S = W (A V - V diag(l)) and F = W V - 1. If
-// Gershgorin's discs do not touch, each holds one. False where they do, or F is not small.
+// Gershgorin's discs do not touch, each holds one. False if they do, or F is not small.
 bool enclosed_in_double(const BallMatrix& map, std::vector<Ball>& sizes) {
     constexpr double u = 0x1p-53, more = 1 + 1e-9;
     const slong n = map.rows();
@@ -79,7 +81,7 @@ std::vector<Ball> bounded_sizes(const BallMatrix& map) {
         double root = norm(power);
         for (int k = 0; k < n; ++k) root = std::sqrt(root);
         root *= 1 + 1e-12;
-        if (root < least) least = root; // false where a power has no bound
+        if (root < least) least = root; // false if a power has no bound
     }
     return std::vector<Ball>(static_cast<std::size_t>(map.rows()), Ball::within(0, least));
 }
@@ -135,7 +137,7 @@ BallMatrix part_of(const BallMatrix& A, slong rows, slong columns) {
     return r;
 }
 
-// What a phase makes of deviations: exp(A (h + d)) = exp(A h) + A d exp(A h), and less than |A d| (exp(|A d|) - 1) |exp(A h)|.
+// Deviations at the end of a phase: exp(A (h + d)) = exp(A h) + A d exp(A h), and less than |A d| (exp(|A d|) - 1) |exp(A h)|.
 BallMatrix through(const ProvedOrbit& orbit, const Linearised& along, slong i) {
     const auto n = static_cast<std::size_t>(i);
     const BallMatrix A = orbit.s.phase(orbit.at.direction(i + 1)), &E = along.E[n];
@@ -146,7 +148,7 @@ BallMatrix through(const ProvedOrbit& orbit, const Linearised& along, slong i) {
                       2 * apart * elementary::expm1(apart)); // of an entry that is half of the largest in E or more
 }
 
-// What an event makes of deviations.
+// Deviations after an event.
 BallMatrix across(const ProvedOrbit& orbit, slong i, const BallMatrix& D) {
     const ContactMechanics& s = orbit.s;
     const slong z = 2 * s.N;

@@ -1,3 +1,5 @@
+// Is there a motion near a guess, and only one? Newton's method on the equations of orbit_equations.cpp, with few bits in the
+// slopes, and Krawczyk's operator as the proof. Read `NewtonSearch::proved` first.
 #include "denhartog/reference/orbit_equations.hpp"
 
 #include <algorithm>
@@ -13,7 +15,7 @@ constexpr int most_rounds = 60; // of linearising anew, until Newton's method is
 constexpr int most_halvings = 12;
 constexpr slong bits_a_phase = 5; // about what a phase widens balls by, and some more
 
-// The binary logarithm of a midpoint's size, also where a double cannot hold it.
+// The binary logarithm of a midpoint's size, even if a double cannot hold it.
 double size_in_bits(const Ball& x) {
     if (arf_is_zero(arb_midref(x.a))) return -1e9;
     const slong exponent = arf_abs_bound_lt_2exp_si(arb_midref(x.a));
@@ -209,7 +211,7 @@ std::optional<BallMatrix> solution_from(const BallMatrix& u, const BallMatrix& s
 ProvedOrbit proved_near(const std::function<SceneInBalls()>& scene, const OrbitGuess& guess, slong bits) {
     const auto phases = static_cast<slong>(guess.events.size());
     for (slong of_slopes = std::max({slong(64), bits / 6, bits_a_phase * phases});; of_slopes *= 2) {
-        // What widens the slopes, the length of the motion or its events, widens the states as well.
+        // A long motion, or its events, widen the states as they widen the slopes.
         const Bits all(std::max(bits, of_slopes + 64));
         const ContactMechanics s(scene());
         OrbitUnknowns o = unknowns_of(s, guess);

@@ -1,3 +1,5 @@
+// How far does each mass go in a motion with stops? Branch and bound over all phases, so that no maximum is missed: read
+// `peak_of_mass` first, then `largest` and `narrowed`.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -94,7 +96,7 @@ public:
     PeakInBalls largest(std::vector<PeakCandidate> candidates = {}) {
         for (const PeakCandidate& each : candidates) best_ = std::max(best_, each.size.low());
         std::vector<PlaceOfPeak> places = narrowed();
-        // Neighbours are one place; where they are too many the displacement hardly changes.
+        // Neighbours are one place; if they are too many the displacement hardly changes.
         std::erase_if(places, [&](const PlaceOfPeak& p) { return p.upper < best_; });
         for (const PlaceOfPeak& place : places)
             if (std::optional<PeakCandidate> found = at(place)) candidates.push_back(std::move(*found));
@@ -145,7 +147,7 @@ private:
         return alone;
     }
 
-    // The zero of the velocity in a place; none where there is none.
+    // The zero of the velocity in a place; none if there is none.
     std::optional<PeakCandidate> at(const PlaceOfPeak& p) const {
         const PhaseInStretches& phase = phases_[p.phase];
         const auto stretch = static_cast<slong>(p.curve);

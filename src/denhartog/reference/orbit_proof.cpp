@@ -1,3 +1,5 @@
+// Does a proved orbit obey Coulomb's law (3) and (74) at every instant? `require_friction` asks of each phase that the contact
+// slides one way or that static friction holds it; `require_positive` proves it of a curve that vanishes at the ends.
 #include "denhartog/reference/orbit_proof.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// The matrices of (6) and the load in balls, from the scene as it is written: (1), (8) and (73), or what the scene gives.
 #include "denhartog/reference/scene_in_balls.hpp"
 
 #include <span>

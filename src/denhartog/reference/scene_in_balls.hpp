@@ -37,10 +37,10 @@ struct SceneInBalls {
     BallMatrix M{}; ///< masses in units of m_1, N x N; the bar of (7) is a factor r^2
     BallMatrix K{}; ///< stiffnesses in units of k_1, N x N
     BallMatrix C{}; ///< damping in units of sqrt(k_1 m_1), N x N; the bar of (7) is a factor r. Empty until (19) if zeta is given
-    std::vector<Ball> zeta{}; ///< damping ratios by ascending natural frequency, Eq. (18); empty where C is given
+    std::vector<Ball> zeta{}; ///< damping ratios by ascending natural frequency, Eq. (18); empty if C is given
     BallMatrix w{};           ///< w^T x is the displacement of the contact, N x 1
-    BallMatrix p{};           ///< force on each mass in units of P, N x 1; its real part where forces are out of phase
-    BallMatrix p_i{};         ///< its imaginary part; empty where forces are in phase
+    BallMatrix p{};           ///< force on each mass in units of P, N x 1; its real part if forces are out of phase
+    BallMatrix p_i{};         ///< its imaginary part; empty if forces are in phase
     BaseMotion base_motion = BaseMotion::none; ///< of whose motion the load is made
     Ball r{};                                  ///< frequency ratio, Eq. (10)
     Ball mu{};                                 ///< static over kinetic friction, Eq. (3)

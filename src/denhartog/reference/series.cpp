@@ -1,3 +1,4 @@
+// Power series of degree four in time, with bounds over a stretch: sine, cosine and the exponential of a series.
 #include "denhartog/reference/series.hpp"
 
 namespace denhartog::reference {

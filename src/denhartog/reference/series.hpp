@@ -12,7 +12,7 @@
 
 namespace denhartog::reference {
 
-/// @brief What so many functions of time cost at an instant, as `Effort` counts: an exponential, a sine and a cosine each.
+/// @brief Bits with which this thread searches for maxima. Newton's method then finds them with all current bits. The
 [[nodiscard]] inline long cost_of_evaluations(std::size_t count) { return static_cast<long>(20 * count) * (1 + ball_bits / 256); }
 
 /// @brief Bits with which this thread searches for maxima. Newton's method then finds them with all bits of the moment. The
@@ -76,7 +76,7 @@ struct Series {
 /// `off` are the instants of the stretch less the middle.
 [[nodiscard]] Series over_stretch(const Series& at_middle, const Ball& off, const Ball& constant, const Ball& size,
                                   const Ball& speed);
-/// @brief The same with a bound of each derivative over n!, of order 0 of the difference.
+/// @brief A function over a stretch by its series in the middle, with a bound of each derivative of the difference over n!.
 [[nodiscard]] Series over_stretch(const Series& at_middle, const Ball& off, const Ball& constant,
                                   const std::array<Ball, 6>& most);
 

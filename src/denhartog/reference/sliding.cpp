@@ -1,3 +1,5 @@
+// What is the sliding motion, proved? (38) and (39) for the contact, `contact_in_balls`; (44) and (45) for the start of the
+// others; (46) at any instant. The largest displacement of a mass comes from maximum.cpp.
 #include "denhartog/reference/sliding.hpp"
 
 #include <cmath>
@@ -47,7 +49,7 @@ SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContact
         return m;
     }
     const auto x = [&](const Ball& tau) { return displacement_in_balls(r, m, beta, row, tau); };
-    // A mass that does not move, as far as the bits can tell, has no instant of a largest displacement. By (41) to (43) |x_k| is
+    // A mass that does not move, as far as the bits decide, has no instant of a largest displacement. By (41) to (43) |x_k| is
     // at most |V_dk| + beta |F_k|.
     const Ball F_throughout = r.friction.at(row, either(Ball(0), pi<Ball>())).rate(0);
     const Ball throughout = root_of_positive(squared_modulus(r.V[row])) + beta * abs(F_throughout);

@@ -10,7 +10,7 @@
 
 namespace denhartog::reference {
 
-/// @brief What a mass does in the sliding regime.
+/// @brief Motion of a mass in the sliding regime.
 struct SlidingMassInBalls {
     Ball amplitude{};              ///< largest |x_k|, Eqs. (46), (47)
     Ball phase{};                  ///< its phase, Eq. (47); radians in (-pi, pi]
@@ -43,7 +43,7 @@ struct SlidingContactInBalls {
 
 /// @brief One mass, with the largest displacement proved.
 /// @eq{41,44,45,46,47,50,51,52,53}
-/// @throws Unproved where a maximum is not settled
+/// @throws Unproved if a maximum is not settled
 [[nodiscard]] SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContactInBalls& contact, const Ball& beta,
                                                std::size_t row, bool is_contact);
 
@@ -79,7 +79,7 @@ struct BoundaryInBalls {
 
 /// @brief The boundary from the response functions.
 /// @eq{54,56,57,58,67,69}
-/// @throws Unproved where a maximum is not settled
+/// @throws Unproved if a maximum is not settled
 [[nodiscard]] BoundaryInBalls boundary_in_balls(const SceneInBalls& s, const ResponsesInBalls& r);
 
 } // namespace denhartog::reference

@@ -1,3 +1,4 @@
+// What is the state at the end of a sliding phase, if each mode moves by itself? (21) for each mode. Read `after` first.
 #include "denhartog/reference/sliding_phase.hpp"
 
 #include <algorithm>

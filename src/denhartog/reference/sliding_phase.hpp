@@ -1,5 +1,5 @@
 /// @file
-/// @brief A phase of sliding by its modes, Eq. (20): where damping leaves these by themselves, no exponential of a matrix is needed.
+/// @brief A phase of sliding by its modes, Eq. (20): if damping leaves these by themselves, no exponential of a matrix is needed.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace denhartog::reference {
 /// @brief All phases in which the contact of a scene slides. A state is that of `ContactMechanics`.
 class SlidingPhases {
 public:
-    /// @brief Of the modes of a scene, each below critical damping and told from the others; sigma is the unit of velocities.
+    /// @brief Of the modes of a scene, each below critical damping and distinct from the others; sigma is the unit of velocities.
     SlidingPhases(const SceneInBalls& scene, ModesInBalls modes, const Ball& sigma);
 
     /// @brief States at the end of a phase, a column each, from those at its start.
@@ -27,7 +27,7 @@ private:
     Ball sigma_, beta_;
 };
 
-/// @brief The phases of a scene whose damping is given by damping ratios; none where its modes are not told apart, or one is
+/// @brief The phases of a scene whose damping is given by damping ratios; none if its modes are not proved distinct, or one is
 /// damped critically or beyond.
 [[nodiscard]] std::optional<SlidingPhases> sliding_phases(const SceneInBalls& scene, const Ball& sigma);
 

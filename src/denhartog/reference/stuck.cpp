@@ -1,3 +1,5 @@
+// What is the motion with the contact held, and up to which friction ratio does it stay held? The equation of motion without row
+// j, and the limit (88) as it stands for any damping.
 #include "denhartog/reference/stuck.hpp"
 
 #include "denhartog/formulas/mode.hpp"

@@ -18,7 +18,7 @@ struct StuckInBalls {
 };
 
 /// @brief The response if a force on the contact holds it: \f$ \mathbf w^T\mathbf X = 0 \f$.
-/// There is none where the system may resonate with the contact held.
+/// There is none if the system may resonate with the contact held.
 /// @eq{88}
 [[nodiscard]] std::optional<StuckInBalls> stuck_in_balls(const SceneInBalls& s);
 

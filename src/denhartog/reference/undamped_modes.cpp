@@ -1,3 +1,5 @@
+// The terms of (87) as polynomials in x = 1/r: without damping each mode has a pole, and all poles next to a stretch are
+// multiplied out, so that a function stays finite there. Read `terms` first.
 #include "denhartog/reference/invariant_points.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 /// @file
 /// @brief The largest value of a function on an interval, proved. Nothing here knows of modes, masses or friction.
 ///
-/// A function says of itself what a search needs: its value at an instant, a range over a stretch, where it is going there, and a
-/// step of Newton's method towards a maximum. The number type offers `within(a, b)`, a number that holds an interval, and
+/// A function gives to the search its value at an instant, its range and trend over a stretch, and a step of Newton's method
+/// towards a maximum. The number type offers `within(a, b)`, a number that holds an interval, and
 /// `low()` and `high()`, bounds in double.
 #pragma once
 
@@ -15,10 +15,10 @@
 
 namespace denhartog {
 
-/// @brief Branch and bound: of stretches of a function the one that may hold the largest value is looked into, again and again.
-/// Of the stretches in `open` one is less than another where that one is to be looked into first; it is left with those that were
-/// not looked into, as a heap. `ends` says whether to end, of the stretch that would be next. `look` looks into a stretch, which
-/// is taken out: behind the others it adds the parts that are left of it, if any.
+/// @brief Branch and bound: takes from `open` the stretch that may hold the largest value and examines it, again and again.
+/// The stretches are ordered: the greatest one is examined first. `ends(next)` decides before each step whether the search ends;
+/// the stretches that were not examined are then in `open`, as a heap. `look(stretch)` examines a stretch that was taken out and
+/// appends to `open` the parts of it that may still hold the largest value, if any.
 template <class Stretches, class Ends, class Look>
 void branch_and_bound(Stretches& open, const Ends& ends, const Look& look) {
     std::make_heap(open.begin(), open.end());
@@ -32,7 +32,7 @@ void branch_and_bound(Stretches& open, const Ends& ends, const Look& look) {
     }
 }
 
-/// @brief Where a function is going over a stretch, where that is certain.
+/// @brief Trend of a function over a stretch, if it is certain.
 enum class TrendOnStretch : unsigned char {
     unknown,    ///< nothing is certain
     rises,      ///< it does not fall
@@ -40,11 +40,11 @@ enum class TrendOnStretch : unsigned char {
     one_maximum ///< it has one stationary point, a maximum
 };
 
-/// @brief What a function says of itself over a stretch.
+/// @brief Bounds that a function gives of itself over a stretch.
 template <class T>
 struct SeenOverStretch {
     T range;              ///< holds its values
-    TrendOnStretch trend; ///< where it is going
+    TrendOnStretch trend; ///< whether it rises or falls
 };
 
 /// @brief A function on an interval, as a search sees it.
@@ -57,9 +57,9 @@ struct SearchedFunction {
 /// @brief A stretch that may hold the largest value.
 struct StretchOfLargest {
     double from;                                    ///< its lower end
-    double to;                                      ///< its upper end; one instant where the ends are equal
+    double to;                                      ///< its upper end; one instant if the ends are equal
     double upper;                                   ///< no value in it is larger
-    TrendOnStretch trend = TrendOnStretch::unknown; ///< where the function is going in it
+    TrendOnStretch trend = TrendOnStretch::unknown; ///< whether the function rises or falls in it
 
     /// @brief The higher one is looked into first.
     friend bool operator<(const StretchOfLargest& x, const StretchOfLargest& y) { return x.upper < y.upper; }
@@ -72,7 +72,7 @@ struct LargestOnStretches {
     bool settled;                            ///< whether the search came to its end
 };
 
-/// @brief Stretches that hold the largest value of a function: the interval is halved where its range may hold it. A stretch with
+/// @brief Stretches that hold the largest value of a function: the interval is halved if its range may hold it. A stretch with
 /// one maximum is kept once it is as narrow as `narrow`, and any once it is as narrow as `flat`. Stretches are halved `looks`
 /// times at most. Values below `at_least` are of no interest.
 template <class T>

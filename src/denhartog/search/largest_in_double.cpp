@@ -1,3 +1,6 @@
+// Where is a curve largest, with no maximum between two samples missed? Branch and bound on intervals, by values, slopes and a
+// bound of the rate of the curvature. Read `largest` first; `add` bounds an interval, and `dismiss` gathers the places that stay
+// open.
 #include "denhartog/search/largest_in_double.hpp"
 
 #include <algorithm>
@@ -21,7 +24,7 @@ struct Node {
     Sample at;
 };
 
-// No value in it exceeds `upper`; where it is monotone, w has one zero at most. The higher one is looked into first.
+// No value in it exceeds `upper`; if it is monotone, w has one zero at most. The higher one is looked into first.
 struct Interval {
     Node left, middle, right;
     double upper;
@@ -50,7 +53,7 @@ public:
         const auto may_be_larger = [this](const Interval& in) { return in.upper > best_.value + noise_ + rounding(); };
         look([&](const Interval& next) { return effort_.exhausted() || !may_be_larger(next); });
         best_.settled = open_.empty() || !may_be_larger(open_.front());
-        // What is left holds no larger value, but perhaps one as large: where that is taken is narrowed down as the effort goes.
+        // The rest holds no larger value, but perhaps one as large: its place is narrowed down as the effort goes.
         int looks = 0;
         look([&](const Interval& next) { return effort_.exhausted() || next.upper < level() || looks++ == second_looks; });
         for (const Interval& each : open_) dismiss_unseen(each);
@@ -169,7 +172,7 @@ std::vector<Place> rivals(const std::vector<Place>& places, double a, double b, 
     const auto from_instant = [&](const Place& place) { return std::max({place.from - instant, instant - place.to, 0.0}); };
     const auto own = std::min_element(places.begin(), places.end(),
                                       [&](const Place& x, const Place& y) { return from_instant(x) < from_instant(y); });
-    const auto goes_on = [&](auto place) { // beyond the end of the stretch, where that is the end of another place
+    const auto goes_on = [&](auto place) { // beyond the end of the stretch, if that is the end of another place
         const bool at_end =
             (place == places.begin() && place->instant == a) || (place + 1 == places.end() && place->instant == b);
         return at_end && place->reach == 0;

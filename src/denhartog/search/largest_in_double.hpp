@@ -42,7 +42,7 @@ struct Place {
     double instant; ///< where the largest value in it was seen
     double value;   ///< that value
     double upper;   ///< no value in it is larger, but for the error of a sample
-    double reach;   ///< how far from there the largest value in it may be; zero where it was found as a root of w
+    double reach;   ///< how far from there the largest value in it may be; zero if it was found as a root of w
 };
 
 /// @brief A maximum and where it lies.
@@ -50,24 +50,24 @@ struct Maximum {
     double value;        ///< the largest value seen; the largest value is not below it by more than the error of the samples
     double instant;      ///< where it is taken, or approached at an end of the interval
     double upper;        ///< no value is larger
-    bool settled = true; ///< false where the effort was spent before no interval could exceed the best value
+    bool settled = true; ///< false if the effort was spent before no interval could exceed the best value
     std::vector<Place> places; ///< ascending: outside of them every value is below the largest one
 };
 
 /// @brief Largest value of f on [a, b], to the error of its samples.
 ///
-/// The places are those where a sample in double leaves open which maximum is the largest: more digits there settle it. `noise`
-/// bounds the absolute error of f at an instant: what is below it is not searched. Values not above `least` do not matter; where
-/// it exceeds all values, the result is `least` at a, without a place. `error` bounds an error of f that the search cannot
-/// lessen: a value below the largest by no more than twice that much may be the largest, and has a place. Without an effort the
-/// search has its share of the question's, and PrecisionError says that it does not settle the maximum.
+/// If samples in double leave open which maximum is the largest, `places` has a place for each; more digits there settle it.
+/// `noise` bounds the absolute error of f at an instant; smaller differences are not searched. Values up to `least` do not count:
+/// if all values are below it, the result is `least` at a, without a place. `error` bounds an error of f that the search cannot
+/// reduce: a maximum may be the largest, and has a place, if it is below the largest value by twice that at most. Without an
+/// effort the search has its share of the question's; PrecisionError if that does not settle the maximum.
 [[nodiscard]] Maximum global_maximum(const Curve& curve, double a, double b, double noise = 0, Effort* effort = nullptr,
                                      double least = std::numeric_limits<double>::lowest(), double error = 0);
 
 /// @brief The places of one function, ascending, with those that touch made one, which reaches as far as its maxima lie apart.
 [[nodiscard]] std::vector<Place> joined(std::vector<Place> places);
 
-/// @brief Where else than at the instant of its largest value a function may be largest that goes on at a as it ends at b; the
+/// @brief Places where a function that goes on at a as it ends at b may be largest, besides the instant of its largest value; the
 /// place of that instant is among them if it has a reach. Places are ascending, and no two touch.
 [[nodiscard]] std::vector<Place> rivals(const std::vector<Place>& places, double a, double b, double instant);
 

@@ -2,12 +2,12 @@
 /// @brief Zeros of a function: the one between two instants where it has opposite signs, the first one after a start, and all of
 /// them on an interval. Nothing here knows of modes, masses or friction.
 ///
-/// The first zero of a smooth function is found with none missed: steps are taken only where bounds allow. At an instant the
+/// The first zero of a smooth function is found with none missed: steps are taken only as far as bounds allow. At an instant the
 /// function comes with three derivatives and a bound of the fourth ahead. Over a step h the Taylor polynomial is bounded from below
-/// by its Bernstein coefficients on [0, h]. Where they exceed the remainder there is no zero in the step; where the polynomial of
-/// the derivative stays negative by more than its remainder there is one at most, and the sign at the end tells. In short steps a
-/// tangent and a bound of the second derivative do as well: of fast modes that hardly move, rounding makes the fourth derivative
-/// too large to tell anything. Else the step is halved. Zeros are lost to rounding of the function alone.
+/// by its Bernstein coefficients on [0, h]. If they exceed the remainder there is no zero in the step; if the polynomial of
+/// the derivative stays negative by more than its remainder there is one at most, and the sign at the end decides. In short steps
+/// a tangent and a bound of the second derivative do as well: for fast modes that hardly move, rounding makes the bound of the
+/// fourth derivative too large to decide anything. Otherwise the step is halved. Zeros are lost to rounding of the function alone.
 #pragma once
 
 #include <algorithm>
@@ -33,8 +33,8 @@ struct ValueAt {
 /// @brief The zero between two instants: t as a polynomial of third degree in f, through the last two instants with their slopes,
 /// shows where to look next, within what is known to hold the zero.
 ///
-/// What is left after a step is a multiple of the squares of the distances of both instants from the zero. That multiple is the
-/// one seen in the step before; or, if this is more, the one that leaves as much as the bracket is wide if both are that far. The
+/// A step leaves an error proportional to the product of the squared distances of both instants from the zero. The factor is
+/// taken from the step before, or, if this is larger, such that the error is the bracket's width if both are that far. The
 /// search starts at `now`; f has the opposite sign at `before`, or is zero at `now`. The zero is known to rounding; the function
 /// is not evaluated there.
 template <class Function>
@@ -160,7 +160,7 @@ template <class Function>
     return std::nullopt;
 }
 
-/// @brief What a function says of its zeros in a stretch.
+/// @brief Knowledge of a function's zeros in a stretch.
 enum class ZerosInStretch : unsigned char {
     unknown, ///< nothing is certain: the stretch is divided
     none,    ///< it has none

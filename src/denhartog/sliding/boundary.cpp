@@ -21,7 +21,7 @@ namespace {
 double zero_for(double) { return 0; }
 Bounded<double> zero_for(const Bounded<double>& x) { return {0.0, x.most()}; }
 
-// V_dj without a digit: by the size of its terms or, where there is one, by its bound.
+// V_dj without a digit: by the size of its terms or, if there is one, by its bound.
 bool unmoved(const ModeSums<double>& s) { return contact_is_unmoved(s); }
 bool unmoved(const ModeSums<Bounded<double>>& s) {
     const Bounded<double> size = modulus(s.V[s.contact.index]);

@@ -1,3 +1,5 @@
+// Amplitude and phase of the contact alone, for maps: (38), (39), and (69) with an upper bound of the demand (57) in place of
+// its maximum. Read `contact_solution` first; without an answer here a point is solved in full.
 #include "denhartog/sliding/contact_modes.hpp"
 
 #include <algorithm>
@@ -49,7 +51,7 @@ bool largest_at_start(const Number& R, const ContactMode& m, const evaluation::M
     return excess.x > excess.e && room.x > room.e;
 }
 
-// An upper bound of (57) of a mode at any instant. |c_i| is that of two amplitudes where the mode oscillates; where it does not,
+// An upper bound of (57) of a mode at any instant. |c_i| is that of two amplitudes if the mode oscillates; if it does not,
 // the root of R^2 y'^2 + R^4 y''^2 at tau = 0, which never grows.
 double largest_demand(const Number& R, const Number& zeta, const evaluation::ModeFunctions<Number>& f) {
     const Number cosine = 1 + f.g, uR = f.u * R;
@@ -102,7 +104,7 @@ std::optional<double> demand_by_search(const ContactModes& all, const Number& r,
     return tried(demand).value;
 }
 
-// None where the bound of (57) leaves open whether the contact slides.
+// None if the bound of (57) leaves open whether the contact slides.
 std::optional<ContactSolution> solution_from(const SumsAtContact& s, const Number& beta) {
     const Number limit = paper::friction_ratio_limit(s.V, s.U, Number(s.demand));
     const double slides_below = limit.x - limit.e;

@@ -1,10 +1,10 @@
 /// @file
 /// @brief The mass in contact alone, in the sliding regime: (33)-(39) with error bounds at the cost of the modes.
 ///
-/// Amplitude and phase of the contact need two rows of the mode shapes and three sums. That it slides is certain below the
-/// boundary (69) with an upper bound of the demand (57) of every mode: its value at the start where that is certain to be the
-/// largest, else \f$ \frac{\pi}{2}\left(|c_i| + R_i^2|u_i|\right) \f$ with \f$ |c_i| \f$ the size of its free motion in (40);
-/// where these do not tell, the largest demand is searched for.
+/// Amplitude and phase of the contact need two rows of the mode shapes and three sums. The contact certainly slides below the
+/// boundary (69) if an upper bound of (57) for each mode takes the place of the maximum. The bound is the value at the start if
+/// that is certainly the largest, else \f$ \frac{\pi}{2}\left(|c_i| + R_i^2|u_i|\right) \f$ with \f$ |c_i| \f$ the size of the
+/// mode's free motion in (40). If the bounds do not decide, the largest demand is searched for.
 #pragma once
 
 #include <memory>
@@ -42,7 +42,7 @@ struct ContactSolution {
     Bounded<double> slides_below; ///< the boundary (69) is not below it
 };
 
-/// @brief Amplitude and phase of the contact in the sliding regime, mu = 1; none where sliding is not certain.
+/// @brief Amplitude and phase of the contact in the sliding regime, mu = 1; none if sliding is not certain.
 /// @eq{33,34,35,38,39,57,69}
 [[nodiscard]] std::optional<ContactSolution> contact_solution(const ContactModes& modes, const Bounded<double>& r,
                                                               const Bounded<double>& beta);

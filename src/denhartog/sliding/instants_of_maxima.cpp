@@ -1,3 +1,5 @@
+// At which instant is each mass farthest out while the contact slides? The motion (46) is searched with a bound of its third
+// derivative, `rate_of_friction`.
 #include "denhartog/sliding/instants_of_maxima.hpp"
 
 #include <algorithm>
@@ -80,7 +82,7 @@ std::pair<double, double> instant_and_spread(FrictionMotions& y, double beta, st
     curve.rate = [&](double a, double b) {
         return harmonic_size + beta * rate_of_friction(s, mass.weights, y.at(a, true), b - a);
     };
-    // What rounding leaves of the displacement is no reason to look further.
+    // A displacement within its rounding error is no reason to look further.
     const FrictionMotionsAt& start = y.at(0.0, true);
     double terms = harmonic_size;
     for (std::size_t i = 0; i < mass.weights.size(); ++i) terms += beta * size_of_number(mass.weights[i]) * (1 + start.size[i]);

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Where the masses are farthest out while the contact slides.
+/// @brief Instants at which the masses are farthest out while the contact slides.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace denhartog {
 
-/// @brief By how many radians the phase of a displacement may differ from that of its maximum; zero where no other instant can be
+/// @brief By how many radians the phase of a displacement may differ from that of its maximum; zero if no other instant can be
 /// that of the maximum. The places are where the displacement may be the largest, in the order of time, and no two touch. At b,
 /// the end of the stretch, the motion goes on as at a, or mirrored.
 template <class Sign>
@@ -32,7 +32,7 @@ template <class Sign>
     return spread;
 }
 
-/// @brief Where a displacement is largest, and by how many radians the phase of another such instant may differ. `at` gives the
+/// @brief The instant of a largest displacement, and by how many radians the phase of another may differ. `at` gives the
 /// motion (46) at an instant, and the curve gets the size of the displacement. `noise` is the rounding error of the displacement,
 /// and `error` bounds the error that the sums make of it.
 template <class Motion>
@@ -46,7 +46,7 @@ template <class Motion>
     return {found.instant, spread_of_phases(found.places, 0.0, pi<double>(), found.instant, is_negative)};
 }
 
-/// @brief Where the displacements of the masses are largest.
+/// @brief Instants at which the displacements of the masses are largest.
 struct InstantsOfMaxima {
     std::vector<double> instants; ///< N, in [0, pi]; 0 for the contact and for masses not asked for
     /// N, radians: how far the phase of another instant is from that of this one, where the displacement there may be the largest
@@ -54,7 +54,7 @@ struct InstantsOfMaxima {
     std::vector<double> spreads;
 };
 
-/// @brief Where the displacements of the masses are largest, guaranteed by `global_maximum`. `only` is the one mass whose maximum
+/// @brief The instants of the largest displacements, guaranteed by `global_maximum`. `only` is the one mass whose maximum
 /// is wanted besides that of the contact, none for all. `errors` bound what the sums make of the displacements, or are empty.
 /// What `y` remembers serves the next search. @eq{46}
 [[nodiscard]] InstantsOfMaxima instants_of_maxima(FrictionMotions& y, double beta, std::optional<Mass> only = std::nullopt,

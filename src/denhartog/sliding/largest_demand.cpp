@@ -12,7 +12,7 @@
 namespace denhartog {
 namespace {
 
-// How far the demand may rise between two samples above the larger of them.
+// Bound of the rise of the demand between two samples above the larger of them.
 //
 // F sin solves y'' + y = Z, so that between two samples it exceeds the sine through them by at most z_bound (cos(tau - m) /
 // cos(h / 2) - 1); over the sine this is at most z_bound tan(h / 2) next to an end of the half-period. In place of the sines and
@@ -69,7 +69,7 @@ struct Demand {
     }
 };
 
-// Where a demand is largest that rises at the start and turns next to it; zero where it does not. There W is the difference of
+// The maximum of a demand that rises at the start and turns next to it; zero if it does not. There W is the difference of
 // two nearly equal numbers, and its rounding hides where it is zero. As W' = Z sin, W is the integral of Z sin; if Z is linear in
 // tau, it is zero at -3 Z / (2 Z'). The slope Z' is that of a secant from the start to the instant found before. Next to pi no
 // demand is largest: by (57) the limit there is below that at the start by twice (65).
@@ -83,8 +83,8 @@ double instant_next_to_start(const Curve& curve) {
     return instant;
 }
 
-// Where a demand is largest. Next to the start the sampled quotient is of two small numbers, and its rounding can look like a
-// maximum or hide one: there the demand itself tells.
+// The instant of the largest demand. Next to the start the samples are quotients of two small numbers, whose rounding errors can
+// look like a maximum or hide one. A maximum there is therefore decided by the demand itself.
 template <class Demanded>
 double instant_of_largest(Curve curve, const Demanded& demanded) {
     ++work_counted.demand_searches;

@@ -44,16 +44,16 @@ struct MassInMotion {
     }
 };
 
-/// @brief Friction's share of the motion at an instant: of every mode, or of a mass where damping couples them.
+/// @brief Friction's share of the motion at an instant: of every mode, or of a mass if damping couples them.
 template <class T>
 struct FrictionShare {
     T cosine;                                            ///< of the instant
     T sine;                                              ///< of the instant
-    std::vector<evaluation::FrictionMotion<T>> of_modes; ///< N; none where damping couples the modes
+    std::vector<evaluation::FrictionMotion<T>> of_modes; ///< N; none if damping couples the modes
     evaluation::FrictionMotion<T> of_mass;               ///< then that of the mass, else zero
 };
 
-/// @brief Friction's share, at an instant in [0, pi], of the motion of a mass that is no mode's: all of it where damping couples
+/// @brief Friction's share, at an instant in [0, pi], of the motion of a mass that is no mode's: all of it if damping couples
 /// the modes, else none.
 template <class T>
 [[nodiscard]] evaluation::FrictionMotion<T> share_of_no_mode(const ModeSums<T>& s, std::size_t k, const T& tau) {

@@ -1,3 +1,5 @@
+// Which regime has a friction ratio: continuous below (69), permanent sticking from (88) on, stick-slip between them? A ratio
+// that differs from a boundary by less than the error of that is said to be on it.
 #include "denhartog/sliding/regime.hpp"
 
 #include "denhartog/number/why.hpp"

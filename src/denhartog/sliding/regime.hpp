@@ -8,7 +8,7 @@
 
 namespace denhartog {
 
-/// @brief Accuracy of the two friction ratios that part the regimes; zero where one is known exactly.
+/// @brief Accuracy of the two friction ratios that part the regimes; zero if one is known exactly.
 struct BoundaryError {
     double exact;    ///< absolute error of `Boundary::exact`
     double sticking; ///< absolute error of `Boundary::sticking`

@@ -30,7 +30,7 @@ struct RegimeAtPoint {
     Reasons reason{};          ///< why it is this regime
 };
 
-/// @brief Takes the regime of a motion that was found. The sliding regime, where the boundaries have that instead, exists besides.
+/// @brief Takes the regime of a motion that was found. The sliding regime exists besides if the boundaries have that instead.
 /// @param met    the regime of the motion
 /// @param point  the regime by the boundaries; gets the other
 inline void take_regime(Regime met, RegimeAtPoint& point) {

@@ -64,13 +64,13 @@ double size_of_jerk(const ModeSums<T>& s, const MassInMotion<T>& mass, std::size
     return (ValueOf<T>::most(mass.h.A) + ValueOf<T>::most(mass.h.B) + ValueOf<T>::most(mass.beta) * sum) * slack;
 }
 
-// A step of Newton's method towards the extremum; none where the acceleration is zero.
+// A step of Newton's method towards the extremum; none if the acceleration is zero.
 template <class T>
 T newton_step(const evaluation::MotionOfMass<T>& at) {
     return at.x_double_prime == 0 ? T(0) : T(-(at.x_prime / at.x_double_prime));
 }
 
-// How far a step may lead the other way, where its error hides the direction.
+// Largest step in the wrong direction, if the error of the step hides its direction.
 double may_lead_back(double) { return 0; }
 Bounded<double> may_lead_back(const Bounded<double>& step) { return {std::max(0.0, step.e - std::abs(step.x))}; }
 

@@ -39,13 +39,13 @@ struct Motion {
 };
 
 /// @brief The steady state in the sliding regime, with the global maximum of every displacement guaranteed by `global_maximum`.
-/// `only` is the one mass whose maximum is wanted besides that of the contact, none for all. InputError where beta is negative or
+/// `only` is the one mass whose maximum is wanted besides that of the contact, none for all. InputError if beta is negative or
 /// not finite; DomainError at and beyond the boundary (69). @eq{38,39,44,45,47,52,53}
 [[nodiscard]] SteadyState<double> steady_state(const ModeSums<double>& sums, const RegimeBoundary<double>& boundary, double beta,
                                                std::optional<Mass> only = std::nullopt);
 
 /// @brief The steady state without its searches: amplitude and phase of the mass in contact, initial values of every mass.
-/// Instant, amplitude and phase of the masses not in contact are zero. DomainError where the amplitude (38) is not a positive
+/// Instant, amplitude and phase of the masses not in contact are zero. DomainError if the amplitude (38) is not a positive
 /// number. @eq{38,39,44,45,52,53}
 template <class T>
 [[nodiscard]] SteadyState<T> steady_state_without_maxima(const ModeSums<T>& sums, const T& beta);

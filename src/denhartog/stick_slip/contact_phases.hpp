@@ -1,5 +1,5 @@
 /// @file
-/// @brief What the exact solver computes with: the two kinds of phases of one system at one excitation, the events that end them,
+/// @brief Working data of the exact solver: the two kinds of phases of one system at one excitation, the events that end them,
 /// the motion so far, and its derivative with respect to the start.
 ///
 /// A phase is a stretch of linear motion in modal coordinates: those of the system while the contact slides, those of the stuck
@@ -44,7 +44,7 @@ struct ContactPhases {
     /// @brief Of a system, whose evaluations spend the work allowed.
     ContactPhases(const ContactSystem& s, const Excitation& excitation, Effort& allowed);
 
-    /// @brief Sets frequency and friction anew. InputError where one breaks its rule.
+    /// @brief Sets frequency and friction anew. InputError if one breaks its rule.
     void set(const Excitation& excitation);
 
     /// @brief Takes the state at the start of a phase, at tau, into the coordinates of its motion.
@@ -61,13 +61,13 @@ struct ContactPhases {
     /// @brief Load on the contact while it sticks, friction apart, (75), at a time from the start of the phase.
     Jet load(double t);
 
-    /// @brief Where a sliding phase ends: its velocity is zero. `length` of the stretch is left; the zero at its start is of
+    /// @brief The end of a sliding phase: its velocity is zero. `length` of the stretch is left; the zero at its start is of
     /// `order`.
     Event end_of_sliding(int direction, double length, int order);
-    /// @brief Where a sticking phase of a single mass ends: the load on it is p cos tau - k_jj x_j, whose passage out of the cone
+    /// @brief The end of a sticking phase of a single mass: the load on it is p cos tau - k_jj x_j, whose passage out of the cone
     /// has a closed form.
     Event end_of_sticking_alone(double tau, double length);
-    /// @brief Where a sticking phase ends: the load on the contact is more than friction holds.
+    /// @brief The end of a sticking phase: the load on the contact exceeds static friction, (74).
     Event end_of_sticking(double length);
 
     /// @brief Direction of the first phase of a stretch, from the velocity or else from the load on the contact, and the order of
@@ -102,9 +102,9 @@ private:
 
 /// @brief Working space of the solver.
 struct ExactSolver::Work : ContactPhases {
-    Effort own;            ///< the work allowed where nobody else allows any
+    Effort own;            ///< the work allowed if no other budget is set
     ExactMotion motion;    ///< the last motion, as far as it came
-    Deviations deviations; ///< of its end, where they were asked for
+    Deviations deviations; ///< of its end, if they were asked for
 
     /// @brief Of a system.
     Work(const ContactSystem& s, const Excitation& excitation) : ContactPhases(s, excitation, own) {}

@@ -8,7 +8,7 @@ namespace denhartog {
 
 namespace {
 
-// What is left out of the damping of the stuck modes, in the modes of sliding.
+// The part of the damping that the stuck modes leave out, in the modes of sliding.
 void add_left_out_of_stuck_modes(ContactSystem& c) {
     const StuckConfiguration& stuck = c.stuck;
     if (stuck.left_out.size() == 0 || !(stuck.left_out.maxCoeff() > 0)) return;
@@ -17,7 +17,7 @@ void add_left_out_of_stuck_modes(ContactSystem& c) {
     c.damping_error = c.damping_error.size() > 0 ? Matrix<double>(c.damping_error + left_out) : left_out;
 }
 
-// What rounding makes of the damping of modes that are known to more digits: of each entry.
+// Rounding error of each entry of the damping, for modes that are known to more digits.
 Matrix<double> rounding_of_damping(const ModalBasis<double>& basis) {
     const auto N = static_cast<Eigen::Index>(basis.r_n.size());
     Matrix<double> D = Matrix<double>::Zero(N, N);
@@ -29,7 +29,7 @@ Matrix<double> rounding_of_damping(const ModalBasis<double>& basis) {
     return D;
 }
 
-// The same of modes that were found in double.
+// Error of each entry of the damping, for modes that were found in double.
 Matrix<double> error_of_damping(const System<double>& s, const ModalBasis<double>& basis) {
     if (s.damping_matrix.size() == 0) return {};
     const Matrix<double> sizes = basis.phi.cwiseAbs(), of_C = s.damping_matrix.cwiseAbs();

@@ -2,7 +2,7 @@
 /// @brief The motion from phase to phase, each in closed form: (6) with (2), (3), (74), (75), without a time step.
 ///
 /// While the contact slides, (6) is linear and its modes are uncoupled. While it sticks, the others obey the linear system with
-/// row and column j taken out; its modes are uncoupled where they diagonalise their block of the damping matrix, else its
+/// row and column j taken out; its modes are uncoupled if they diagonalise their block of the damping matrix, else its
 /// Taylor series is summed to rounding. Ends of phases are isolated by bounds of the fourth derivative, so that none is missed.
 #pragma once
 
@@ -29,7 +29,7 @@ struct Event {
     int next;          ///< direction of the next phase
     int order;         ///< order of the zero of its guard function
     double load;       ///< load on the contact
-    bool found;        ///< false where the end of the stretch came first
+    bool found;        ///< false if the end of the stretch came first
     bool open = false; ///< no end was found up to t, and what comes after is not known
 };
 
@@ -54,14 +54,14 @@ struct ContactSystem {
     ConstantLoad constant{};        ///< the constant load, see `add_static_load`
     Column contact_shape{};         ///< w^T phi: what each mode of sliding moves the contact by
     bool damping_fixes_modes{};     ///< a damping matrix was given: modes of one frequency are those that it does not couple
-    Reasons rounded_because{};      ///< why double has no modes of its own, where these are those of the reference; else empty
+    Reasons rounded_because{};      ///< why double has no modes of its own, if these are those of the reference; else empty
 };
 
 /// @brief Prepares a system for the exact solver, its modes sliding and stuck. InputError and PrecisionError as `modal_basis` and
 /// `stuck_configuration`.
 [[nodiscard]] ContactSystem contact_system(const System<double>& s);
 
-/// @brief The same with the modal basis known; `held` is what more digits have found beside it, where it comes from them too. The
+/// @brief The system with its modal basis known; `held` is the held system in more digits, if the basis comes from them too. The
 /// modes of sticking are paid from a budget.
 [[nodiscard]] ContactSystem contact_system(const System<double>& s, const ModalBasis<Bounded<double>>& modes,
                                            const RoundedModes* held = nullptr, Effort* effort = nullptr);
@@ -92,7 +92,7 @@ struct ExactMotion {
     std::vector<Phase> phases;                    ///< in order; the first starts, the last ends where asked
     std::vector<double> states;                   ///< the states at the starts of the phases, x then x', 2N values a phase
     State end;                                    ///< the state at the end
-    Matrix<double> jacobian;                      ///< d end / d start over (x, x'), 2N x 2N; only where it was asked for
+    Matrix<double> jacobian;                      ///< d end / d start over (x, x'), 2N x 2N; only if it was asked for
     int touching = 0;                             ///< events met so tangentially that rounding decided them
 };
 
@@ -103,16 +103,16 @@ struct EndOfPhase {
     double second; ///< bound of the size of its second derivative next to the end
     double noise;  ///< its rounding error
 
-    /// @brief How far the end may be from where it was found, if what vanishes there has an error besides: over twice as far it
-    /// bends too little to hide that it changes by more than its error on either side. Infinite where it may not reach zero at
-    /// all.
+    /// @brief Error of the instant of the end if the function has the given error besides its rounding. Over twice that distance
+    /// the function bends so little that it certainly changes by more than its error on either side. Infinite if it may not reach
+    /// zero at all.
     [[nodiscard]] double error_of_instant(double error) const;
 };
 
 /// @brief Solver of one system at one excitation; keeps its working space from call to call. Not for two threads at once.
 class ExactSolver {
 public:
-    /// @brief The system must outlive the solver. InputError where r, beta or mu breaks its rule.
+    /// @brief The system must outlive the solver. InputError if r, beta or mu breaks its rule.
     ExactSolver(const ContactSystem& system, const Excitation& excitation);
     ~ExactSolver();
     /// @brief Leaves the other without its working space.
@@ -130,15 +130,15 @@ public:
     /// @brief Frequency and friction as set last.
     [[nodiscard]] const Excitation& excitation() const;
 
-    /// @brief The motion from one instant to a later one; the forces are Re{p exp(i tau)}, and a contact at rest sticks where (74)
+    /// @brief The motion from one instant to a later one; the forces are Re{p exp(i tau)}, and a contact at rest sticks if (74)
     /// lets it. With the derivative of the end with respect to the start, if it is wanted. Valid until the next call.
     const ExactMotion& run(const State& start, double tau_0, double tau_1, bool with_jacobian = false);
 
     /// @brief The state at an instant within a phase of the last motion.
     [[nodiscard]] State state_at(std::size_t phase, double tau);
 
-    /// @brief The same at evenly spaced instants: displacements, then velocities, of all masses at each. No mass loses more than
-    /// `most_lost` to rounding beside what `state_at` does, which answers where a recurrence would, and where damping couples.
+    /// @brief States at evenly spaced instants: displacements, then velocities, of all masses at each. No mass loses more than
+    /// `most_lost` to rounding beside what `state_at` does, which answers if a recurrence would lose more or damping couples.
     void sample(std::size_t phase, const evaluation::EvenInstants& at, const std::vector<double>& most_lost, double* x,
                 double* x_prime);
 
@@ -153,7 +153,7 @@ public:
     /// @brief Largest size of every displacement over the last motion, then that of a contact between two, guaranteed between
     /// samples; of the contact without what else may be. One that is smaller by less than twice `error`, a bound of the errors of
     /// the displacements, may be the largest.
-    /// Where the frame of the displacements moves by `frame` cos tau, of the masses as they are seen from the ground, the one in
+    /// If the frame of the displacements moves by `frame` cos tau, of the masses as they are seen from the ground, the one in
     /// contact as every other, and of no contact.
     [[nodiscard]] std::vector<Extremum> largest_displacements(double error = 0, double frame = 0);
 
@@ -165,7 +165,7 @@ private:
 /// @brief The highest natural frequency over that of the force, or 1 if that is more: of accelerations over velocities.
 [[nodiscard]] double highest_over_force(const ExactSolver& solver);
 
-/// @brief The error of what ends a phase, where the displacements of a motion are off by no more than `displacement` and the
+/// @brief Error of the function that ends a phase, if the displacements of a motion are off by no more than `displacement` and the
 /// velocities by one bound a coordinate: of the velocity of a contact that slides, or else of the load on it, in units of P.
 [[nodiscard]] double error_at_ends(const ExactSolver& solver, bool slides, double displacement,
                                    const std::vector<double>& velocity);

@@ -31,7 +31,7 @@ public:
     // The displacement of a mass at a time from the start of the stretch.
     [[nodiscard]] double of(Eigen::Index row, double t) { return at(t)(row, 0); }
 
-    // What rounding makes of it: some units of its terms.
+    // Its rounding error: some units of its terms.
     [[nodiscard]] double noise(Eigen::Index row, double t) {
         motion_.differentiate_at(t);
         return 4 * std::numeric_limits<double>::epsilon() * (sizes_.row(row).dot(column(motion_.q[0]).cwiseAbs()) + frame_);
@@ -40,7 +40,7 @@ public:
     // The size of the displacement as a curve, which refers to this object.
     [[nodiscard]] Curve size_of(Eigen::Index row) {
         Curve curve;
-        curve.cost = 0; // the effort is spent where an instant is new
+        curve.cost = 0; // the effort is spent if an instant is new
         curve.sample = [this, row](double t) {
             const Known x = at(t);
             return Sample{std::abs(x(row, 0)), x(row, 1), x(row, 2)};

@@ -3,7 +3,7 @@
 /// \f$ q_i'' + \sum_m D_{im} q_m' + \omega_i^2 q_i = F_i\cos(\tau+\theta_i) + G_i \f$.
 ///
 /// A coordinate whose force leads by \f$ \theta_i \f$ has the closed form of one in phase at \f$ \tau+\theta_i \f$.
-/// Where D is diagonal each coordinate has its closed form, that of `evaluation/driven_motion.hpp`. Where it is not, as it may be
+/// If D is diagonal each coordinate has its closed form, that of `evaluation/driven_motion.hpp`. If it is not, as it may be
 /// while the contact sticks and with a damping matrix that couples the modes, they are carried together, as `coupled_motion.hpp`
 /// has it.
 #pragma once
@@ -38,9 +38,9 @@ struct LinearMotion {
     OfCoordinates<double> omega_0;               ///< natural frequencies over the frequency of the force
     OfCoordinates<double> gap;                   ///< 1 - omega_0^2
     OfCoordinates<double> decay;                 ///< half the diagonal of D
-    Matrix<double> D;                            ///< damping matrix where it is not diagonal, else empty
+    Matrix<double> D;                            ///< damping matrix if it is not diagonal, else empty
     OfCoordinates<double> F;                     ///< amplitudes of the harmonic force
-    OfCoordinates<Complex<double>> lead;         ///< exp(i theta) of each; empty where all are in phase
+    OfCoordinates<Complex<double>> lead;         ///< exp(i theta) of each; empty if all are in phase
     OfCoordinates<double> G;                     ///< constant force
     std::array<OfCoordinates<double>, orders> q; ///< coordinates and derivatives at the instant last evaluated
     Effort* const* effort = nullptr; ///< where the budget stands that exponentials of a coupled system spend; null: none
@@ -76,7 +76,7 @@ struct LinearMotion {
     /// @brief Energy norm of derivative m, at most 4, and its velocity at the instant last evaluated, sqrt(sum q^(m+1)^2 +
     /// omega_0^2 q^(m)^2): it grows by |F| a unit of time at most.
     [[nodiscard]] double energy_norm(int m) const;
-    /// @brief Bound of the same of one coordinate where D is diagonal: the sum of both sizes, at most sqrt(2) times the norm.
+    /// @brief Bound of the norm of one coordinate if D is diagonal: the sum of both sizes, at most sqrt(2) times the norm.
     [[nodiscard]] double energy_norm(int m, std::size_t i) const {
         return std::abs(q[m + 1][i]) + omega_0[i] * std::abs(q[m][i]);
     }
@@ -110,7 +110,7 @@ private:
     OfCoordinates<evaluation::DrivenStart<double>> starts_;           // the last start
     OfCoordinates<evaluation::FreeMotion<double>> free_;              // the free motions at free_at_, whatever the start
     double free_at_ = -1;
-    CoupledMotion together_; // all coordinates where D couples them
+    CoupledMotion together_; // all coordinates if D couples them
 };
 
 } // namespace denhartog

@@ -33,7 +33,7 @@ struct Stop {
 /// @brief The displacement of a mass at the instant at which |x_k| is largest.
 struct Extremum {
     double x;          ///< the displacement, with its sign
-    double instant;    ///< tau there; where the mass rests, the start of the rest
+    double instant;    ///< tau there; if the mass rests, the start of the rest
     double unsure = 0; ///< how much larger a displacement may be, if the effort did not suffice to exclude it; otherwise 0
     double spread = 0; ///< distance in phase to another instant at which |x_k| may be as large; 0 if there is none
 };

@@ -1,10 +1,10 @@
 // How near must a motion be to one that slides throughout, to slide for ever itself? With mu > 1 friction can drive two motions
 // apart at a stop. `slides_within` decides for one distance, `sliding_reach` looks for the largest one.
-///
-/// While neither of two motions sticks, friction opposes the difference of their velocities, whether or not their contacts move to
-/// the same side, and damping does too: their distance in the norm of the energy, d, never grows. Then the contact of the one is
-/// slower than \f$ |e_j|\,d \f$ only where the other's is near its turning point too, and the load on it there differs by
-/// \f$ c\,d \f$ at most. Where that load is beyond \f$ \mu\beta \f$ for all of these instants, the contact cannot stick.
+//
+// Let a motion be at the distance d, in the norm of the energy, from one that slides throughout. As long as it does not stick
+// either, friction and damping oppose the difference of both velocities, and d does not grow. The velocities of the two contacts
+// then differ by at most |e_j| d, so that this contact can stop only near a turning point of the other one; and the loads on them
+// differ by at most c d. If the load on the other exceeds mu beta by more than that near its turning points, this never sticks.
 #include <algorithm>
 
 #include "denhartog/stick_slip/contact_phases.hpp"

@@ -1,3 +1,5 @@
+// How do the masses move while the contact is held, and which friction ratio holds it? The stuck modes under the load, each by
+// itself or coupled by damping, and (88). Read `stuck_response` first.
 #include "denhartog/stick_slip/stuck_response.hpp"
 
 #include <algorithm>
@@ -17,7 +19,7 @@
 namespace denhartog {
 namespace {
 
-// The modulus, also where its square is at an end of the range of a double.
+// The modulus, even if its square is at an end of the range of a double.
 double amplitude_of(const Complex<double>& X) {
     const double square = squared_modulus(X);
     return square > 0x1p-900 && square < 0x1p900 ? std::sqrt(square) : elementary::hypot(X.re, X.im);

@@ -14,7 +14,7 @@ namespace denhartog {
 struct StuckMass {
     Complex<double> X;           ///< complex amplitude, x_k = Re{X exp(i tau)} with the force cos tau, in units of P / k_1
     double amplitude;            ///< its modulus
-    std::optional<double> phase; ///< lag behind the force, radians, in (-pi, pi]; none where the mass does not move
+    std::optional<double> phase; ///< lag behind the force, radians, in (-pi, pi]; none if the mass does not move
 };
 
 /// @brief Amplitude and phase of a harmonic motion of complex amplitude X.
@@ -32,21 +32,21 @@ struct StuckResponse {
 
 /// @brief The response while the contact is held at zero; the contact at x_j moves every mass and its load by a constant.
 ///
-/// Where the stuck modes diagonalise their damping, (88)'s modal superposition; else a linear system over all of them. `load` is
-/// the loaded mass, l; none of them where the load acts on several, which the stuck configuration then has. InputError where r or
-/// l breaks its rule; DomainError where the load excites the resonance of an undamped stuck mode. @eq{88}
+/// If the stuck modes diagonalise their damping, (88)'s modal superposition; else a linear system over all of them. `load` is
+/// the loaded mass, l; none of them if the load acts on several, which the stuck configuration then has. InputError if r or
+/// l breaks its rule; DomainError if the load excites the resonance of an undamped stuck mode. @eq{88}
 [[nodiscard]] StuckResponse stuck_response(const StuckConfiguration& stuck, Mass load, double r);
 
 /// @brief The masses of a chain that move by (88) while the contact is held: those on the load's side of it.
 struct StuckChain {
-    std::vector<Mass> masses;    ///< ascending, without the contact; none where the load acts on it
+    std::vector<Mass> masses;    ///< ascending, without the contact; none if the load acts on it
     std::vector<double> r_n;     ///< natural frequency ratios, ascending
     std::vector<double> zeta;    ///< damping ratios read from the diagonal by (18), whether or not the modes are uncoupled
     Matrix<double> phi;          ///< mode shapes, mass by mode, phi^T M phi = 1
-    std::optional<double> kappa; ///< stiffness ratio of the spring to the contact; none where the load acts on the contact
+    std::optional<double> kappa; ///< stiffness ratio of the spring to the contact; none if the load acts on the contact
 };
 
-/// @brief Modes of the masses that move by (88); one more eigenproblem (15) for two masses or more. None where the system is not
+/// @brief Modes of the masses that move by (88); one more eigenproblem (15) for two masses or more. None if the system is not
 /// given as a chain. @eq{88}
 [[nodiscard]] std::optional<StuckChain> stuck_chain(const System<double>& s, const StuckConfiguration& stuck);
 
@@ -65,8 +65,9 @@ struct StickingBoundary {
     std::optional<double> paper; ///< by (88); none for a system that is no chain
 };
 
-/// @brief The boundary of permanent sticking, without bounds; `chain` is the masses that move by (88), where there are such.
-/// InputError where mu is below 1 or not finite; DomainError where the load excites the resonance of an undamped stuck mode. @eq{88}
-[[nodiscard]] StickingBoundary sticking_boundary(const StuckResponse& response, const std::optional<StuckChain>& chain, double mu);
+/// @brief The boundary of permanent sticking, without bounds; `chain` is the masses that move by (88), if there are such.
+/// InputError if mu is below 1 or not finite; DomainError if the load excites the resonance of an undamped stuck mode. @eq{88}
+[[nodiscard]] StickingBoundary sticking_boundary(const StuckResponse& response, const std::optional<StuckChain>& chain,
+                                                 double mu);
 
 } // namespace denhartog

@@ -26,7 +26,7 @@ constexpr int units_of_form = 4; // elsewhere they are good to what that many un
 
 Eigen::Map<const Column> column_of(const std::vector<double>& x) { return {x.data(), static_cast<Eigen::Index>(x.size())}; }
 
-// What an entry of a mode changes by where the mode turns by a unit angle: the root of the entry of the inverse mass matrix,
+// Change of an entry of a mode if the mode turns by a unit angle: the root of the entry of the inverse mass matrix,
 // which is that of a sum over all modes. A light mass moves far.
 std::vector<double> reach_of_masses(const System<double>& system, const ModalBasis<double>& basis,
                                     const std::vector<Mass>* masses) {
@@ -50,7 +50,7 @@ double condition_of_masses(const System<double>& system, const std::vector<doubl
     return largest;
 }
 
-// By how much springs multiply errors on the way to the squared frequencies of each mode; 0 where they are errors of the highest.
+// By how much springs multiply errors on the way to the squared frequencies of each mode; 0 if they are errors of the highest.
 double factor_of_springs(const System<double>& system) {
     if (is_chain(system)) return 1;
     if (number_of_masses(system) == 1) return 0;

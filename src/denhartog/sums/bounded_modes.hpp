@@ -29,7 +29,7 @@ namespace denhartog {
     return std::make_shared<const ModalBasis<Bounded<double>>>(with_errors(system, modal_basis(system, effort)));
 }
 
-/// @brief The same with the shapes at a few masses alone, a row for each, see `modal_basis_at`: one eigen-solve. @eq{14,15}
+/// @brief Modes with bounds, their shapes at a few masses alone, a row each, see `modal_basis_at`: one eigen-solve. @eq{14,15}
 [[nodiscard]] ModalBasis<Bounded<double>> bounded_basis_at(const System<double>& system, const std::vector<Mass>& masses,
                                                            Effort* effort = nullptr);
 
@@ -56,7 +56,7 @@ template <class T>
 [[nodiscard]] T larger(const T& a, const T& b) {
     return a < b ? b : a;
 }
-/// @brief The same with bounds: the larger value with the larger bound.
+/// @brief The larger value, with the larger bound.
 [[nodiscard]] inline Bounded<double> larger(const Bounded<double>& a, const Bounded<double>& b) {
     return {std::max(a.x, b.x), std::max(a.e, b.e)};
 }
@@ -66,7 +66,7 @@ template <class T>
 [[nodiscard]] T found_by_search(const T& value) {
     return value;
 }
-/// @brief The same with a bound. The search compares rounded values: the true maximum exceeds what it found by no more than the
+/// @brief A maximum with a bound. The search compares rounded values: the true maximum exceeds the one found by no more than the
 /// error where that lies, which is taken to be at most half again of the error where the search ended, and a unit or two.
 [[nodiscard]] inline Bounded<double> found_by_search(const Bounded<double>& value) {
     return Bounded<double>::rounded(value.x, value.e + value.e / 2, 2);

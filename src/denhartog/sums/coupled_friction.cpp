@@ -1,3 +1,5 @@
+// Friction's share of the sliding motion if damping couples the modes: the motion with the symmetry (25) under a constant force
+// of one sign, in energy coordinates. Read `set_coordinates` and `set_start` first; `motion` is the brace of (41) at an instant.
 #include "denhartog/sums/coupled_friction.hpp"
 
 #include <boost/math/special_functions/fpclassify.hpp>

@@ -29,11 +29,11 @@ namespace denhartog {
 /// @brief \f$ e^{\mathbf{A}\tau}\mathbf{c} \f$ at an instant, and its first three derivatives.
 using CoupledState = std::array<Column, 4>;
 
-/// @brief Friction's share of the motion at one frequency ratio, where damping couples the modes. Not for two threads at once.
+/// @brief Friction's share of the motion at one frequency ratio, if damping couples the modes. Not for two threads at once.
 class CoupledFriction {
 public:
-    /// @brief Of a system with a damping matrix, at a frequency ratio; exponentials are paid from a budget. DomainError at a pole, which is a
-    /// motion without damping that mirrors itself every half-period; PrecisionError where the number type does not have the
+    /// @brief Of a system with a damping matrix, at a frequency ratio. DomainError at a pole, which is a
+    /// motion without damping that mirrors itself every half-period; PrecisionError if the number type does not have the
     /// digits of its coordinates.
     CoupledFriction(const System<double>& system, double r, Effort* effort = nullptr);
 
@@ -50,19 +50,19 @@ public:
     [[nodiscard]] const CoupledState& at(double tau) const;
     /// @brief A derivative, of order 1 to 3, of a displacement over the half-period, with the free part at the instant.
     [[nodiscard]] double derivative(std::size_t k, int order, const CoupledState& s) const;
-    /// @brief What a derivative, of order 1 to 3, of a displacement does not exceed from the instant of the free part on.
+    /// @brief Bound of a derivative, of order 1 to 3, of a displacement from the instant of the free part on.
     [[nodiscard]] double largest_derivative(std::size_t k, int order, const CoupledState& s) const;
-    /// @brief How fast the sum of the third and the first derivative of a displacement changes at most from an instant on.
+    /// @brief Largest rate of the sum of the third and the first derivative of a displacement, from an instant on.
     [[nodiscard]] double rate_of_demand(std::size_t k, const CoupledState& s) const;
 
     /// @brief Displacement, velocity and acceleration of a mass under the friction force alone, at an instant in [0, pi]; they
     /// have the place of the sum over modes of the braces of (40).
     [[nodiscard]] evaluation::FrictionMotion<double> motion(std::size_t k, double tau) const;
-    /// @brief The same with bounds.
+    /// @brief Friction's share with bounds of its errors.
     [[nodiscard]] evaluation::FrictionMotion<Bounded<double>> motion(std::size_t k, const Bounded<double>& tau) const;
 
 private:
-    // What tells displacements or velocities from half of the energy coordinates, a column a displacement, with its errors.
+    // Rows that give displacements or velocities from half of the energy coordinates, with their errors.
     struct Rows {
         Matrix<double> value, error;
     };
@@ -86,7 +86,7 @@ private:
     mutable std::map<double, CoupledState> known_;
 };
 
-/// @brief (57)'s expression summed over the contact, where damping couples the modes: what of X_j + beta G_j friction demands.
+/// @brief (57)'s expression summed over the contact, if damping couples the modes: what of X_j + beta G_j friction demands.
 /// The limits at both ends of [0, pi] are included. @eq{56,57,71}
 template <class Number>
 [[nodiscard]] Number coupled_demand(const CoupledFriction& friction, Mass contact, const Number& tau) {

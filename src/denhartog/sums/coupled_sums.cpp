@@ -1,3 +1,5 @@
+// V, U and G of every mass if damping couples the modes: linear systems take the place of the sums (33)-(35). Read
+// `coupled_sums` first; `BoundedSystem` adds a bound of the error to each solution.
 #include "denhartog/sums/coupled_sums.hpp"
 
 #include <algorithm>

@@ -17,7 +17,7 @@ public:
     [[nodiscard]] bool is_regular() const { return is_regular_; }
     /// @brief The solution of \f$ Ax=b \f$.
     [[nodiscard]] std::vector<Bounded<double>> solved(const Column& b) const { return solved(b, Column::Zero(b.size())); }
-    /// @brief The same with bounds of errors of b besides rounding.
+    /// @brief The solution for b, with bounds that include errors of b besides rounding.
     [[nodiscard]] std::vector<Bounded<double>> solved(const Column& b, const Column& error) const;
 
 private:
@@ -40,7 +40,7 @@ harmonic_responses(const BoundedSystem& system, const std::vector<Complex<double
 [[nodiscard]] ModeSums<Bounded<double>> coupled_sums(const System<double>& system, const Bounded<double>& r,
                                                      Effort* effort = nullptr);
 
-/// @brief The sums over modes with bounds of their errors, or what has their place where damping couples the modes. DomainError
+/// @brief The sums over modes with bounds of their errors, or their substitute if damping couples the modes. DomainError
 /// at a pole of a mode without damping. @eq{33,34,35,64,65}
 [[nodiscard]] inline ModeSums<Bounded<double>> bounded_sums(const System<double>& system,
                                                             const ModalBasis<Bounded<double>>& basis, const Bounded<double>& r,

@@ -1,3 +1,4 @@
+// The braces of (40) of all modes at an instant, kept for the next question at that instant, and bounds of their sizes.
 #include "denhartog/sums/friction_motion.hpp"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ FrictionMotions::FrictionMotions(const ModeSums<double>& sums, Effort* effort)
     : sums_(sums), effort_(effort), first(0), last(sums.R.size()) {
     c.reserve(last);
     for (std::size_t i = first; i < last; ++i) {
-        // What bounds an overdamped mode does not come from two amplitudes, which are infinite at zeta = 1.
+        // The bound of an overdamped mode does not come from two amplitudes, which are infinite at zeta = 1.
         c.push_back(sums.zeta[i] >= 1 ? 0.0 : amplitude_of_brace(sums, i));
     }
 }

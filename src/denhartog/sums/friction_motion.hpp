@@ -1,8 +1,8 @@
 /// @file
 /// @brief The braces of (40) of all modes at one instant, and bounds of their derivatives.
 ///
-/// Where \f$ \zeta_i < 1 \f$ the braces are \f$ 1 - \mathrm{Re}\{c_i e^{\rho_i\tau}\} \f$ with \f$ |\rho_i| = 1/R_i \f$, so that
-/// from an instant a on their n-th derivative is at most \f$ |c_i|\,e^{-\zeta_i a/R_i}/R_i^n \f$. Where \f$ \zeta_i \ge 1 \f$ the
+/// If \f$ \zeta_i < 1 \f$ the braces are \f$ 1 - \mathrm{Re}\{c_i e^{\rho_i\tau}\} \f$ with \f$ |\rho_i| = 1/R_i \f$, so that
+/// from an instant a on their n-th derivative is at most \f$ |c_i|\,e^{-\zeta_i a/R_i}/R_i^n \f$. If \f$ \zeta_i \ge 1 \f$ the
 /// derivatives \f$ y_n \f$ in \f$ \tau/R_i \f$ follow from one another, \f$ y_{n+2} = -2\zeta_iy_{n+1} - y_n \f$, n of 1 and
 /// more, and no \f$ y_n^2 + y_{n+1}^2 \f$ ever grows: what it is at a bounds both from there on.
 #pragma once

@@ -1,3 +1,5 @@
+// Which load on the masses does the motion of a base or wall make? (K + i r C) 1 for a base that moves alone, and r^2 M 1 less
+// that for a wall. Read `with_load_at` first.
 #include "denhartog/sums/load_of_base.hpp"
 
 #include <algorithm>
@@ -34,7 +36,7 @@ std::vector<Number> springs(const System<double>& s) {
     return k;
 }
 
-// C 1, by (19) where damping is given by ratios: M Phi diag(2 zeta_i r_ni) Phi^T M 1.
+// C 1, by (19) if damping is given by ratios: M Phi diag(2 zeta_i r_ni) Phi^T M 1.
 std::vector<Number> dampers(const System<double>& s, const std::vector<Number>& masses) {
     if (s.damping_matrix.size() > 0 && s.damping_tolerance == 0) return sums_of_rows(s.damping_matrix); // whatever the modes are
     const std::size_t N = masses.size();

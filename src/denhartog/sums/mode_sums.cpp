@@ -1,3 +1,5 @@
+// The sums over the modes at one frequency ratio: (22), (23), (28), (29) of each mode, then (33)-(35), (64) and (65) of every
+// mass. Read the longest `mode_sums` first; the checks before it refuse poles and sums without a digit.
 #include "denhartog/sums/mode_sums.hpp"
 
 #include <boost/container/small_vector.hpp>

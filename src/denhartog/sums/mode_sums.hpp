@@ -1,5 +1,5 @@
 /// @file
-/// @brief What the modes contribute at one frequency ratio, and their sums for every mass: (22), (23), (28), (29), (33)-(35),
+/// @brief The functions of the modes at one frequency ratio, and their sums for every mass: (22), (23), (28), (29), (33)-(35),
 /// (64), (65).
 ///
 /// None of it depends on the friction ratio: one evaluation serves every beta at that r.
@@ -22,7 +22,7 @@ class CoupledFriction;
 
 /// @brief Modes and sums over modes at one frequency ratio.
 ///
-/// Where damping couples the modes there are none: their lists are empty, and friction's share of the motion is in `coupled`.
+/// If damping couples the modes there are none: their lists are empty, and friction's share of the motion is in `coupled`.
 template <class T>
 struct ModeSums {
     T r;                       ///< frequency ratio, Eq. (10)
@@ -40,9 +40,9 @@ struct ModeSums {
     std::vector<T> G;          ///< second damping functions of the masses, Eq. (35)
     Complex<T> Y_jj;           ///< (33) with the load on the contact: its response to a unit force there, without friction
     T H_j;                     ///< Eq. (64)
-    T sum_of_squares;          ///< sum of psi_ji^2, Eq. (65); 1 / (gamma_j r^2) where the mass matrix is diagonal
-    std::shared_ptr<const CoupledFriction> coupled{}; ///< where damping couples the modes; else null
-    std::optional<Mass> load_im{};                    ///< the row of the load's imaginary part; none where forces are in phase
+    T sum_of_squares;          ///< sum of psi_ji^2, Eq. (65); 1 / (gamma_j r^2) if the mass matrix is diagonal
+    std::shared_ptr<const CoupledFriction> coupled{}; ///< if damping couples the modes; else null
+    std::optional<Mass> load_im{};                    ///< the row of the load's imaginary part; none if forces are in phase
 };
 
 /// @brief \f$ |c_i| \f$ of a mode with \f$ \zeta_i < 1 \f$, whose brace in (40) is \f$ 1 - \mathrm{Re}\{c_ie^{\rho_i\tau}\} \f$.
@@ -53,7 +53,7 @@ template <class T>
     return modulus(Complex<T>{cosine, sine});
 }
 
-/// @brief Checks that each mode moves by itself; InputError where damping couples the modes.
+/// @brief Checks that each mode moves by itself; InputError if damping couples the modes.
 template <class T>
 void check_uncoupled(const ModalBasis<T>& basis) {
     if (basis.couples)
@@ -62,21 +62,21 @@ void check_uncoupled(const ModalBasis<T>& basis) {
 }
 
 /// @brief Evaluates the modes at a frequency ratio and sums them. Of a basis with the shapes at a few masses alone, masses are
-/// counted among these; a load on several masses, which is none of them, has its row behind all others. InputError where r, j or
-/// l breaks its rule; DomainError where an undamped mode is at a pole of (23), (28). @eq{22,23,28,29,33,34,35,64,65}
+/// counted among these; a load on several masses, which is none of them, has its row behind all others. InputError if r, j or
+/// l breaks its rule; DomainError if an undamped mode is at a pole of (23), (28). @eq{22,23,28,29,33,34,35,64,65}
 template <class T>
 [[nodiscard]] ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r);
 
-/// @brief The same of a load that may be out of phase. @eq{22,23,28,29,33,34,35,64,65}
+/// @brief Sums for a load that may be out of phase. @eq{22,23,28,29,33,34,35,64,65}
 template <class T>
 [[nodiscard]] ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, const LoadRows& load, const T& r);
 
-/// @brief The same sums of modes that were evaluated before: `functions` are (23), (28), (29) of every mode at r.
+/// @brief Sums of modes that were evaluated before: `functions` are (23), (28), (29) of every mode at r.
 template <class T>
 [[nodiscard]] ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, const LoadRows& load, const T& r,
                                     const std::vector<evaluation::ModeFunctions<T>>& functions);
 
-/// @brief (23), (28), (29) of every mode; counted. DomainError where an undamped mode is at a pole.
+/// @brief (23), (28), (29) of every mode; counted. DomainError if an undamped mode is at a pole.
 template <class T>
 [[nodiscard]] std::vector<evaluation::ModeFunctions<T>> mode_functions_at(const ModalBasis<T>& basis, const T& r);
 
