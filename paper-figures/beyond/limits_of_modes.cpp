@@ -63,7 +63,7 @@ void add(Figure& figure, const std::vector<LimitPath>& paths, const std::vector<
         words.words.push_back({path, limit});
     };
     for (std::size_t f = 0; f < 3; ++f) {
-        write(numbers_of_functions[f] + ", path", names_of_functions[f] + " →");
+        write(numbers_of_functions[f] + ", path", (f == 0 ? "|v|" : names_of_functions[f]) + " →");
         for (std::size_t n = 0; n < rows.size(); ++n) {
             bool any = false;
             for (std::size_t t = 0; t < types; ++t) any = any || fails(rows[n], t, false, f) || fails(rows[n], t, true, f);

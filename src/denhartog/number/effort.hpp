@@ -89,7 +89,7 @@ private:
     Effort* effort_;
 };
 
-// The effort that one search may spend: a share of the budget of its question, if there is one, from which it is taken at the end of the
+// The effort of one search: a share of the budget of its question, if there is one, from which it is taken at the end of the
 // scope.
 class SearchEffort : public Effort {
 public:

@@ -68,7 +68,7 @@ struct PeriodicOrbit {
 /// The search ends when its effort is spent: `reason` then says how far it came. If mu = 1 and every damping ratio is positive,
 /// the steady velocities are unique, and the first orbit found is the answer. Otherwise an orbit is accepted only if it is stable
 /// and the motion from the start approaches it as its linearisation predicts; or, for an orbit without stops, comes so near that
-/// `sliding_reach` proves the approach. `follow_start` switches this test off. A contact at rest stays for ever if the load on it
+/// `sliding_reach` proves the approach; unless `follow_start` is off. A contact at rest stays for ever if the load on it
 /// in the steady stuck motion, plus a bound of what the transient adds, is below mu beta. That motion is one of a continuum, and
 /// `multipliers` are those of the other masses.
 [[nodiscard]] PeriodicOrbit periodic_orbit(ExactSolver& solver, const State& start, const OrbitSearch& search = {});

@@ -12,10 +12,10 @@
 
 namespace denhartog::reference {
 
-/// @brief Bits with which this thread searches for maxima. Newton's method then finds them with all current bits. The
+/// @brief Cost of so many functions of time at an instant, as `Effort` counts: an exponential, a sine and a cosine each.
 [[nodiscard]] inline long cost_of_evaluations(std::size_t count) { return static_cast<long>(20 * count) * (1 + ball_bits / 256); }
 
-/// @brief Bits with which this thread searches for maxima. Newton's method then finds them with all bits of the moment. The
+/// @brief Bits with which this thread searches for maxima. Newton's method then finds them with all current bits. The
 /// driver doubles both.
 inline thread_local slong bits_of_search = 64;
 

@@ -108,7 +108,7 @@ void settle_maximum(const ModeSums<T>& s, SteadyState<T>& state, std::size_t k, 
     }
     const double change_of_acceleration = reach * size_of_jerk(s, mass, k, instant, step, share),
                  change_of_displacement = reach * change_of_acceleration, least = ValueOf<T>::least(now.x_double_prime);
-    // A step over which the acceleration may vanish tells nothing of the maximum.
+    // A step over which the acceleration may vanish proves nothing about the maximum.
     const bool tells = least > 0 && (change_of_displacement == 0 || 2 * change_of_acceleration < least);
     const double error_of_instant = !tells ? pi<double>() : change_of_displacement == 0 ? 0 : change_of_displacement / least;
     set_maximum(state.masses[k], state.phi_j, with_neglected(T(instant + step), T(error_of_instant)),

@@ -32,8 +32,8 @@ using CoupledState = std::array<Column, 4>;
 /// @brief Friction's share of the motion at one frequency ratio, if damping couples the modes. Not for two threads at once.
 class CoupledFriction {
 public:
-    /// @brief Of a system with a damping matrix, at a frequency ratio. DomainError at a pole, which is a
-    /// motion without damping that mirrors itself every half-period; PrecisionError if the number type does not have the
+    /// @brief Of a system with a damping matrix, at a frequency ratio; exponentials are paid from a budget. DomainError at a
+    /// pole, a motion without damping that mirrors itself every half-period; PrecisionError if the number type does not have the
     /// digits of its coordinates.
     CoupledFriction(const System<double>& system, double r, Effort* effort = nullptr);
 
