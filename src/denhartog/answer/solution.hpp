@@ -152,7 +152,9 @@ struct Solution {
     std::optional<Certified> beta;             ///< friction ratio, Eq. (11); empty if only the boundary was asked for
     Mass contact;                              ///< the mass in contact, j
     std::optional<Mass> contact_with{};        ///< the mass that it rubs against; empty for a wall
-    std::optional<SolvedMass> between{};       ///< if there is one: the motion of `contact` relative to `contact_with`
+    std::vector<double> contact_direction{};   ///< w, if the contact slides along another direction; N values or none
+    std::optional<SolvedMass> between{};       ///< in both cases the motion of the contact itself: of `contact` relative to
+                                               ///< `contact_with`, or w^T x
     RegimeAtPoint regime;                      ///< the regime, with the reason
     std::optional<Regime> regime_by_56;        ///< the regime by (69) with (56), if it differs from `regime`
     Method method;                             ///< model, precision, and why
@@ -210,8 +212,9 @@ struct AnswerOrNone {
 /// @throws DomainError at a pole; PrecisionError where there is no answer for another reason
 [[nodiscard]] Solution required(AnswerOrNone answer);
 
-/// @brief Takes what a contact between two masses does out of the lists over masses, where it comes last. For the library's own use.
-/// @param system  the system; nothing is done where the contact is with the wall
+/// @brief Takes what a contact that does not move as one mass does out of the lists over masses, where it comes last. For the
+/// library's own use.
+/// @param system  the system; nothing is done where the contact moves as one mass
 /// @param s       the answer; it is changed in place
 void take_contact_between(const System<double>& system, Solution& s);
 
