@@ -200,7 +200,7 @@ TEST_CASE("a direction of one mass, or of two with opposite signs, is read as th
     CHECK(contact(R"({"direction": [-1, 0, 1]})").contact_with == Mass{0});
     CHECK(contact(R"({"direction": [-1, 0, 1]})").contact_direction.empty());
     CHECK(contact(R"({"direction": [0, "1", 0]})").contact_direction.empty());
-    for (const char* other : {"[0, -1, 0]", "[0, 2, 0]", "[1, 1, 0]", "[1, -1, -1]", "[1, -0.5, 0]", R"([0, "1.5", 0])"}) {
+    for (const char* other : {"[0, -1, 2]", "[1, 1, 0]", "[1, -1, -1]", "[1, -0.5, 0]", R"([0, "1.5", 0])"}) {
         INFO(other);
         const System<double> s = contact(std::string(R"({"direction": )") + other + "}");
         CHECK(s.contact_direction.size() == 3);

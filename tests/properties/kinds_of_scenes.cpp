@@ -29,7 +29,7 @@ const Kind kinds[] = {
     {"damping that couples the modes", random_coupled_scenes, 20262, {7, 60}, {20, 3}, 80, 20264, {3, 40}, 2},
     {"forces out of phase", random_phased_scenes, 20264, {9, 45}, {24, 4}, 120, 20266, {4, 20}, 1},
     {"moving bases and walls", random_base_scenes, 20265, {18, 20}, {22, 4}, 110, 20268, {4, 15}, 1},
-    {"any direction of the contact", random_direction_scenes, 20267, {2, 200}, {16, 6}, 120, 20270, {3, 40}, 1}};
+    {"any direction of the contact", random_direction_scenes, 20267, {2, 200}, {20, 4}, 120, 20270, {3, 40}, 1}};
 
 } // namespace
 
@@ -74,7 +74,7 @@ TEST_CASE("map and motion of scenes of every kind are those of solve", "[vectors
     for (const char* kind :
          {R"([1, 2], "load": [0.25, 1, 0.5]})", R"(2, "load": [1, 0.5, 0.25], "load_phases": [0, 1.25, -2]})",
           R"(2, "base_motion": "alone"})", R"(2, "base_motion": "wall"})",
-          R"({"direction": [0.5, -1, 1.5]}, "load": [0.25, 1, 0.5]})", R"({"direction": [0, -0.5, 0]}, "load": 1})"}) {
+          R"({"direction": [0.5, -1, 1.5]}, "load": [0.25, 1, 0.5]})", R"({"direction": [0, -0.5, 0.25]}, "load": 1})"}) {
         INFO(kind);
         CHECK(check_map_by_solve(scene(chain + kind), r, beta) > 0);
     }

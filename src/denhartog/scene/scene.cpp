@@ -149,8 +149,9 @@ void check_direction(const System<T>& s, std::size_t N, const SceneNames& names)
     if (largest == 0) wrong("must have an entry that is not zero", "0 for all");
     if (largest < 1e-100 || largest > 1e100)
         wrong("must have its largest entry from 1e-100 to 1e100 in size", number_to_text(largest));
-    if (std::ranges::count(w, T(0)) + 1 == std::ssize(w) && std::ranges::count(w, T(1)) == 1)
-        wrong("must not be that of one mass alone, as far as a double tells: contact is then the number of the mass", "1");
+    if (std::ranges::count(w, T(0)) + 1 == std::ssize(w))
+        wrong("must have two entries at least that are not zero: of one mass contact is the number, and a factor belongs to the friction",
+              number_to_text(*std::ranges::find_if(w, [](const T& x) { return x != 0; })));
     if (s.base_motion == BaseMotion::wall && evaluation::sum_with_rests<T>(w) == 0)
         wrong("must have entries whose sum is not zero where the wall moves: else nothing rubs against it", "0");
 }
