@@ -6,7 +6,7 @@ function text = denhartog_json(scene)
 %
 %   A number stays a number, a vector becomes a list, a matrix a list of its rows. A cell array becomes a list of any
 %   length, one included. Numbers are written with 17 digits, so that the library reads the same doubles. Numbers given
-%   as text, such as '0.1', stay text. A field "comment" is left out.
+%   as text, such as '0.1', stay text. A struct, such as struct('direction', w) of a contact, stays an object. A field "comment" is left out.
   if is_text(scene)
     text = reshape(char(scene), 1, []);
     return
@@ -25,6 +25,8 @@ end
 function text = value_text(key, value)
   if is_text(value)
     text = jsonencode(char(value));
+  elseif isstruct(value) && numel(value) == 1
+    text = denhartog_json(value); % the direction of a contact
   elseif iscell(value)
     text = list(cellfun(@(each) value_text(key, each), reshape(value, 1, []), 'UniformOutput', false));
   elseif ~(isnumeric(value) || islogical(value)) || ndims(value) > 2

@@ -8,7 +8,7 @@
 ///     boundary             scene, r, mu
 ///     solve                scene, r, beta, mu, digits, proved
 ///     motion               scene, r, beta, mu, samples
-///     map                  scene, r, beta, mu, masses
+///     map                  scene, r, beta, mu, masses, phases, from_ground
 ///     energies             scene, r, beta, mu, digits
 ///     place_of_rest        scene
 ///     free_decay           scene, r, beta, mu, x, v, until
@@ -170,12 +170,14 @@ static mxArray* solve_point(double r, double beta, double mu, int digits, int pr
     size_t k;
     int from_rest;
     double* ends;
+    char warning[512];
     mxArray* result = empty_struct();
     const dh_points point = fields_of_points(result, 1, N);
     need((proved ? dh_solve_proved : dh_solve)(held_system, r, beta, mu, digits, &held_solution));
     need(dh_solution_summary(held_solution, &motion));
     need(dh_solution_is_proved(held_solution, &proved));
     need(dh_solution_is_from_rest(held_solution, &from_rest));
+    need(dh_solution_warning(held_solution, sizeof warning, warning));
     *point.status = motion.on_boundary ? DH_POINT_ON_BOUNDARY : DH_POINT_ANSWERED;
     *point.regime = (signed char)motion.regime;
     *point.stops = (int)motion.stops;
@@ -204,6 +206,7 @@ static mxArray* solve_point(double r, double beta, double mu, int digits, int pr
     mxSetFieldByNumber(result, 0, mxAddField(result, "symmetric"), mxCreateLogicalScalar(motion.symmetric != 0));
     mxSetFieldByNumber(result, 0, mxAddField(result, "from_rest"), mxCreateLogicalScalar(from_rest != 0));
     mxSetFieldByNumber(result, 0, mxAddField(result, "proved"), mxCreateLogicalScalar(proved != 0));
+    mxSetFieldByNumber(result, 0, mxAddField(result, "warning"), mxCreateString(warning));
     return result;
 }
 
@@ -268,7 +271,8 @@ static mxArray* map(size_t N, const mxArray* const* arguments) {
                                     .beta = beta.values,
                                     .mu = mu,
                                     .mass_count = mass_count,
-                                    .masses = masses};
+                                    .masses = masses,
+                                    .from_ground = number(arguments[5], "from_ground must be one number, 0 or 1") != 0};
     dh_map_result to = {.size = sizeof to, .beta_step = 1, .amplitude_beta_step = 1, .mass_step = (ptrdiff_t)points};
     to.r_step = to.amplitude_r_step = (ptrdiff_t)beta.count;
     to.status = (signed char*)field(result, "status", mxINT8_CLASS, beta.count, r.count);
@@ -276,6 +280,8 @@ static mxArray* map(size_t N, const mxArray* const* arguments) {
     to.stops = (int*)field(result, "stops", mxINT32_CLASS, beta.count, r.count);
     to.periods = (int*)field(result, "periods", mxINT32_CLASS, beta.count, r.count);
     to.amplitude = doubles(result, "amplitude", beta.count, r.count * mass_count);
+    if (number(arguments[4], "phases must be one number, 0 or 1") != 0)
+        to.phase = doubles(result, "phase", beta.count, r.count * mass_count);
     if (points > 0) need(dh_map(held_system, &request, &to));
     mxFree(masses);
     return result;
@@ -472,7 +478,7 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
                                        {"place_of_rest", 1, place_of_rest},
                                        {"free_decay", 7, free_decay},
                                        {"history", 10, history},
-                                       {"map", 5, map}};
+                                       {"map", 7, map}};
     char name[32] = "";
     size_t n;
     release();

@@ -30,6 +30,8 @@ function solution = denhartog_solve(scene, r, beta, digits, proved)
 %     from_rest             false where the motion is a steady one, and the start from rest is not known to lead to it
 %     symmetric             true where the motion mirrors itself after half its period, Eq. (25)
 %     proved                true where every number and every bound is proved; else the bounds are estimates
+%     warning               text: what the amplitudes depend on too much, a mode next to its resonance and with next to no
+%                           damping; empty where there is nothing to say
 %     absolute_amplitude    where base, wall or both move: largest absolute displacements, absolute_phase their lags behind
 %                           what moves, transmissibility the amplitudes over its own; absolute_amplitude_error,
 %                           absolute_phase_error, transmissibility_error the bounds of their errors

@@ -161,6 +161,13 @@ TEST_CASE("null pointers and wrong lengths are refused, and nothing is written",
     f.fails(dh_solution_is_from_rest(nullptr, &proved), DH_ERROR_NULL, "solution");
     f.fails(dh_solution_is_from_rest(x, nullptr), DH_ERROR_NULL, "from_rest");
     CHECK(proved == 99);
+    char text[512] = "as it was";
+    f.fails(dh_solution_warning(nullptr, sizeof text, text), DH_ERROR_NULL, "solution");
+    f.fails(dh_solution_warning(x, sizeof text, nullptr), DH_ERROR_NULL, "text");
+    f.fails(dh_solution_warning(x, 0, text), DH_ERROR_SIZE, "room must be at least 1, but is 0");
+    CHECK(text[0] == 'a');
+    CHECK(dh_solution_warning(x, 1, text) == DH_OK);
+    CHECK(text[0] == '\0');
     f.fails(dh_solution_stops(nullptr, 0, a, b), DH_ERROR_NULL, "solution");
     f.fails(dh_solution_stops(x, 1, a, b), DH_ERROR_SIZE, "count must be 0, but is 1");
     f.fails(dh_solution_stops(f.stopping.get(), 2, nullptr, b), DH_ERROR_NULL, "start");

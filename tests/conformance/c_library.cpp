@@ -52,7 +52,8 @@ TEST_CASE("the shared library exports the names of its list and no other", "[c_i
         "dh_sliding_motion_errors dh_solution_contact dh_solution_destroy dh_solution_energies dh_solution_from_ground "
         "dh_solution_is_from_rest "
         "dh_solution_is_proved "
-        "dh_solution_mass dh_solution_motion dh_solution_stop_errors dh_solution_stops dh_solution_summary dh_solve "
+        "dh_solution_mass dh_solution_motion dh_solution_stop_errors dh_solution_stops dh_solution_summary "
+        "dh_solution_warning dh_solve "
         "dh_solve_points "
         "dh_solve_proved dh_solve_systems dh_status_text dh_sum_errors dh_sums dh_system_destroy dh_system_from_json "
         "dh_system_from_ratios dh_system_masses dh_version");

@@ -133,6 +133,7 @@ DH_EXPORT void dh_solution_destroy(dh_solution* solution) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_summary(const dh_solution* solution, dh_summary* summary) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_is_proved(const dh_solution* solution, int* proved) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_is_from_rest(const dh_solution* solution, int* from_rest) DH_NOEXCEPT;
+DH_EXPORT int dh_solution_warning(const dh_solution* solution, size_t room, char* text) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_mass(const dh_solution* solution, size_t mass, dh_mass* result) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_from_ground(const dh_solution* solution, size_t mass, dh_mass* result, double* transmissibility,
                                       double* transmissibility_error) DH_NOEXCEPT;
@@ -165,6 +166,7 @@ typedef struct dh_map_request {
     unsigned threads;
     dh_progress progress;
     void* context;
+    int from_ground;
 } dh_map_request;
 typedef struct dh_map_result {
     size_t size;
@@ -178,6 +180,7 @@ typedef struct dh_map_result {
     ptrdiff_t amplitude_beta_step;
     ptrdiff_t mass_step;
     double* amplitude;
+    double* phase;
 } dh_map_result;
 DH_EXPORT int dh_map(const dh_system* system, const dh_map_request* request, const dh_map_result* result) DH_NOEXCEPT;
 typedef struct dh_points_request {

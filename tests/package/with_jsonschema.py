@@ -24,6 +24,9 @@ BROKEN = [
     {**CHAIN, "beta": -1},
     {**CHAIN, "contact": 0},
     {**CHAIN, "contact": [1, 2, 3]},
+    {**CHAIN, "contact": {"direction": []}},
+    {**CHAIN, "contact": {"mass": 2}},
+    {**CHAIN, "contact": {"direction": [1, 2, 3], "mass": 2}},
     {**CHAIN, "damping_tolerance": 3, "damping_matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]},
     {**CHAIN, "friction": 1},
     {**CHAIN, "no_such_key": 1},
@@ -38,6 +41,7 @@ BROKEN = [
     {key: value for key, value in CHAIN.items() if key != "mass_ratios"},
 ]
 SOUND = [
+    {**CHAIN, "contact": {"direction": [0.5, "-1", 0]}},
     {**CHAIN, "comment": "a scene"},
     {**CHAIN, "r": "0.1"},
     {**CHAIN, "contact": [2, 3], "load": [1, 0.5, 0]},

@@ -67,7 +67,8 @@ void compare_with_witness(const RandomScene<double>& random, int digits, Found& 
         CHECK(abs(W(sin(turn))) + (cos(turn) < 0 ? W(1) : W(0)) <= W(s.masses[k].phase->error) + W(std::pow(10.0, -digits)));
     }
     const W of_contact = contact_vector(problem).dot(witness.x_0);
-    check(scene.system.contact_with ? s.between.value().amplitude : s.amplitude(scene.system.contact), of_contact, of_contact);
+    check(contact_moves_apart(scene.system) ? s.between.value().amplitude : s.amplitude(scene.system.contact), of_contact,
+          of_contact);
     ++found.compared;
 }
 

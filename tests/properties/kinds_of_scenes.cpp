@@ -24,15 +24,17 @@ struct Kind {
     int surveys; // seeds of which every scene is compared
 };
 
-const Kind kinds[] = {{"contact and load as vectors", random_vector_scenes, 20261, {6, 70}, {20, 5}, 120, 20263, {3, 60}, 2},
-                      {"damping that couples the modes", random_coupled_scenes, 20262, {7, 60}, {20, 3}, 80, 20264, {3, 40}, 2},
-                      {"forces out of phase", random_phased_scenes, 20264, {9, 45}, {24, 4}, 120, 20266, {4, 20}, 1},
-                      {"moving bases and walls", random_base_scenes, 20265, {18, 20}, {22, 4}, 110, 20268, {4, 15}, 1}};
+const Kind kinds[] = {
+    {"contact and load as vectors", random_vector_scenes, 20261, {6, 70}, {20, 5}, 120, 20263, {3, 60}, 2},
+    {"damping that couples the modes", random_coupled_scenes, 20262, {7, 60}, {20, 3}, 80, 20264, {3, 40}, 2},
+    {"forces out of phase", random_phased_scenes, 20264, {9, 45}, {24, 4}, 120, 20266, {4, 20}, 1},
+    {"moving bases and walls", random_base_scenes, 20265, {18, 20}, {22, 4}, 110, 20268, {4, 15}, 1},
+    {"any direction of the contact", random_direction_scenes, 20267, {2, 200}, {20, 4}, 120, 20270, {3, 40}, 1}};
 
 } // namespace
 
 TEST_CASE("the closed form agrees with the second witness to 12 digits in scenes of every kind",
-          "[eq:33][eq:34][eq:35][eq:38][eq:39][eq:46][eq:65][vectors][coupled-damping][phases][base][witness]") {
+          "[eq:33][eq:34][eq:35][eq:38][eq:39][eq:46][eq:65][vectors][coupled-damping][phases][base][direction][witness]") {
     for (const Kind& kind : kinds) {
         INFO(kind.name);
         check_by_witness<double>(kind.scenes(kind.seed), kind.to_12_digits.every, 12, kind.to_12_digits.least);
@@ -40,7 +42,7 @@ TEST_CASE("the closed form agrees with the second witness to 12 digits in scenes
 }
 
 TEST_CASE("the closed form agrees with the second witness to 45 digits in scenes of every kind",
-          "[eq:33][eq:38][vectors][coupled-damping][phases][base][witness]") {
+          "[eq:33][eq:38][vectors][coupled-damping][phases][base][direction][witness]") {
     for (const Kind& kind : kinds) {
         INFO(kind.name);
         std::vector<RandomScene<double>> scenes = kind.scenes(kind.seed + 1);
@@ -50,13 +52,13 @@ TEST_CASE("the closed form agrees with the second witness to 45 digits in scenes
 }
 
 TEST_CASE("every scene of every kind agrees with the second witness",
-          "[.][sweep][vectors][coupled-damping][phases][base][witness]") {
+          "[.][sweep][vectors][coupled-damping][phases][base][direction][witness]") {
     for (const Kind& kind : kinds)
         for (int n = 0; n < kind.surveys; ++n) survey_by_witness(kind.scenes(kind.seed + static_cast<std::uint64_t>(n)));
 }
 
 TEST_CASE("stick-slip in scenes of every kind is the paper's algorithm's",
-          "[eq:74][eq:75][vectors][coupled-damping][phases][base]") {
+          "[eq:74][eq:75][vectors][coupled-damping][phases][base][direction]") {
     for (const Kind& kind : kinds) {
         INFO(kind.name);
         const int most = kind.with_stops.least;
@@ -64,13 +66,15 @@ TEST_CASE("stick-slip in scenes of every kind is the paper's algorithm's",
     }
 }
 
-TEST_CASE("map and motion of scenes of every kind are those of solve", "[vectors][coupled-damping][phases][base]") {
+TEST_CASE("map and motion of scenes of every kind are those of solve", "[vectors][coupled-damping][phases][base][direction]") {
     const std::vector<double> r{0.5, 0.75, 1.5}, beta{0.0625, 0.5, 4};
     const std::string chain =
         R"({"mass_ratios": [1, 2, 1.5], "stiffness_ratios": [1, 0.75, 1.25], "damping_ratios": [0.05, 0.04, 0.06], "r": 0.75,
             "beta": 0.0625, "contact": )";
-    for (const char* kind : {R"([1, 2], "load": [0.25, 1, 0.5]})", R"(2, "load": [1, 0.5, 0.25], "load_phases": [0, 1.25, -2]})",
-                             R"(2, "base_motion": "alone"})", R"(2, "base_motion": "wall"})"}) {
+    for (const char* kind :
+         {R"([1, 2], "load": [0.25, 1, 0.5]})", R"(2, "load": [1, 0.5, 0.25], "load_phases": [0, 1.25, -2]})",
+          R"(2, "base_motion": "alone"})", R"(2, "base_motion": "wall"})",
+          R"({"direction": [0.5, -1, 1.5]}, "load": [0.25, 1, 0.5]})", R"({"direction": [0, -0.5, 0.25]}, "load": 1})"}) {
         INFO(kind);
         CHECK(check_map_by_solve(scene(chain + kind), r, beta) > 0);
     }

@@ -1,6 +1,8 @@
 // Bases and walls that move, together or alone, against routes that know the equations of motion alone.
 #include <cmath>
 
+#include "denhartog/answer/reference.hpp"
+#include "denhartog/scene/scene_json.hpp"
 #include "tests/properties/against_witness.hpp"
 #include "tests/support/phased_scenes.hpp"
 
@@ -200,4 +202,27 @@ TEST_CASE("a wall that nothing rubs against, and one that loads nothing, are ref
     CHECK_THROWS_WITH(solve(scene(R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": 0, "contact": 1, "r": 1,
                                       "beta": 0.1, "base_motion": "wall"})")),
                       Catch::Matchers::Contains("loads no mass"));
+}
+
+TEST_CASE("invariant points of a base alone are those of its springs, damped or not, and a wall alone is refused by name",
+          "[base][eq:87]") {
+    const auto points = [](const std::string& load, const std::string& zeta) {
+        const std::string text =
+            R"({"mass_ratios": [1, 2, 1.5], "stiffness_ratios": [1, 0.75, 1.25], "contact": 2, "damping_ratios": )" + zeta +
+            ", " + load + "}";
+        return invariant_points(scene_source(SceneText{text}), {"0.2", "2"}, std::nullopt);
+    };
+    const auto of_load = points(R"("load": 1)", "0"); // the base holds mass 1 alone, by the spring k_1
+    std::size_t count = 0;
+    for (const char* zeta : {"0", "0.05"}) {
+        const auto of_base = points(R"("base_motion": "alone")", zeta);
+        REQUIRE(of_base.size() == of_load.size());
+        for (std::size_t k = 0; k < of_load.size(); ++k) {
+            REQUIRE(of_base[k].points.size() == of_load[k].points.size());
+            for (std::size_t n = 0; n < of_load[k].points.size(); ++n, ++count)
+                CHECK(of_base[k].points[n].r.value == of_load[k].points[n].r.value);
+        }
+    }
+    CHECK(count > 4);
+    REQUIRE_THROWS_WITH(points(R"("base_motion": "wall")", "0.05"), Catch::Matchers::Contains("in the frame of the wall"));
 }

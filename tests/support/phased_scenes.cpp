@@ -40,4 +40,22 @@ std::vector<RandomScene<double>> random_base_scenes(std::uint64_t seed) {
     return scenes;
 }
 
+std::vector<RandomScene<double>> random_direction_scenes(std::uint64_t seed) {
+    SplitMix64 random(seed);
+    std::vector<RandomScene<double>> all = random_vector_scenes(seed), phased = random_phased_scenes(seed), scenes;
+    for (std::size_t n = 0; n < all.size(); ++n) {
+        RandomScene<double>& each = n % 2 != 0 ? phased[n] : all[n];
+        System<double>& s = each.scene.system;
+        s.contact_with.reset();
+        const std::size_t N = number_of_masses(s), j = s.contact.index;
+        if (N == 1) continue;
+        constexpr double sizes[] = {0.5, 1, 2};
+        for (std::size_t k = 0; k < N; ++k) s.contact_direction.push_back(random.one_in(3) ? 0 : random.integer(-16, 16) / 8.0);
+        s.contact_direction[(j + 1) % N] = random.integer(1, 16) / 8.0;
+        s.contact_direction[j] = (random.one_in(2) ? 1 : -1) * sizes[random.integer(0, 2)];
+        scenes.push_back(std::move(each));
+    }
+    return scenes;
+}
+
 } // namespace denhartog

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Random scenes whose forces are out of phase.
+/// @brief Random scenes whose forces are out of phase, whose base moves, or whose contact has any direction.
 #pragma once
 
 #include "tests/support/sample_scenes.hpp"
@@ -17,5 +17,12 @@ namespace denhartog {
 /// @param seed  any number; the same seed gives the same scenes
 /// @return      the scenes, by ascending N
 [[nodiscard]] std::vector<RandomScene<double>> random_base_scenes(std::uint64_t seed);
+
+/// @brief Those of `random_vector_scenes` and, every second one, of `random_phased_scenes`, each with a direction of the contact in
+/// place of its masses: entries are multiples of 1/8 from -2 to 2, one in three is zero, that of the mass in contact is 1/2, 1 or 2
+/// in size, and that of a neighbour is not zero. Single masses are left out.
+/// @param seed  any number; the same seed gives the same scenes
+/// @return      the scenes, by ascending N
+[[nodiscard]] std::vector<RandomScene<double>> random_direction_scenes(std::uint64_t seed);
 
 } // namespace denhartog

@@ -43,6 +43,10 @@ HalfPeriodProblem<WitnessOf<T>> half_period_problem(const Scene<T>& scene) {
         p.w(static_cast<Index>(scene.system.contact.index)) = W(1);
         p.w(static_cast<Index>(scene.system.contact_with->index)) = W(-1);
     }
+    if (const std::vector<T>& w = scene.system.contact_direction; !w.empty()) {
+        p.w.resize(M.rows());
+        for (Index k = 0; k < M.rows(); ++k) p.w(k) = static_cast<W>(w[static_cast<std::size_t>(k)]);
+    }
     p.p.resize(static_cast<Index>(scene.system.load_vector.size()));
     for (Index k = 0; k < p.p.size(); ++k) p.p(k) = static_cast<W>(scene.system.load_vector[static_cast<std::size_t>(k)]);
     if (load_depends_on_frequency(scene.system)) { // springs and dampers of what moves, and inertia in the frame of a wall

@@ -86,6 +86,43 @@ TEST_CASE("the largest amplitude over the frequency is the textbook's, and so is
     CHECK(least.places[0].at == 3);
 }
 
+TEST_CASE("a frequency is found for a scene that has none, and whose load depends on it", "[find]") {
+    const std::string unbalance = R"({"masses": [10], "stiffnesses": [1000], "damping_ratios": 0.05, "contact": 1, "load": 1,
+        "unbalance": 0.1, "friction": 1)";
+    const Wanted wanted = wanted_from("amplitude of mass 1 = 0.01");
+    const FoundPlaces with = find_places(unbalance + R"(, "frequency": 3})", {"frequency", 3, 8}, wanted, 16);
+    REQUIRE(kinds_of(with) == Kinds{"crossing"});
+    const FoundPlaces without = find_places(unbalance + "}", {"frequency", 3, 8}, wanted, 16);
+    REQUIRE(kinds_of(without) == Kinds{"crossing"});
+    CHECK(without.places[0].at == with.places[0].at);
+    const FoundPlaces in_hertz = find_places(unbalance + "}", {"frequency_hz", 0.5, 1.25}, wanted, 16);
+    REQUIRE(kinds_of(in_hertz) == Kinds{"crossing"});
+    CHECK(std::abs(2 * pi<double>() * in_hertz.places[0].at - with.places[0].at) < 1e-12);
+    const FoundPlaces ratio =
+        find_places(one + R"("beta": 0})", {"r", 0.05, 3}, wanted_from("amplitude of mass 1 is largest"), 16);
+    REQUIRE(kinds_of(ratio) == Kinds{"extreme"});
+    // Of the friction with the least peak over a frequency that the scene lacks.
+    CHECK(find_places(unbalance + "}", {"friction", 0.5, 2},
+                      wanted_from("largest amplitude of mass 1 over frequency 8:12 = 0.085"), 8)
+              .places.size() == 1);
+    REQUIRE_THROWS_WITH(find_places(unbalance + "}", {"friction", 0.5, 2}, wanted, 8),
+                        Catch::Matchers::Contains("frequency must be given"));
+}
+
+TEST_CASE("an interval that a scene has in part is searched where it has it, the second one as well", "[find]") {
+    const std::string scene = one + R"( "r": 0.9, "beta": 0.1})";
+    const Wanted whole = wanted_from("largest amplitude of mass 1 over r 0.5:1.5 = 3"),
+                 in_part = wanted_from("largest amplitude of mass 1 over r -0.5:1.5 = 3");
+    const FoundPlaces expected = find_places(scene, {"beta", 0, 0.5}, whole, 32),
+                      found = find_places(scene, {"beta", 0, 0.5}, in_part, 64);
+    REQUIRE(kinds_of(expected) == Kinds{"crossing"});
+    REQUIRE(kinds_of(found) == Kinds{"crossing"});
+    CHECK(found.places[0].at == Approx(expected.places[0].at).epsilon(1e-5)); // the peak is known to its samples
+    CHECK(find_places(scene, {"beta", -0.5, 0.5}, in_part, 64).places.size() == 1);
+    REQUIRE_THROWS_WITH(find_places(scene, {"beta", 0, 0.5}, wanted_from("largest amplitude of mass 1 over r -2:-1 = 3"), 8),
+                        Catch::Matchers::Contains("r must be positive"));
+}
+
 TEST_CASE("a scene in units has its amplitude in them", "[find]") {
     const std::string scene = R"({"masses": [10], "stiffnesses": [4000], "damping_ratios": 0.1, "contact": 1, "load": 1,
         "force": 100, "friction": 0, "frequency": 20})"; // at resonance X = P / (2 zeta k)

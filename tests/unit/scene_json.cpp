@@ -422,6 +422,40 @@ TEST_CASE("the forces of a load may have phases", "[scene][json][phases][bad-inp
                         Catch::Matchers::Contains("load_phases must be given together with load as a force on each"));
 }
 
+TEST_CASE("the contact may have any direction", "[scene][json][direction][bad-input]") {
+    const Scene<double> read = read_scene<double>(changed(good(), R"({"contact": {"direction": [0.5, "-2", 0]}})").dump());
+    REQUIRE(read.system.contact_direction == std::vector<double>{0.5, -2, 0});
+    REQUIRE(read.system.contact == Mass{1}); // where one mass is asked for
+    REQUIRE(read_scene<double>(write_scene(read).dump()).system.contact_direction == read.system.contact_direction);
+    const json one = changed(good(), R"({"mass_ratios": 1, "stiffness_ratios": 1, "damping_ratios": 0.05, "load": 1,
+        "contact": {"direction": 1}})"); // as Octave writes a list of one number
+    REQUIRE(read_scene<double>(one.dump()).system.contact_direction.empty());
+
+    refuses(good(), R"(
+        {"contact": {"direction": [0, 2, 0]}}      | direction | two entries at least that are not zero  | 2       | /contact/direction
+        {"contact": {"direction": [1, 2]}}         | direction | as many values as there are masses (3)   | 2       | /contact/direction
+        {"contact": {"direction": []}}             | direction | must have at least one value             | []      | /contact/direction
+        {"contact": {"direction": [0, 0, 0]}}      | direction | must have an entry that is not zero      | 0 for all | /contact/direction
+        {"contact": {"direction": [1, "x", 2]}}    | direction | number                                   | "x"     | /contact/direction/1
+        {"contact": {"direction": [1, 2, 1e-101]}, "stiffness_ratios": [1, 2, 0]} | stiffness_ratios | positive | 0 | /stiffness_ratios/2
+        {"contact": {"direction": [0, 1e-101, 1e-102]}} | direction | from 1e-100 to 1e100                     | 1e-101  | /contact/direction
+        {"contact": {"direction": [0, 2, 1e101]}}  | direction | from 1e-100 to 1e100                     | 1e+101  | /contact/direction
+        {"contact": {"direction": [0, "1.00000000000000000000001", 0]}} | direction | two entries at least       | 1       | /contact/direction
+        {"contact": {"direction": "up"}}           | direction | must be an array of numbers              | "up"    | /contact/direction
+        {"contact": {"direction": null}}           | contact   | must have the key direction              | {}      | /contact
+        {"contact": {"mass": 2}}                   | contact   | must have the key direction alone        | mass    | /contact/mass
+        {"contact": [1, 2, 3]}                     | contact   | {"direction": [..]}, a number for each   | [1,2,3] | /contact
+        {"contact": {"direction": [1, -2, 1]}, "load": null, "base_motion": "wall"} | direction
+                                                   | sum is not zero where the wall moves | 0 | /contact/direction
+    )");
+    Scene<double> in_code = read;
+    in_code.system.contact_direction[1] = std::numeric_limits<double>::infinity();
+    REQUIRE_THROWS_WITH(check(in_code), Catch::Matchers::Contains("direction of mass 2 must be finite"));
+    in_code = read;
+    in_code.system.contact_with = Mass{2};
+    REQUIRE_THROWS_WITH(check(in_code), Catch::Matchers::Contains("direction must not be given together with a contact between"));
+}
+
 TEST_CASE("a dimensional scene is asked for what it lacks under its own names", "[scene][json][bad-input]") {
     json s = dimensional();
     s.erase("friction");

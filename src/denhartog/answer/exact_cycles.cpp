@@ -23,10 +23,11 @@ bool failed(const ExactMotion& run, PaperMotion& motion) {
     return true;
 }
 
-// Between two masses the contact moves by the difference of their displacements, of which double has to have some digits.
+// Where the contact moves by a sum of displacements double has to have some digits of it.
 void require_digits_of_contact(const ContactSystem& s) {
-    if (!s.stuck.contact.b) return;
-    const double compliance_of_one = compliance(s.basis, static_cast<Eigen::Index>(s.stuck.contact.a));
+    if (!s.stuck.contact.has_own_row()) return;
+    const double w_a = s.stuck.contact.w_a,
+                 compliance_of_one = w_a * w_a * compliance(s.basis, static_cast<Eigen::Index>(s.stuck.contact.a));
     if (unit_of<double>() * compliance_of_one * s.stuck.k_contact > 3e-7) throw PrecisionError(Why::masses_tied);
 }
 

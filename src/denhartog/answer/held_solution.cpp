@@ -102,6 +102,28 @@ Bounded<double> compliance_of(const StuckConfiguration& stuck) {
     return {by_modes, found.e + abs(found.x - by_modes)};
 }
 
+// What mass a goes with another one, as it is held; 1 and -1 are exact.
+Bounded<double> share_of(const BesideContact& other) {
+    return abs(other.share) == 1 ? Bounded<double>(other.share) : as_input(other.share);
+}
+
+// Forces with their errors, and bounds of the damping's, in the coordinates of a held contact.
+void take_into_held(const Contact& contact, std::vector<Complex<double>>& p, std::vector<double>& of_p,
+                    Matrix<double>& of_damping) {
+    const auto a = static_cast<Eigen::Index>(contact.a);
+    for (const BesideContact& other : contact.others) {
+        const auto k = static_cast<Eigen::Index>(other.k);
+        const double share = other.share, size = abs(share);
+        const Complex<double> passed = share * p[contact.a];
+        if (size != 1) of_p.resize(p.size());
+        if (!of_p.empty())
+            of_p[other.k] += size * of_p[contact.a] + (size == 1 ? 0 : 2 * unit_of<double>() * (abs(passed.re) + abs(passed.im)));
+        p[other.k] = p[other.k] + passed;
+        of_damping.col(k) += size * of_damping.col(a);
+        of_damping.row(k) += size * of_damping.row(a);
+    }
+}
+
 // The response with the contact held at zero.
 struct HeldResponse {
     std::vector<Complex<Bounded<double>>> X; // of all masses
@@ -112,15 +134,8 @@ HeldResponse held_response(const Scene<double>& scene, const StuckConfiguration&
     const std::size_t N = stuck.masses.size() + 1, a = stuck.contact.a;
     std::vector<Complex<double>> p = complex_load(scene.system);
     std::vector<double> errors_of_p = error_of_load(scene.system);
-    const double error_of_direct = errors_of_p.empty() ? 0 : errors_of_p[a];
-    if (stuck.contact.b) { // x_a moves as x_b does
-        const std::size_t b = *stuck.contact.b;
-        if (!errors_of_p.empty()) errors_of_p[b] += errors_of_p[a];
-        const auto row = static_cast<Eigen::Index>(b), of_a = static_cast<Eigen::Index>(a);
-        p[b] = p[b] + p[a];
-        of_damping.col(row) += of_damping.col(of_a);
-        of_damping.row(row) += of_damping.row(of_a);
-    }
+    const double error_of_direct = errors_of_p.empty() ? 0 : abs(stuck.contact.over(errors_of_p[a]));
+    take_into_held(stuck.contact, p, errors_of_p, of_damping);
     std::vector<Complex<double>> forces;
     std::vector<double> errors;
     std::vector<Eigen::Index> others;
@@ -138,14 +153,20 @@ HeldResponse held_response(const Scene<double>& scene, const StuckConfiguration&
     for (std::size_t i = 0; i + 1 < N; ++i) {
         const Complex<Bounded<double>>& X = held.X[stuck.masses[i].index] = moving[i];
         if (!std::isfinite(X.re.e + X.im.e)) throw DomainError(Why::held_system_resonates);
-        const double c = stuck.c_j[i], of_c = of_damping(static_cast<Eigen::Index>(a), others[i]);
+        const double c = stuck.c_j[i], of_c = abs(stuck.contact.over(of_damping(static_cast<Eigen::Index>(a), others[i])));
         C_j.push_back(r * Bounded<double>(c, of_c + unit_of<double>() * abs(c)));
         K_j.push_back(as_input(stuck.k_j[i]) - r * r * as_input(stuck.m_j[i]));
     }
-    if (stuck.contact.b) held.X[a] = held.X[*stuck.contact.b];
+    std::optional<Bounded<double>> re, im; // of mass a
+    for (const BesideContact& other : stuck.contact.others) {
+        add_times(re, share_of(other), held.X[other.k].re);
+        add_times(im, share_of(other), held.X[other.k].im);
+    }
+    if (re) held.X[a] = {*re, *im};
     const Complex<double> direct = direct_load(stuck, scene.system.load);
-    const auto bounded = [error_of_direct](double part) {
-        return part == 1 ? Bounded<double>(1) : Bounded<double>(part, as_input(part).e + error_of_direct);
+    const bool as_given = abs(stuck.contact.w_a) == 1;
+    const auto bounded = [error_of_direct, as_given](double part) {
+        return part == 1 && as_given ? Bounded<double>(1) : Bounded<double>(part, as_input(part).e + error_of_direct);
     };
     held.load = modulus(paper::load_on_held_contact<Bounded<double>>(C_j, K_j, moving, {bounded(direct.re), bounded(direct.im)}));
     return held;
@@ -189,7 +210,7 @@ HeldSolution held_solution(const Scene<double>& scene, const StuckConfiguration&
         if (s.base_motion != BaseMotion::none)
             solution.from_ground.push_back(from_ground(mass_of({X.re + frame, X.im}, std::max(largest, frame.x)),
                                                        s.base_motion == BaseMotion::alone ? Bounded<double>(1) : frame));
-    if (s.contact_with) solution.masses.push_back({exactly(0), std::nullopt, std::nullopt});
+    if (contact_moves_apart(s)) solution.masses.push_back({exactly(0), std::nullopt, std::nullopt});
     Bounded<double> to = (as_input(scene.mu) * as_input(*scene.beta) - held.load) * compliance;
     if (!std::isfinite(to.e)) {
         to.e = std::numeric_limits<double>::infinity();

@@ -43,7 +43,7 @@ std::vector<std::size_t> rows_in_balls(const System<double>& s) {
     const std::size_t N = number_of_masses(s);
     std::vector<std::size_t> rows(N);
     for (std::size_t k = 0; k < N; ++k) rows[k] = k;
-    if (s.contact_with) rows.push_back(N);
+    if (contact_moves_apart(s)) rows.push_back(N);
     if (load_row(s).index == rows.size()) rows.push_back(N + 1);
     if (load_rows(s).im) rows.push_back(N + 2);
     return rows;
@@ -156,12 +156,10 @@ evaluation::ModeFunctions<Ball> functions_of_mode(const Ball& R, const Ball& zet
 }
 
 // The displacements of the masses are O times those with that of the contact in the place of that of mass a, see `Contact`.
-BallMatrix with_contact(const Contact& contact, slong N) {
-    BallMatrix O = unit_matrix(N);
-    if (!contact.b) return O;
-    const auto a = static_cast<slong>(contact.a);
-    O(a, a) = Ball(contact.sign);
-    O(a, static_cast<slong>(*contact.b)) = Ball(1);
+BallMatrix with_contact(const SceneInBalls& s, slong a) {
+    BallMatrix O = unit_matrix(s.N());
+    for (slong k = 0; k < s.N(); ++k)
+        if (k == a || !s.w(k).is_zero()) O(a, k) = (k == a ? Ball(1) : -s.w(k)) / s.w(a);
     return O;
 }
 
@@ -175,11 +173,10 @@ BallMatrix of_others(const BallMatrix& A, slong j) {
 
 // Gives nothing where the frequencies do not have their digits.
 std::optional<RoundedModes> held_modes(const SceneInBalls& s, const ModesInBalls& sliding, const System<double>& system) {
-    const Contact contact = contact_of(system.contact, system.contact_with, mass_matrix(system));
-    const BallMatrix O = with_contact(contact, s.N()), back = transposed(O), C = back * s.C * O;
+    const auto j = static_cast<slong>(contact_of(contact_vector(system), mass_matrix(system)).a);
+    const BallMatrix O = with_contact(s, j), back = transposed(O), C = back * s.C * O;
     RoundedModes held{values_of(in_double(transposed(shapes_of(sliding)) * s.M)), values_of(in_double(C)), {}, {}, {}};
     if (s.N() == 1) return held;
-    const auto j = static_cast<slong>(contact.a);
     SceneInBalls others{of_others(back * s.M * O, j), of_others(back * s.K * O, j), of_others(C, j)};
     others.w = others.p = BallMatrix(others.N(), 1);
     others.r = Ball(1);

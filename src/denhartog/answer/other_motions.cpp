@@ -67,7 +67,7 @@ private:
         const Contact& contact = system.stuck.contact;
         for (const double x : {0.5, 1.0, -1.0, 3.0}) {
             State z = at_rest(N);
-            z.x[contact.a] = contact.sign * x * size[system.contact.index];
+            z.x[contact.a] = contact.over(x * size[system.contact.index]);
             try_start(z, Why::displaced);
         }
     }

@@ -72,7 +72,7 @@ void write_masses(const Scene<double>& scene, const std::optional<Mass>& only, c
     for (std::size_t k = 0; k < N; ++k)
         if (!only || only->index == k) s.masses.push_back(row(k));
     s.only = only;
-    if (s.contact_with && !only) s.between = row(N);
+    if (contact_moves_apart(s) && !only) s.between = row(N);
 }
 
 void write_sliding(const PointInBalls& p, const Scene<double>& scene, const ReferenceQuestion& q, WrittenNumbers& w,
@@ -83,7 +83,7 @@ void write_sliding(const PointInBalls& p, const Scene<double>& scene, const Refe
     Ball largest = contact.X_j;
     for (std::size_t k = 0; k < r.contact(); ++k) largest = larger(largest, size_of(r.V[k]));
     const auto row = [&](std::size_t k) {
-        const bool is_contact = k == r.contact() || (!s.contact_with && k == s.contact.index);
+        const bool is_contact = k == r.contact() || (!contact_moves_apart(s) && k == s.contact.index);
         const SlidingMassInBalls m = mass_in_balls(r, contact, *p.scene.beta, k, is_contact);
         if (w.does_not_move(m.amplitude, largest)) return w.unmoved(m.amplitude);
         SolvedMass out{w.relative(m.amplitude), phases ? w.absolute(m.phase) : w.shown(m.phase), std::nullopt};
@@ -114,7 +114,7 @@ bool write_stuck(const PointInBalls& p, const Scene<double>& scene, const Refere
     Ball largest = p.stuck->compliance * size_of(p.stuck->load); // no mass moves where the load acts on the contact
     for (const Complex<Ball>& X : p.stuck->X) largest = larger(largest, size_of(X));
     const auto row = [&](std::size_t k) {
-        const bool is_contact = k == p.stuck->X.size() || (!s.contact_with && k == s.contact.index);
+        const bool is_contact = k == p.stuck->X.size() || (!contact_moves_apart(s) && k == s.contact.index);
         if (is_contact) return SolvedMass{w.shown(Ball(0)), std::nullopt, std::nullopt};
         const Complex<Ball>& X = p.stuck->X[k];
         const Ball amplitude = size_of(X), phase = wrapped_in_balls(-argument(X));
@@ -135,12 +135,12 @@ bool write_stuck(const PointInBalls& p, const Scene<double>& scene, const Refere
 
 bool is_loaded_contact(const Scene<double>& scene) {
     const System<double>& s = scene.system;
-    return !s.contact_with && load_row(s) == s.contact;
+    return !contact_moves_apart(s) && load_row(s) == s.contact;
 }
 
 bool has_88(const Scene<double>& scene) {
     const System<double>& s = scene.system;
-    return is_chain(s) && !s.contact_with && load_row(s).index < number_of_masses(s);
+    return is_chain(s) && !contact_moves_apart(s) && load_row(s).index < number_of_masses(s);
 }
 
 void set_regime(const PointInBalls& p, Regime met, Solution& s) {
@@ -217,6 +217,7 @@ bool attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, 
     if (p.scene.beta) s.beta = w.shown(*p.scene.beta);
     s.contact = scene.system.contact;
     s.contact_with = scene.system.contact_with;
+    s.contact_direction = scene.system.contact_direction;
     if (p.boundary) write_limits(p, q.asked == Asked::motion || q.asked == Asked::regime || !p.scene.beta, w, s);
     if (p.scene.beta) {
         if (p.boundary) write_regime(p, s);

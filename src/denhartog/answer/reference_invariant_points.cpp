@@ -48,10 +48,14 @@ std::size_t stretches(const std::vector<InvariantPointsOfMass<Certified>>& masse
 std::vector<InvariantPointsOfMass<Certified>> invariant_points(const SceneSource& source, const RangeInText& range,
                                                                std::optional<int> asked_for) {
     const System<double>& system = source->in_double().system;
-    if (load_depends_on_frequency(system))
-        throw InputError("base_motion", "must have one load at all frequencies for invariant points: (87) is for such a load",
-                         "");
-    if (!system.load_phases.empty())
+    if (system.base_motion == BaseMotion::wall)
+        throw InputError(
+            "base_motion",
+            "must not be \"wall\" for invariant points: (87) is for one load at all frequencies, and in the frame of "
+            "the wall the inertia of the masses loads them, in proportion to r^2",
+            "wall");
+    if (!system.load_phases.empty() &&
+        system.base_motion == BaseMotion::none) // of a base alone damping, left out here, makes them
         throw InputError("load_phases", "must not be given for invariant points: (87) is for forces in phase", "");
     const int digits = aim_of(asked_for).digits;
     const slong first = bits_for(digits);

@@ -13,8 +13,9 @@ double error_of_displacements(const SolvedMass& m) {
 }
 
 void take_contact_between(const System<double>& system, Solution& s) {
-    if (!system.contact_with) return;
+    if (!contact_moves_apart(system)) return;
     s.contact_with = system.contact_with;
+    s.contact_direction = system.contact_direction;
     if (!s.only && !s.masses.empty()) {
         s.between = s.masses.back();
         s.masses.pop_back();

@@ -119,8 +119,9 @@ struct Stability {
 /// @brief A mode without damping of which the sliding motion may keep any share: it has an even number of periods in one of the
 /// force, so that friction does no work on it.
 struct KeptMode {
-    std::size_t mode;          ///< the mode, counted from 0
-    Certified contact_at_most; ///< amplitude of the contact with the largest share; units of P / k_1. Without any it is the answer's
+    std::size_t mode; ///< the mode, counted from 0
+    Certified
+        contact_at_most; ///< amplitude of the contact with the largest share; units of P / k_1. Without any it is the answer's
 };
 
 /// @brief What an answer cost.
@@ -152,7 +153,9 @@ struct Solution {
     std::optional<Certified> beta;             ///< friction ratio, Eq. (11); empty if only the boundary was asked for
     Mass contact;                              ///< the mass in contact, j
     std::optional<Mass> contact_with{};        ///< the mass that it rubs against; empty for a wall
-    std::optional<SolvedMass> between{};       ///< if there is one: the motion of `contact` relative to `contact_with`
+    std::vector<double> contact_direction{};   ///< w, if the contact slides along another direction; N values or none
+    std::optional<SolvedMass> between{};       ///< in both cases the motion of the contact itself: of `contact` relative to
+                                               ///< `contact_with`, or w^T x
     RegimeAtPoint regime;                      ///< the regime, with the reason
     std::optional<Regime> regime_by_56;        ///< the regime by (69) with (56), if it differs from `regime`
     Method method;                             ///< model, precision, and why
@@ -170,14 +173,14 @@ struct Solution {
     bool digits_reached = true;                ///< whether they have the digits asked for, or aimed at
     bool unique = false;                       ///< whether the steady velocities are known not to depend on the start
     Reasons unique_because;                    ///< the reason, or why it is not known
-    std::optional<KeptMode> kept_mode;         ///< if the closed form is one of a continuum of steady motions: what they differ by
-    Reasons not_from_rest;                     ///< why the start from rest is not known to lead to this motion; empty if it does, and
-                                               ///< of a closed form that was asked for by itself
-    int periods = 1;                           ///< period of the motion, in periods of the force
-    bool symmetric = true;                     ///< whether the motion mirrors itself after half its period, Eq. (25)
-    std::optional<Stability> stability;        ///< stability of the motion, if the exact solver followed it
-    std::vector<OtherMotion> motions;          ///< all motions that were found, if `Question::all` was set
-    Work work;                                 ///< what the answer cost
+    std::optional<KeptMode> kept_mode;  ///< if the closed form is one of a continuum of steady motions: what they differ by
+    Reasons not_from_rest;              ///< why the start from rest is not known to lead to this motion; empty if it does, and
+                                        ///< of a closed form that was asked for by itself
+    int periods = 1;                    ///< period of the motion, in periods of the force
+    bool symmetric = true;              ///< whether the motion mirrors itself after half its period, Eq. (25)
+    std::optional<Stability> stability; ///< stability of the motion, if the exact solver followed it
+    std::vector<OtherMotion> motions;   ///< all motions that were found, if `Question::all` was set
+    Work work;                          ///< what the answer cost
 
     /// @brief Amplitude of a mass. @param k a mass that the answer lists @return its largest |x_k|; units of P / k_1
     /// @throws DomainError if the answer has no amplitude of the mass
@@ -189,11 +192,11 @@ struct Solution {
 
 /// @brief What came of a question.
 enum class Outcome : std::uint8_t {
-    answered,         ///< it has an answer
-    not_certain,      ///< numbers lack digits or the range of a double, the work allowed is spent, or no steady motion was found
-    at_a_pole,        ///< a mode without damping resonates
-    motion_unproved,  ///< the reference proves that the contact sticks and slips, and does not prove the motion
-    regime_disproved  ///< the reference proves that there is no motion of the regime that it was asked to prove
+    answered,        ///< it has an answer
+    not_certain,     ///< numbers lack digits or the range of a double, the work allowed is spent, or no steady motion was found
+    at_a_pole,       ///< a mode without damping resonates
+    motion_unproved, ///< the reference proves that the contact sticks and slips, and does not prove the motion
+    regime_disproved ///< the reference proves that there is no motion of the regime that it was asked to prove
 };
 
 /// @brief The answer to a question, or why there is none.
@@ -210,8 +213,9 @@ struct AnswerOrNone {
 /// @throws DomainError at a pole; PrecisionError where there is no answer for another reason
 [[nodiscard]] Solution required(AnswerOrNone answer);
 
-/// @brief Takes what a contact between two masses does out of the lists over masses, where it comes last. For the library's own use.
-/// @param system  the system; nothing is done where the contact is with the wall
+/// @brief Takes what a contact that does not move as one mass does out of the lists over masses, where it comes last. For the
+/// library's own use.
+/// @param system  the system; nothing is done where the contact moves as one mass
 /// @param s       the answer; it is changed in place
 void take_contact_between(const System<double>& system, Solution& s);
 

@@ -126,8 +126,24 @@ SolvedMass c_interface::sliding_at(const dh_system* system, double r, double bet
 Bounded<double> c_interface::limit_at_high_frequency(const dh_system* system, double mu) {
     check_static_friction(mu);
     const System<double>& s = system->prepared.scene().system;
-    if (contact_row(s) != load_row(s)) throw DomainError("(86) is for a contact that bears the load, j = l");
-    return paper::friction_ratio_limit_at_high_frequency(Bounded<double>(mu));
+    if (load_depends_on_frequency(s))
+        throw DomainError(
+            "(86) is for one load at all frequencies, not for that of a wall alone, or of a base alone with dampers");
+    const Bounded<double> limit = paper::friction_ratio_limit_at_high_frequency(Bounded<double>(mu));
+    if (contact_row(s) == load_row(s)) return limit;
+    // V_dj and U_dj fall with w^T M^-1 p and w^T M^-1 w, the sums over the modes.
+    const Matrix<Bounded<double>>& phi = system->modes->phi;
+    const auto with_contact = [&](Mass row) {
+        Bounded<double> sum(0);
+        for (Eigen::Index i = 0; i < phi.cols(); ++i)
+            sum += phi(static_cast<Eigen::Index>(contact_row(s).index), i) * phi(static_cast<Eigen::Index>(row.index), i);
+        return sum;
+    };
+    const LoadRows rows = load_rows(s);
+    const Complex<Bounded<double>> load{with_contact(rows.re), rows.im ? with_contact(*rows.im) : Bounded<double>(0)};
+    if (std::abs(load.re.x) <= load.re.e && std::abs(load.im.x) <= load.im.e)
+        throw DomainError("(86) is for a contact that bears the load, j = l: here inertia keeps the load away from the contact");
+    return limit * modulus(load) / with_contact(contact_row(s));
 }
 
 Numbers c_interface::displacements_at(const dh_system* system, double r, double beta, double mu, Mass k,

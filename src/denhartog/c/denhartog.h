@@ -294,11 +294,12 @@ DH_EXPORT int dh_boundary_errors(const dh_system* system, double r, double mu, d
 DH_EXPORT int dh_boundaries_proved(const dh_system* system, double r, double mu, dh_boundary* boundary,
                                    dh_boundary* errors) DH_NOEXCEPT;
 
-/// @brief The limit of beta_lim for r to infinity, Eq. (86) as corrected.
-/// @param system    a system whose contact bears the load, j = l
+/// @brief The limit of beta_lim for r to infinity, Eq. (86) as corrected. Of a load p on several masses, and of a contact with any
+/// direction w, it is that of (86) times |w^T M^-1 p| / (w^T M^-1 w).
+/// @param system    a system whose load reaches the contact by inertia, as where j = l, and is one at all frequencies
 /// @param mu        static over kinetic friction, Eq. (3), at least 1
 /// @param beta_lim  receives the limit
-/// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_INPUT, #DH_ERROR_DOMAIN where j is not l
+/// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_INPUT, #DH_ERROR_DOMAIN of another system
 DH_EXPORT int dh_high_frequency_limit(const dh_system* system, double mu, double* beta_lim) DH_NOEXCEPT;
 
 /// @brief Bound of the error of this number.
@@ -412,6 +413,14 @@ DH_EXPORT int dh_solution_is_proved(const dh_solution* solution, int* proved) DH
 /// @return           #DH_OK, #DH_ERROR_NULL
 DH_EXPORT int dh_solution_is_from_rest(const dh_solution* solution, int* from_rest) DH_NOEXCEPT;
 
+/// @brief What a solution depends on too much, in words: a mode next to its resonance and with next to no damping, whose amplitude a
+/// unit in the last place of a number of the system changes by more than a thousandth.
+/// @param solution  a solution
+/// @param room      bytes that `text` has room for; 512 suffice
+/// @param text      receives a sentence with an ending zero; an empty text where there is nothing to say
+/// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE where the room does not suffice
+DH_EXPORT int dh_solution_warning(const dh_solution* solution, size_t room, char* text) DH_NOEXCEPT;
+
 /// @brief Amplitude and phase of a mass with their errors.
 /// @param solution  a solution
 /// @param mass      k, from 1 to N
@@ -513,6 +522,7 @@ typedef struct dh_map_request {
     unsigned threads;     ///< 0 for as many as the machine has; the numbers are the same for any
     dh_progress progress; ///< is told how many columns are done; may be null
     void* context;        ///< passed on to it
+    int from_ground;      ///< 1 for absolute displacements, and phases behind base or wall; may be missing from the struct
 } dh_map_request;
 
 /// @brief Where the numbers of a map go. What is null is not asked for. Steps count elements, not bytes.
@@ -528,6 +538,8 @@ typedef struct dh_map_result {
     ptrdiff_t amplitude_beta_step; ///< from a friction ratio to the next
     ptrdiff_t mass_step;           ///< from a mass asked for to the next
     double* amplitude;             ///< receives amplitudes in units of P / k_1; NaN where there are no numbers
+    double* phase; ///< receives phases in (-pi, pi], with the steps of amplitudes; NaN where a mass does not move or there are no
+                   ///< numbers; may be missing from the struct. Every point is then answered as dh_solve() does
 } dh_map_result;
 
 /// @brief Regime, amplitudes and stops over a grid: what `denhartog map` computes, to the last bit.

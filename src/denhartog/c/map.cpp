@@ -168,11 +168,11 @@ std::pair<std::size_t, std::size_t> numbers_of_masses(const dh_systems_request& 
 
 extern "C" {
 
-int dh_map(const dh_system* system, const dh_map_request* request, const dh_map_result* result) noexcept {
+int dh_map(const dh_system* system, const dh_map_request* given, const dh_map_result* result) noexcept {
     return guarded_without_effort([&] {
         need(system, "system");
-        need_struct(request, "request");
-        need_struct(result, "result");
+        const dh_map_request all = grown(given, offsetof(dh_map_request, from_ground), "request"), *request = &all;
+        const dh_map_result to = grown(result, offsetof(dh_map_result, phase), "result");
         need_length(request->r_count, most_points_of_a_call, "request->r_count");
         need_length(request->beta_count, most_points_of_a_call, "request->beta_count");
         need(request->r, "request->r");
@@ -187,6 +187,8 @@ int dh_map(const dh_system* system, const dh_map_request* request, const dh_map_
         map_request.start = request->from_sliding != 0 ? MapStart::sliding : MapStart::rest;
         map_request.threads = threads_of(request->threads);
         map_request.effort = allowance().operations;
+        map_request.from_ground = request->from_ground != 0;
+        map_request.phases = to.phase != nullptr;
         Report report(request->progress, request->context, request->r_count);
         const RegimeMap map = regime_map(scene, map_request, report.stop, std::ref(report));
         need_complete(map.complete);
@@ -194,13 +196,14 @@ int dh_map(const dh_system* system, const dh_map_request* request, const dh_map_
         for (std::size_t m = 0, point = 0; m < request->r_count; ++m)
             for (std::size_t n = 0; n < request->beta_count; ++n, ++point) {
                 const auto column = static_cast<std::ptrdiff_t>(m), row = static_cast<std::ptrdiff_t>(n);
-                write_point(map.points[point], column * result->r_step + row * result->beta_step, result->status, result->regime,
-                            result->stops, result->periods);
-                double* amplitude = result->amplitude;
-                if (amplitude == nullptr) continue;
-                amplitude += column * result->amplitude_r_step + row * result->amplitude_beta_step;
-                for (std::size_t k = 0; k < masses; ++k)
-                    amplitude[static_cast<std::ptrdiff_t>(k) * result->mass_step] = map.amplitudes[point * masses + k];
+                write_point(map.points[point], column * to.r_step + row * to.beta_step, to.status, to.regime, to.stops,
+                            to.periods);
+                for (std::size_t k = 0; k < masses; ++k) {
+                    const std::ptrdiff_t place = column * to.amplitude_r_step + row * to.amplitude_beta_step +
+                                                 static_cast<std::ptrdiff_t>(k) * to.mass_step;
+                    if (to.amplitude != nullptr) to.amplitude[place] = map.amplitudes[point * masses + k];
+                    if (to.phase != nullptr) to.phase[place] = map.phases[point * masses + k];
+                }
             }
     });
 }

@@ -26,14 +26,14 @@ Numbers existing(const std::optional<Number>& x, const char* why) {
     return {bounded(*x)};
 }
 
-// psi_ki psi_ji of every mode; between two masses psi_ji is the difference of theirs.
+// psi_ki psi_ji of every mode; psi_ji is w^T psi_i where the contact does not move as one mass.
 Numbers shape_products(const AtPoint& a) {
     const Numbers psi = shapes_at(a.system, a.r);
     const System<double>& s = a.system->prepared.scene().system;
     Numbers products;
     for (size_t i = 0; i < a.N; ++i) {
         const auto of = [&](Mass k) { return psi[k.index * a.N + i]; };
-        products.push_back(of(a.k) * (s.contact_with ? of(s.contact) - of(*s.contact_with) : of(s.contact)));
+        products.push_back(of(a.k) * along_contact<Bounded<double>>(s, [&](size_t k) { return of(Mass{k}); }));
     }
     return products;
 }

@@ -3,6 +3,7 @@
 
 #include "denhartog/c/handles.hpp"
 #include "denhartog/number/number_text.hpp"
+#include "denhartog/solve/condition.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 
 using namespace denhartog;
@@ -115,6 +116,18 @@ int dh_solution_is_from_rest(const dh_solution* solution, int* from_rest) noexce
         need(solution, "solution");
         need(from_rest, "from_rest");
         *from_rest = solution->solution.not_from_rest.empty();
+    });
+}
+
+int dh_solution_warning(const dh_solution* solution, size_t room, char* text) noexcept {
+    return guarded([&] {
+        need(solution, "solution");
+        need(text, "text");
+        const std::string warning = warning_of(solution->source, solution->solution);
+        if (warning.size() >= room)
+            throw CallError(DH_ERROR_SIZE,
+                            "room must be at least " + std::to_string(warning.size() + 1) + ", but is " + std::to_string(room));
+        std::ranges::copy(std::span(warning.c_str(), warning.size() + 1), text);
     });
 }
 

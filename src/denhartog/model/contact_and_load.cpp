@@ -1,9 +1,10 @@
 #include "denhartog/model/contact_and_load.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "denhartog/evaluation/contact.hpp"
 #include "denhartog/formulas/system.hpp"
@@ -20,20 +21,48 @@ double rest_of_stiffness(const System<double>& s, const Matrix<double>& K, std::
     return evaluation::sum_error(s.stiffness_ratios[k], s.stiffness_ratios[k + 1], K(i, i));
 }
 
-// O^T A O, symmetric to the last bit; O has ones on its diagonal and nothing else, but for row a. Of A's diagonal the rests are
-// missing.
-Matrix<double> with_contact(const Contact& held, Matrix<double> A, double rest_of_a = 0, double rest_of_b = 0) {
-    if (!held.b) return A;
-    const auto a = static_cast<Eigen::Index>(held.a), b = static_cast<Eigen::Index>(*held.b);
-    const double aa = A(a, a), ab = A(a, b), bb = A(b, b);
-    A.col(b) += A.col(a);
-    A.row(b) += A.row(a);
-    A(a, b) = A(b, a) = evaluation::sum_with_rests<double>(std::array{aa, ab, rest_of_a});
-    A(b, b) = evaluation::sum_with_rests<double>(std::array{aa, ab, ab, bb, rest_of_a, rest_of_b});
-    if (held.sign > 0) return A;
-    A.col(a) = (0.0 - A.col(a).array()).matrix(); // no zero becomes a negative one
-    A.row(a) = (0.0 - A.row(a).array()).matrix();
-    return A;
+// Appends xyz to terms of a sum, with what the roundings of the products took.
+void add_product(std::vector<double>& terms, double x, double y, double z) {
+    const double xy = x * y;
+    for (const double part : {xy, evaluation::product_error(x, y, xy)}) {
+        const double product = part * z;
+        terms.push_back(product);
+        terms.push_back(evaluation::product_error(part, z, product));
+    }
+}
+
+// O^T A O, symmetric to the last bit. `rests` are what the roundings of A's diagonal took, N values.
+Matrix<double> with_contact(const Contact& held, const Matrix<double>& A, const std::vector<double>& rests) {
+    if (!held.has_own_row()) return A;
+    const auto a = static_cast<Eigen::Index>(held.a), N = A.rows();
+    const double w_a = held.w_a;
+    std::vector<double> w(rests.size(), 0.0), terms;
+    for (const BesideContact& other : held.others) w[other.k] = other.w;
+    const auto entry = [&](Eigen::Index k) -> double { return w[static_cast<std::size_t>(k)]; };
+    const auto sum = [&] { return evaluation::sum_with_rests<double>(std::exchange(terms, {})) / w_a / w_a; };
+    Matrix<double> B = A;
+    for (const BesideContact& other : held.others) {
+        const auto l = static_cast<Eigen::Index>(other.k);
+        for (Eigen::Index k = 0; k < N; ++k) {
+            if (k == a || (entry(k) != 0 && k < l)) continue;
+            add_product(terms, entry(k), other.w, A(a, a));
+            add_product(terms, -w_a, entry(k), A(a, l));
+            add_product(terms, -w_a, other.w, A(k, a));
+            add_product(terms, w_a, w_a, A(k, l));
+            add_product(terms, entry(k), other.w, rests[held.a]);
+            if (k == l) add_product(terms, w_a, w_a, rests[other.k]);
+            B(k, l) = B(l, k) = sum();
+        }
+    }
+    for (Eigen::Index l = 0; l < N; ++l) {
+        if (l == a) continue;
+        add_product(terms, -entry(l), 1, A(a, a));
+        add_product(terms, w_a, 1, A(a, l));
+        add_product(terms, -entry(l), 1, rests[held.a]);
+        B(a, l) = B(l, a) = sum();
+    }
+    B(a, a) = A(a, a) / w_a / w_a;
+    return B;
 }
 
 } // namespace
@@ -62,10 +91,29 @@ std::vector<double> error_of_load(const System<double>& s) {
     return errors;
 }
 
+Contact contact_of(const std::vector<double>& w, const Matrix<double>& M) {
+    double largest = 0;
+    for (const double each : w) largest = std::max(largest, std::abs(each));
+    const auto inertia = [&](std::size_t k) {
+        return M(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(k)) / (w[k] / largest) / (w[k] / largest);
+    };
+    Contact contact{w.size(), 0, {}};
+    for (std::size_t k = 0; k < w.size(); ++k) { // of two masses that are as heavy the first that was named
+        if (w[k] == 0) continue;
+        const bool less = contact.a == w.size() || inertia(k) < inertia(contact.a);
+        if (less || (inertia(k) == inertia(contact.a) && w[k] > contact.w_a)) contact.a = k, contact.w_a = w[k];
+    }
+    for (std::size_t k = 0; k < w.size(); ++k)
+        if (w[k] != 0 && k != contact.a) contact.others.push_back({k, w[k], -w[k] / contact.w_a});
+    return contact;
+}
+
 HeldMatrices held_matrices(const System<double>& s, const Contact& held, const Matrix<double>& C) {
     const Matrix<double> K = stiffness_matrix(s);
-    const double rest_of_a = rest_of_stiffness(s, K, held.a), rest_of_b = held.b ? rest_of_stiffness(s, K, *held.b) : 0.0;
-    return {with_contact(held, mass_matrix(s)), with_contact(held, C), with_contact(held, K, rest_of_a, rest_of_b)};
+    const std::vector<double> none(number_of_masses(s), 0.0);
+    std::vector<double> of_springs = none;
+    for (std::size_t k = 0; k < of_springs.size(); ++k) of_springs[k] = rest_of_stiffness(s, K, k);
+    return {with_contact(held, mass_matrix(s), none), with_contact(held, C, none), with_contact(held, K, of_springs)};
 }
 
 } // namespace denhartog

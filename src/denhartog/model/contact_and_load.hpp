@@ -2,7 +2,8 @@
 /// @brief Where contact and load act: the displacement of the contact is \f$ \mathbf{w}^T\mathbf{x} \f$, and the force on the
 /// masses \f$ \mathrm{Re}\{\mathbf{p}\,e^{\mathrm{i}\tau}\} \f$.
 ///
-/// In the paper w and p are unit vectors. Between two masses the displacement of the contact is \f$ x_j - x_k \f$. All that the
+/// In the paper w and p are unit vectors. Between two masses the displacement of the contact is \f$ x_j - x_k \f$; w may be any
+/// vector, and friction then acts on the masses along it. All that the
 /// paper derives from (6) holds of them, with \f$ \mathbf{w}^T\boldsymbol\psi_i \f$ for \f$ \psi_{ji} \f$ and
 /// \f$ \mathbf{p}^T\boldsymbol\psi_i \f$ for \f$ \psi_{li} \f$, which is complex where forces are out of phase. Where w or p is no
 /// unit vector it has a row of its own behind those of the masses, wherever there is a row a mass: first that of w, then that of
@@ -25,7 +26,7 @@ namespace denhartog {
 /// @brief The row of the contact: that of its mass against a wall.
 template <class T>
 [[nodiscard]] Mass contact_row(const System<T>& s) {
-    return s.contact_with ? Mass{number_of_masses(s)} : s.contact;
+    return contact_moves_apart(s) ? Mass{number_of_masses(s)} : s.contact;
 }
 
 /// @brief p, N values in units of P: \f$ p_k e^{\mathrm{i}\theta_k} \f$ of a force that leads by \f$ \theta_k \f$.
@@ -48,10 +49,28 @@ template <class T>
 /// @brief w, N values.
 template <class T>
 [[nodiscard]] std::vector<T> contact_vector(const System<T>& s) {
+    if (!s.contact_direction.empty()) return s.contact_direction;
     std::vector<T> w(number_of_masses(s), T(0));
     w[s.contact.index] = T(1);
     if (s.contact_with) w[s.contact_with->index] = T(-1);
     return w;
+}
+
+/// @brief Adds cx to a sum that may have no terms yet; a factor 1 or -1 rounds nothing, and neither does the first term.
+template <class Number>
+void add_times(std::optional<Number>& sum, const Number& c, const Number& x) {
+    const Number term = c.x == 1 ? x : c.x == -1 ? -x : c * x;
+    sum = sum ? *sum + term : term;
+}
+
+/// @brief \f$ \mathbf{w}^T\mathbf{x} \f$ of one number with its error a mass, which `x_k` gives.
+template <class Number, class Values>
+[[nodiscard]] Number along_contact(const System<double>& s, const Values& x_k) {
+    std::optional<Number> sum;
+    const std::vector<double> w = contact_vector(s);
+    for (std::size_t k = 0; k < w.size(); ++k)
+        if (w[k] != 0) add_times<Number>(sum, Number(w[k]), x_k(k));
+    return *sum;
 }
 
 /// @brief The row of the load: that of its mass where it acts on one, and that of the contact where p is w.
@@ -59,12 +78,13 @@ template <class T>
 [[nodiscard]] Mass load_row(const System<T>& s) {
     const std::vector<T>& p = s.load_vector;
     if (p.empty()) return s.load;
-    if (!s.load_phases.empty()) return Mass{p.size() + (s.contact_with ? 1 : 0)};
+    const Mass own{p.size() + (contact_moves_apart(s) ? 1 : 0)};
+    if (!s.load_phases.empty()) return own;
     if (p == contact_vector(s)) return contact_row(s);
     const auto one = std::ranges::find(p, T(1));
     if (one != p.end() && std::ranges::count(p, T(0)) + 1 == std::ssize(p))
         return Mass{static_cast<std::size_t>(one - p.begin())};
-    return Mass{p.size() + (s.contact_with ? 1 : 0)};
+    return own;
 }
 
 /// @brief The rows of a load: that of its real part and, where forces are out of phase, that of its imaginary part.
@@ -89,7 +109,7 @@ template <class T>
         rows.conservativeResize(rows.rows() + 1, Eigen::NoChange);
         for (Eigen::Index k = 0; k < N; ++k) rows(rows.rows() - 1, k) = row[static_cast<std::size_t>(k)];
     };
-    if (s.contact_with) add(contact_vector(s));
+    if (contact_moves_apart(s)) add(contact_vector(s));
     if (load_row(s).index != number_of_masses(s) + static_cast<std::size_t>(rows.rows())) return rows;
     std::vector<T> re, im;
     for (const Complex<T>& each : complex_load(s)) {
@@ -101,53 +121,69 @@ template <class T>
     return rows;
 }
 
-/// @brief A contact that may be held: its displacement y then stands for that of a mass, \f$ x_a = y \f$ or \f$ x_b \pm y \f$.
-///
-/// Of two masses that is the lighter one: the other then has the inertia of both, and neither hides in the rounding of the other.
-struct Contact {
-    std::size_t a = 0;              ///< the mass whose displacement y stands for
-    std::optional<std::size_t> b{}; ///< the other one of two; none against a wall
-    int sign = 1;                   ///< of x_a in y
+/// @brief A mass that the contact moves with besides mass a.
+struct BesideContact {
+    std::size_t k; ///< the mass
+    double w;      ///< its entry of w
+    double share;  ///< \f$ -w_k / w_a \f$: how far mass a goes with it while the contact is held
+};
 
-    /// @brief The contact's part of one number a mass, \f$ \mathbf{w}^T\mathbf{x} \f$.
+/// @brief A contact that may be held: its displacement y then stands for that of a mass,
+/// \f$ x_a = (y - \sum_{k \ne a} w_k x_k) / w_a \f$.
+///
+/// That mass is the one with the smallest \f$ M_{aa}/w_a^2 \f$, of two masses the lighter one: the others then have its inertia
+/// besides their own, and none hides in the rounding of another.
+struct Contact {
+    std::size_t a = 0;                   ///< the mass whose displacement y stands for
+    double w_a = 1;                      ///< its entry of w
+    std::vector<BesideContact> others{}; ///< the masses with the other entries that are not zero, ascending
+
+    /// @brief The contact's part of one number a mass, \f$ \mathbf{w}^T\mathbf{x} \f$; zero of what `hold` leaves.
     template <class Values>
-    [[nodiscard]] auto of(const Values& x) const {
-        return b ? sign * (x[a] - x[*b]) : x[a];
+    [[nodiscard]] double of(const Values& x) const {
+        return w_a * (x[a] - held_part(x));
     }
     /// @brief The same of a matrix with a row a mass.
     [[nodiscard]] Matrix<double> row_of(const Matrix<double>& A) const {
-        const auto i = static_cast<Eigen::Index>(a);
-        if (!b) return A.row(i);
-        return sign * (A.row(i) - A.row(static_cast<Eigen::Index>(*b)));
+        Matrix<double> row = A.row(static_cast<Eigen::Index>(a));
+        if (!others.empty()) row -= held_row(A);
+        return w_a * row;
     }
     /// @brief Makes the contact's part of a matrix with a row a mass zero, by the row of x_a.
-    void hold(Matrix<double>& A) const {
-        const auto i = static_cast<Eigen::Index>(a);
-        if (b)
-            A.row(i) = A.row(static_cast<Eigen::Index>(*b));
-        else
-            A.row(i).setZero();
-    }
+    void hold(Matrix<double>& A) const { A.row(static_cast<Eigen::Index>(a)) = held_row(A); }
     /// @brief The same of one number a mass.
-    void hold(double* v) const { v[a] = b ? v[*b] : 0; }
+    void hold(double* v) const { v[a] = held_part(v); }
+    /// @brief What mass a has of a number that the contact has, or the contact of a force on mass a.
+    [[nodiscard]] double over(double x) const { return x / w_a; }
+    /// @brief Whether the displacement of the contact is not that of one mass, and has a row of its own.
+    [[nodiscard]] bool has_own_row() const { return w_a != 1 || !others.empty(); }
     /// @brief Puts the contact's part of one number a mass behind them, where it has a row of its own.
     void append(std::vector<double>& x) const {
-        if (b) x.push_back(of(x));
+        if (has_own_row()) x.push_back(of(x));
+    }
+
+private:
+    // That of mass a where the contact is held.
+    template <class Values>
+    [[nodiscard]] double held_part(const Values& x) const {
+        if (others.empty()) return 0;
+        double sum = others[0].share * x[others[0].k];
+        for (std::size_t n = 1; n < others.size(); ++n) sum += others[n].share * x[others[n].k];
+        return sum;
+    }
+    [[nodiscard]] Matrix<double> held_row(const Matrix<double>& A) const {
+        if (others.empty()) return Matrix<double>::Zero(1, A.cols());
+        Matrix<double> row = others[0].share * A.row(static_cast<Eigen::Index>(others[0].k));
+        for (std::size_t n = 1; n < others.size(); ++n) row += others[n].share * A.row(static_cast<Eigen::Index>(others[n].k));
+        return row;
     }
 };
 
-/// @brief The contact of a mass, or of two masses, of which the lighter one is told by the mass matrix.
-template <class T>
-[[nodiscard]] Contact contact_of(Mass contact, const std::optional<Mass>& contact_with, const Matrix<T>& M) {
-    const std::size_t j = contact.index;
-    if (!contact_with) return {j, std::nullopt, 1};
-    const std::size_t k = contact_with->index;
-    const auto mass = [&](std::size_t n) { return M(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n)); };
-    return mass(j) <= mass(k) ? Contact{j, k, 1} : Contact{k, j, -1};
-}
+/// @brief The contact of a vector w, one entry a mass, in a system of the mass matrix M.
+[[nodiscard]] Contact contact_of(const std::vector<double>& w, const Matrix<double>& M);
 
 /// @brief Matrices of a system with y in the place of x_a, \f$ \mathbf{O}^T\mathbf{A}\mathbf{O} \f$ with
-/// \f$ \mathbf{x} = \mathbf{O}\mathbf{y} \f$: every entry is off by no more than a unit in its last place.
+/// \f$ \mathbf{x} = \mathbf{O}\mathbf{y} \f$: every entry is off by no more than two units in its last place.
 struct HeldMatrices {
     Matrix<double> M; ///< masses in units of m_1
     Matrix<double> C; ///< damping in units of sqrt(k_1 m_1)

@@ -62,7 +62,7 @@ NaturalModes stuck_modes(const System<double>& s, const StuckConfiguration& stuc
     if (stuck.masses.size() == 1)
         return {{sqrt(stuck.K(0, 0) / stuck.M(0, 0))}, Matrix<double>::Constant(1, 1, 1 / sqrt(stuck.M(0, 0)))};
     ++work_counted.eigen_solves;
-    if (is_chain(s) && !s.contact_with) return modes_of_two_chains(s, effort);
+    if (is_chain(s) && !contact_moves_apart(s)) return modes_of_two_chains(s, effort);
     return general_modes(factor_of_masses(stuck.M), stuck.K, effort);
 }
 
@@ -91,7 +91,8 @@ void set_modes(const System<double>& s, StuckConfiguration& stuck, Effort* effor
     stuck.phi = std::move(modes.phi);
     const Matrix<double> D = in_coordinates(stuck.phi, stuck.C);
     stuck.damping = (D + D.transpose()) / 2.0;
-    set_coupling(stuck, is_chain(s) && !s.contact_with ? FrequencyErrors::of_each : FrequencyErrors::of_highest, tolerance);
+    set_coupling(stuck, is_chain(s) && !contact_moves_apart(s) ? FrequencyErrors::of_each : FrequencyErrors::of_highest,
+                 tolerance);
 }
 
 /// The same from elsewhere.
@@ -119,7 +120,7 @@ StuckConfiguration stuck_configuration(const System<double>& s, const ModalBasis
     check(s);
     const std::size_t N = number_of_masses(s);
     StuckConfiguration stuck{};
-    stuck.contact = contact_of(s.contact, s.contact_with, mass_matrix(s));
+    stuck.contact = contact_of(contact_vector(s), mass_matrix(s));
     HeldMatrices all = held_matrices(s, stuck.contact, non_dimensional_matrices(s, basis, 1.0).C);
     if (held) all.C = held->C;
     const auto j = static_cast<Eigen::Index>(stuck.contact.a);
@@ -136,7 +137,7 @@ StuckConfiguration stuck_configuration(const System<double>& s, const ModalBasis
     stuck.k_contact = N == 1 ? stuck.k_jj : 1 / compliance(basis, static_cast<Eigen::Index>(contact_row(s).index));
     if (!s.load_vector.empty()) stuck.load = complex_load(s);
     stuck.carried.assign(N, 0.0);
-    stuck.carried[stuck.contact.a] = stuck.contact.sign;
+    stuck.carried[stuck.contact.a] = stuck.contact.over(1);
     stuck.coupling = 0.0;
     stuck.modes_diagonalise_damping = true;
     const auto n = static_cast<Eigen::Index>(N);
@@ -149,7 +150,7 @@ StuckConfiguration stuck_configuration(const System<double>& s, const ModalBasis
         set_modes(s, stuck, effort);
     require_finite(stuck);
     stuck.shapes(others, Eigen::all) = stuck.phi;
-    if (stuck.contact.b) stuck.shapes.row(j) = stuck.shapes.row(static_cast<Eigen::Index>(*stuck.contact.b));
+    stuck.contact.hold(stuck.shapes);
     stuck.momentum(Eigen::all, others) = transpose_times(stuck.phi, stuck.M);
     return stuck;
 }

@@ -2,8 +2,9 @@
 /// @brief The stuck configuration: the masses that keep oscillating while the contact is held, Section 4.3.
 ///
 /// Nothing of it depends on r. The blocks are those of the full matrices with row and column j taken out: on a chain the masses
-/// on both sides of the contact, which the damping (19) couples across it. Between two masses the displacement of the contact has
-/// the place of that of mass a, see `Contact`: row and column a of the matrices with it are taken out.
+/// on both sides of the contact, which the damping (19) couples across it. Between two masses, and
+/// along any other direction, the displacement of the contact has the place of that of mass a, see `Contact`: row and column a of
+/// the matrices with it are taken out.
 #pragma once
 
 #include <vector>
@@ -67,7 +68,8 @@ struct RoundedModes {
 
 /// @brief The part of a load that acts on the contact itself, delta_lj, or p_j of a load on several.
 [[nodiscard]] inline Complex<double> direct_load(const StuckConfiguration& stuck, Mass load) {
-    return static_cast<double>(stuck.contact.sign) * force_on(stuck, Mass{stuck.contact.a}, load);
+    const Complex<double> force = force_on(stuck, Mass{stuck.contact.a}, load);
+    return {stuck.contact.over(force.re), stuck.contact.over(force.im)};
 }
 
 /// @brief The compliance of a row of the mode shapes, (K^-1)_jj of a mass, as a sum of squares over the modes.

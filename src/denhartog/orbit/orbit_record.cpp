@@ -122,7 +122,10 @@ std::optional<ErrorsOfOrbit> errors_of(const OrbitMap& map) {
         return growth * product_of_sizes(inverse, Column(apart + map.rounding_in_energy(of_modes))).norm();
     };
     const ContactSystem& s = map.solver().system();
-    const int terms = s.stuck.contact.b ? 2 : 1; // of the displacement of the contact
+    const Contact& contact = s.stuck.contact;
+    double sizes = 1; // of the terms of the displacement of the contact
+    for (const BesideContact& other : contact.others) sizes += std::abs(other.share);
+    const double terms = std::max(1.0, std::abs(contact.w_a) * sizes);
     const auto displacement = [&](double by_energy, const Column& rounding) {
         return displacement_of_energy(map) * by_energy + terms * rounding.head(map.N).maxCoeff();
     };
@@ -131,9 +134,11 @@ std::optional<ErrorsOfOrbit> errors_of(const OrbitMap& map) {
     ErrorsOfOrbit errors{displacement(energy(false), map.rounding(false)), displacement(with_modes, rounding), {}};
     for (Eigen::Index k = 0; k < map.N; ++k)
         errors.velocity.push_back(s.basis.phi.row(k).norm() * with_modes + rounding(map.N + k));
-    if (const Contact& contact = s.stuck.contact; contact.b) {
+    if (contact.has_own_row()) {
         const auto of = [&](std::size_t k) { return rounding(map.N + static_cast<Eigen::Index>(k)); };
-        errors.velocity.push_back(s.contact_shape.norm() * with_modes + of(contact.a) + of(*contact.b));
+        double sum = s.contact_shape.norm() * with_modes + std::abs(contact.w_a) * of(contact.a);
+        for (const BesideContact& other : contact.others) sum += std::abs(other.w) * of(other.k);
+        errors.velocity.push_back(sum);
     }
     return errors;
 }
@@ -188,7 +193,7 @@ std::optional<PeriodicOrbit> rest_of(OrbitMap& map, const LastingRest& rest, dou
     orbit.stops = {{0, 2 * pi<double>(), x_j}};
     for (std::size_t k = 0; k < orbit.start.x.size(); ++k) orbit.masses.push_back(rest.motion(k, x_j));
     orbit.contact = motion_with(x_j, 0);
-    if (map.solver().system().stuck.contact.b) orbit.masses.push_back(orbit.contact);
+    if (map.solver().system().stuck.contact.has_own_row()) orbit.masses.push_back(orbit.contact);
     if (search.contact_only) orbit.masses.clear();
     orbit.error_bound = map.rounding(true).maxCoeff() + map.difference().cwiseAbs().maxCoeff();
     if (search.with_stability) {

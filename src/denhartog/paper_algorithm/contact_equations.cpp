@@ -39,6 +39,8 @@ void check(const ContactProblem& p) {
         throw InputError("load_phases", "must have one value for each mass, beside as many forces",
                          std::to_string(p.load_phases.size()));
     if (p.contact_with) index("contact", *p.contact_with);
+    if (const std::vector<double>& w = p.contact_direction; !w.empty() && std::ssize(w) != N)
+        throw InputError("direction", "must have " + std::to_string(N) + " values", std::to_string(w.size()));
     if (!p.static_load.empty() && std::ssize(p.static_load) != N)
         throw InputError("static_load", "must have " + std::to_string(N) + " values", std::to_string(p.static_load.size()));
     if (!(p.mu >= 1) || !std::isfinite(p.mu)) throw InputError("mu", "must be finite and at least 1", number_to_text(p.mu));
@@ -59,6 +61,7 @@ ContactProblem contact_problem(const Scene<double>& scene) {
             scene.mu,
             *scene.beta,
             s.contact_with,
+            s.contact_direction,
             s.load_vector,
             s.load_phases,
             scene.static_load};
@@ -68,13 +71,13 @@ ContactEquations::ContactEquations(const ContactProblem& p) : beta(p.beta), mu(p
     check(p);
     const auto& [M, C, K] = p.matrices;
     const Eigen::Index rows = M.rows();
-    contact = contact_of(p.contact, p.contact_with, M);
     System<double> places; // of contact and load
     places.mass_ratios.resize(static_cast<std::size_t>(rows));
     places.contact = p.contact, places.load = p.load, places.contact_with = p.contact_with, places.load_vector = p.load_vector;
-    places.load_phases = p.load_phases;
+    places.load_phases = p.load_phases, places.contact_direction = p.contact_direction;
     out_of_phase_ = !p.load_phases.empty();
     const std::vector<double> of_w = contact_vector(places);
+    contact = contact_of(of_w, M);
     std::vector<double> of_p, of_sine;
     for (const Complex<double>& each : complex_load(places)) {
         of_p.push_back(each.re);
@@ -120,7 +123,7 @@ ContactEquations::ContactEquations(const ContactProblem& p) : beta(p.beta), mu(p
     friction_.resize(rows);
     const auto a = static_cast<Eigen::Index>(contact.a);
     harmonic_load = {of_contact.dot(load) / compliance, of_contact.dot(ahead) / compliance};
-    direct_load_ = {contact.sign * load(a), contact.sign * ahead(a)};
+    direct_load_ = {contact.over(load(a)), contact.over(ahead(a))};
     inertial_load_ = {harmonic_load.re - direct_load_.re, harmonic_load.im - direct_load_.im};
     if (!(sliding_.allFinite() && sticking_.allFinite() && sliding_load_.allFinite() && contact_row_.allFinite()))
         throw InputError("M", "must not be singular to working precision", "");

@@ -16,15 +16,16 @@ namespace denhartog {
 
 /// @brief What (6) is made of, from ratios or from matrices that a user knows.
 struct ContactProblem {
-    NonDimensionalMatrices matrices;    ///< M, C, K of (6); symmetric, M positive definite
-    Mass contact;                       ///< the mass in contact, j
-    Mass load;                          ///< the loaded mass, l
-    double mu = 1;                      ///< static over kinetic friction, Eq. (3); at least 1
-    double beta = 0;                    ///< friction ratio, Eq. (11); not negative
-    std::optional<Mass> contact_with{}; ///< the mass that the contact rubs against, instead of a wall
-    std::vector<double> load_vector{};  ///< force on each mass in units of P, instead of `load`
-    std::vector<double> load_phases{};  ///< by how much each of them leads, radians; none where all are in phase
-    std::vector<double> static_load{};  ///< constant force on each mass in units of P; none where empty
+    NonDimensionalMatrices matrices;         ///< M, C, K of (6); symmetric, M positive definite
+    Mass contact;                            ///< the mass in contact, j
+    Mass load;                               ///< the loaded mass, l
+    double mu = 1;                           ///< static over kinetic friction, Eq. (3); at least 1
+    double beta = 0;                         ///< friction ratio, Eq. (11); not negative
+    std::optional<Mass> contact_with{};      ///< the mass that the contact rubs against, instead of a wall
+    std::vector<double> contact_direction{}; ///< w, instead of both; none where empty
+    std::vector<double> load_vector{};       ///< force on each mass in units of P, instead of `load`
+    std::vector<double> load_phases{};       ///< by how much each of them leads, radians; none where all are in phase
+    std::vector<double> static_load{};       ///< constant force on each mass in units of P; none where empty
 };
 
 /// @brief The problem at the point of a scene.

@@ -30,7 +30,7 @@ void take_extrema(DenseStep& step, const DisplacementOf& of, double tau, double 
 }
 
 LastPeriod::LastPeriod(std::size_t N, double start, int samples, const Contact& contact)
-    : start_(start), contact_(&contact), ranges_(contact.b ? N + 1 : N), y_(2 * N) {
+    : start_(start), contact_(&contact), ranges_(contact.has_own_row() ? N + 1 : N), y_(2 * N) {
     for (int n = 0; n < samples; ++n) sample_times_.push_back(2 * pi<double>() * n / samples);
 }
 
@@ -74,7 +74,7 @@ void LastPeriod::write(PaperMotion& motion) const {
         motion.masses.push_back({range.amplitude, std::nullopt});
         if (slides_throughout_ && range.largest > range.smallest) motion.masses.back().phase = wrapped(range.instant);
     }
-    if (contact_->b) {
+    if (contact_->has_own_row()) {
         motion.between = motion.masses.back();
         motion.masses.pop_back();
     }

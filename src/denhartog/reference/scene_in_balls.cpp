@@ -40,7 +40,7 @@ BallMatrix stiffnesses_of(const System<Ball>& s) {
 
 bool SceneInBalls::is_the_contact(slong k) const {
     for (slong n = 0; n < N(); ++n)
-        if (w(n).is_zero() != (n != k)) return false;
+        if (!(n == k ? w(n) - Ball(1) : w(n)).is_zero()) return false;
     return true;
 }
 
@@ -63,8 +63,8 @@ SceneInBalls in_matrices(const Scene<Ball>& scene) {
     else
         out.zeta = s.damping_ratios;
     out.w = BallMatrix(out.N(), 1);
-    out.w(static_cast<slong>(s.contact.index)) = Ball(1);
-    if (s.contact_with) out.w(static_cast<slong>(s.contact_with->index)) = Ball(-1);
+    const std::vector<Ball> direction = contact_vector(s);
+    for (std::size_t k = 0; k < direction.size(); ++k) out.w(static_cast<slong>(k)) = direction[k];
     out.p = BallMatrix(out.N(), 1);
     if (!s.load_phases.empty()) out.p_i = BallMatrix(out.N(), 1);
     const std::vector<Complex<Ball>> load = complex_load(s);

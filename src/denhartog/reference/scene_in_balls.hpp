@@ -2,8 +2,8 @@
 /// @brief The equations of motion (6) with every number a ball, and the refusal of what is not proved.
 ///
 /// In the paper's case the contact is one mass on a wall and the load acts on one mass: \f$ \mathbf{w} \f$ and
-/// \f$ \mathbf{p} \f$ are unit vectors. A contact between two masses has \f$ \mathbf{w} = \mathbf{e}_j - \mathbf{e}_k \f$, and a
-/// load may act on several masses; the equations are the same:
+/// \f$ \mathbf{p} \f$ are unit vectors. A contact between two masses has \f$ \mathbf{w} = \mathbf{e}_j - \mathbf{e}_k \f$, another
+/// one any \f$ \mathbf{w} \f$, and a load may act on several masses; the equations are the same:
 /// \f[ \overline{\mathbf M}\bar{\mathbf x}'' + \overline{\mathbf C}\bar{\mathbf x}' + \overline{\mathbf K}\bar{\mathbf x} =
 /// \mathbf{p}\cos\tau - \mathbf{p}_{\mathrm i}\sin\tau - \beta\,\mathbf{w}\,\mathrm{sgn}(\mathbf{w}^T\bar{\mathbf x}') \f]
 #pragma once

@@ -33,7 +33,8 @@ template <class To, class From>
             in_type<To>(s.load_vector),
             in_type<To>(s.load_phases),
             s.base_motion,
-            s.load_error};
+            s.load_error,
+            in_type<To>(s.contact_direction)};
 }
 
 } // namespace denhartog

@@ -1,7 +1,9 @@
 #include "denhartog/scene/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "denhartog/evaluation/contact.hpp"
 #include "denhartog/number/ball_or_none.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
@@ -128,6 +130,33 @@ void check_load(const System<T>& s, const SceneNames& names) {
             fail(names, "load_phases", "of the force on mass " + number(k) + " " + rule, number_to_text(theta[k]), at(k));
 }
 
+// A direction of the contact; its entries count in squares, which have to be doubles.
+template <class T>
+void check_direction(const System<T>& s, std::size_t N, const SceneNames& names) {
+    const std::vector<T>& w = s.contact_direction;
+    if (w.empty()) return;
+    const auto wrong = [&](std::string rule, std::string value, const std::string& within = {}) {
+        throw InputError("direction", std::move(rule), std::move(value), names.places ? "/contact/direction" + within : "");
+    };
+    if (s.contact_with) wrong("must not be given together with a contact between two masses", "");
+    if (w.size() != N)
+        wrong("must have as many values as there are masses (" + std::to_string(N) + ")", std::to_string(w.size()));
+    T largest(0);
+    for (std::size_t k = 0; k < N; ++k) {
+        if (const char* rule = broken_rule(w[k])) wrong("of mass " + number(k) + " " + rule, number_to_text(w[k]), at(k));
+        largest = std::max(largest, w[k] < 0 ? T(-w[k]) : w[k]);
+    }
+    if (largest == 0) wrong("must have an entry that is not zero", "0 for all");
+    if (largest < 1e-100 || largest > 1e100)
+        wrong("must have its largest entry from 1e-100 to 1e100 in size", number_to_text(largest));
+    if (std::ranges::count(w, T(0)) + 1 == std::ssize(w))
+        wrong("must have two entries at least that are not zero: of one mass contact is the number, and a factor belongs to the "
+              "friction",
+              number_to_text(*std::ranges::find_if(w, [](const T& x) { return x != 0; })));
+    if (s.base_motion == BaseMotion::wall && evaluation::sum_with_rests<T>(w) == 0)
+        wrong("must have entries whose sum is not zero where the wall moves: else nothing rubs against it", "0");
+}
+
 template <class T>
 void check_static_load(const std::vector<T>& s, std::size_t N, const SceneNames& names) {
     if (s.empty()) return;
@@ -170,6 +199,7 @@ void check_system(const System<T>& s, const SceneNames& names) {
         check_damping_ratios(s.damping_ratios, N, names);
     if (s.contact.index >= N) fail(names, "contact", mass_rule(N), number(s.contact.index));
     if (s.load_vector.empty() && s.load.index >= N) fail(names, "load", mass_rule(N), number(s.load.index));
+    check_direction(s, N, names);
     if (s.contact_with && s.contact_with->index >= N) fail(names, "contact", mass_rule(N), number(s.contact_with->index), at(1));
     if (s.contact_with && *s.contact_with == s.contact)
         fail(names, "contact", "must be between two masses, not between one and itself", number(s.contact.index), at(1));

@@ -58,7 +58,15 @@ struct System {
     std::vector<T> load_phases{}; ///< by how much each of them leads cos(tau), radians; N values, or none if all are in phase
     BaseMotion base_motion = BaseMotion::none; ///< whose load `load_vector` is, if it is that of a moving base or wall
     std::vector<double> load_error{};          ///< bounds of errors of the force on each mass besides rounding; N values or none
+    std::vector<T> contact_direction{}; ///< w, where w^T x slides instead of x_j or x_j - x_k; N values or none. Mass j is then
+                                        ///< the one that stands for the contact where one mass is asked about
 };
+
+/// @brief Whether the displacement of the contact is not that of one mass. @param s a system, or an answer about one @return true if so
+template <class S>
+[[nodiscard]] bool contact_moves_apart(const S& s) {
+    return s.contact_with.has_value() || !s.contact_direction.empty();
+}
 
 /// @brief Whether dampers, or inertia, make the load of a base or wall depend on the frequency. @param s a system @return true if so
 template <class T>

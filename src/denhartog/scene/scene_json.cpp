@@ -159,17 +159,53 @@ void read_damping(const json& object, const T& unit, System<T>& s) {
         zeta.fail("must be an array of numbers, or one number for all modes");
 }
 
-/// One mass, which rubs against a wall, or two, which rub against each other.
+/// Any direction. The one of a mass against a wall and that of two masses against each other are read as these; of another number
+/// in a string only more digits tell which one it is.
+template <class T>
+void read_direction(const SceneItem& contact, System<T>& s) {
+    for (const auto& entry : contact.value.items())
+        if (entry.key() != "direction")
+            throw InputError("contact", "must have the key direction alone, a number for each mass", legible(entry.key()),
+                             contact.place + pointer_step(entry.key()));
+    if (contact.value.empty()) contact.fail("must have the key direction, a number for each mass");
+    const SceneItem direction{contact.value.at("direction"), "direction", contact.place + "/direction"};
+    const std::vector<T> w = read_list<T>(direction);
+    const auto is_text = [](const json& each) { return each.is_string() && each != "0" && each != "1" && each != "-1"; };
+    bool others = direction.value.is_array() ? std::ranges::any_of(direction.value, is_text) : is_text(direction.value);
+    std::vector<Mass> forward, back; // masses whose entries are 1, and -1
+    for (std::size_t k = 0; k < w.size(); ++k) {
+        if (w[k] == T(1)) forward.push_back({k});
+        if (w[k] == T(-1)) back.push_back({k});
+        others = others || !(w[k] == T(0) || w[k] == T(1) || w[k] == T(-1));
+    }
+    if (!others && forward.size() == 1 && back.size() <= 1) {
+        s.contact = forward.front();
+        if (!back.empty()) s.contact_with = back.front();
+        return;
+    }
+    const auto size = [&w](std::size_t k) { return std::abs(static_cast<double>(w[k])); };
+    for (std::size_t k = 1; k < w.size(); ++k)
+        if (size(k) > size(s.contact.index)) s.contact.index = k;
+    s.contact_direction = w;
+}
+
+/// One mass, which rubs against a wall, two, which rub against each other, or a direction.
 template <class T>
 void read_contact(const json& object, System<T>& s) {
     require(object, "contact");
     const SceneItem contact = item(object, "contact");
+    if (contact.value.is_object()) {
+        read_direction(contact, s);
+        return;
+    }
     if (!contact.value.is_array()) {
         s.contact.index = read_index(contact);
         return;
     }
     if (contact.value.size() != 2)
-        contact.fail("must be a whole number that counts the masses from 1, or two of them, which rub against each other");
+        contact.fail(
+            "must be a whole number that counts the masses from 1, or two of them, which rub against each other; a direction "
+            "is {\"direction\": [..]}, a number for each mass");
     s.contact.index = read_index(contact[0]);
     s.contact_with = Mass{read_index(contact[1])};
 }

@@ -70,6 +70,7 @@ constexpr auto other_words = std::to_array<std::pair<std::string_view, std::stri
      {"phases", "load_phases"},
      {"phase", "load_phases"},
      {"acceleration", "base_acceleration"},
+     {"direction", "contact, as {\"direction\": [..]}"},
      {"mu_k", "friction_coefficient, with normal_force"},
      {"mu_s", "static_friction_coefficient, with friction_coefficient and normal_force"},
      {"coefficient_of_friction", "friction_coefficient, with normal_force"},

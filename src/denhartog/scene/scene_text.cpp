@@ -97,6 +97,8 @@ nlohmann::ordered_json write_scene(const Scene<double>& scene) {
     if (s.damping_tolerance > 0) object["damping_tolerance"] = s.damping_tolerance;
     if (s.contact_with)
         object["contact"] = {s.contact.index + 1, s.contact_with->index + 1};
+    else if (!s.contact_direction.empty())
+        object["contact"] = {{"direction", s.contact_direction}};
     else
         object["contact"] = s.contact.index + 1;
     if (s.load_vector.empty())

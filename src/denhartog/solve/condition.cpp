@@ -6,8 +6,10 @@
 #include <limits>
 
 #include "denhartog/answer/modes_in_double.hpp"
+#include "denhartog/answer/solution.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/json_document.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/varied_scene.hpp"
@@ -108,6 +110,15 @@ std::optional<SensitiveMode> sensitive_mode(const SceneSource& source) {
         if (change > noticeable && (excites(load.re) || (load.im && excites(*load.im)))) return SensitiveMode{i, R, change};
     }
     return std::nullopt;
+}
+
+std::string warning_of(const SceneSource& source, const Solution& solution) {
+    if (solution.regime.regime == Regime::permanent_sticking) return {};
+    const std::optional<SensitiveMode> mode = sensitive_mode(source);
+    if (!mode) return {};
+    return "a unit in the last place of the frequency, of a mass or of a stiffness changes amplitudes by some " +
+           number_in_digits(mode->change, 2) + " of themselves: mode " + std::to_string(mode->mode + 1) +
+           " has next to no damping, and R = " + number_to_text(mode->R);
 }
 
 } // namespace denhartog

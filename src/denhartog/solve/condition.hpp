@@ -13,6 +13,7 @@
 namespace denhartog {
 
 struct SceneReader;
+struct Solution;
 
 /// @brief The condition of the amplitudes for one number of a scene.
 struct ConditionOfAmplitudes {
@@ -50,5 +51,11 @@ struct SensitiveMode {
 /// @param source  the scene, with r
 /// @return        the mode, or none
 [[nodiscard]] std::optional<SensitiveMode> sensitive_mode(const std::shared_ptr<const SceneReader>& source);
+
+/// @brief What an answer is said to depend on too much, in words: that mode, unless the contact rests for good.
+/// @param source    the scene, with r
+/// @param solution  its answer
+/// @return          a sentence without its full stop; empty where there is nothing to say
+[[nodiscard]] std::string warning_of(const std::shared_ptr<const SceneReader>& source, const Solution& solution);
 
 } // namespace denhartog

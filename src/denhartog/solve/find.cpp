@@ -48,6 +48,13 @@ std::vector<double> first_places(const VariedNumber& varied, const Json& scene, 
     return at;
 }
 
+// A scene that lacks the frequency that varies gets one, which each question replaces.
+void complete(Json& scene, const VariedNumber& varied) {
+    const bool is_frequency = varied.key == "r" || varied.key == "frequency" || varied.key == "frequency_hz";
+    if (is_frequency && std::isfinite(varied.to) && scene.is_object() && !scene.contains(varied.key))
+        scene[varied.key] = varied.to;
+}
+
 SeenAmplitude amplitude_of(const Json& scene, Mass mass, double damping_tolerance, Effort* effort) {
     const AmplitudesOfScene found = amplitudes_of(scene, mass, damping_tolerance, effort);
     if (found.amplitudes.empty()) return {std::nullopt, found.refused};
@@ -69,7 +76,9 @@ std::string_view name_of(PlaceIs is) {
 FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, const Wanted& wanted, int samples,
                         double damping_tolerance, Effort* effort) {
     Json given = read_json(scene);
-    const std::size_t N = number_of_masses(scene_source(SceneText{scene})->in_double().system);
+    complete(given, varied);
+    if (wanted.over) complete(given, *wanted.over);
+    const std::size_t N = number_of_masses(scene_source(SceneText{given.dump()})->in_double().system);
     if (wanted.mass.index >= N)
         throw InputError("so-that", "must name a mass from 1 to " + std::to_string(N), std::to_string(wanted.mass.index + 1));
     if (samples < 2 || samples > most_samples_to_find)
@@ -77,34 +86,36 @@ FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, cons
     check_interval("between", varied);
     const Json::json_pointer place = place_of(varied.key, given);
     long questions = 0;
-    AmplitudeAt amplitude = [&](double x) {
-        given[place] = x;
-        ++questions;
-        return amplitude_of(given, wanted.mass, damping_tolerance, effort);
-    };
-    if (wanted.over) {
-        check_interval("over", *wanted.over);
-        const Json::json_pointer second = place_of(wanted.over->key, given);
-        if (second == place) throw InputError("over", "must be another number than the one that varies", wanted.over->key);
-        amplitude = [&, second](double x) -> SeenAmplitude {
-            given[place] = x;
-            AmplitudeSearch search(first_places(*wanted.over, given, samples), [&](double y) {
-                given[second] = y;
-                ++questions;
-                return amplitude_of(given, wanted.mass, damping_tolerance, effort);
-            });
-            return search.amplitude_of_extreme(wanted.of == AmplitudeIs::largest);
-        };
-    }
-    std::optional<InputError> inadmissible; // a value in the interval that a scene cannot have
-    AmplitudeSearch search(first_places(varied, given, samples), [&](double x) -> SeenAmplitude {
+    std::optional<InputError> inadmissible; // a value in an interval that a scene cannot have
+    const auto admitted = [&](const auto& ask) -> SeenAmplitude {
         try {
-            return amplitude(x);
+            return ask();
         } catch (const InputError& e) {
             if (!inadmissible) inadmissible = e;
             return {std::nullopt, std::string(e.what())};
         }
-    });
+    };
+    const auto amplitude_with = [&](const Json::json_pointer& at, double x) {
+        given[at] = x;
+        ++questions;
+        return admitted([&] { return amplitude_of(given, wanted.mass, damping_tolerance, effort); });
+    };
+    AmplitudeAt amplitude = [&](double x) { return amplitude_with(place, x); };
+    if (wanted.over) {
+        check_interval("over", *wanted.over);
+        const Json::json_pointer second = place_of(wanted.over->key, given);
+        if (second == place) throw InputError("over", "must be another number than the one that varies", wanted.over->key);
+        amplitude = [&, second, own = given.at(second)](double x) {
+            given[place] = x;
+            given[second] = own;
+            return admitted([&] {
+                AmplitudeSearch search(first_places(*wanted.over, given, samples),
+                                       [&](double y) { return amplitude_with(second, y); });
+                return search.amplitude_of_extreme(wanted.of == AmplitudeIs::largest);
+            });
+        };
+    }
+    AmplitudeSearch search(first_places(varied, given, samples), amplitude);
     FoundPlaces found =
         wanted.is == AmplitudeIs::value ? search.value(wanted.value) : search.extreme(wanted.is == AmplitudeIs::largest);
     if (found.places.empty() && inadmissible && found.unanswered.size() >= static_cast<std::size_t>(samples))

@@ -80,9 +80,9 @@ std::size_t tell_zeros(Quantities<Bounded<double>>& q, double tolerance) {
     return zeros;
 }
 
-// Takes a contact between two masses, which comes last, out of the lists over masses.
+// Takes a contact that does not move as one mass, which comes last, out of the lists over masses.
 void take_contact_between(const System<double>& s, Quantities<Bounded<double>>& q) {
-    if (!s.contact_with) return;
+    if (!contact_moves_apart(s)) return;
     const std::size_t count = q.V.size();
     for (std::vector<Bounded<double>>* motion : {&q.x, &q.x_prime}) {
         std::size_t n = 0;

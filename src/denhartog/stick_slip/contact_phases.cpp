@@ -102,6 +102,8 @@ void ContactPhases::masses_of(int direction, int order, std::vector<double>& out
     column(out).noalias() = system->stuck.shapes * column(sticking.q[order]);
     if (order == 0)
         for (std::size_t k = 0; k < N; ++k) out[k] += rest * system->stuck.carried[k];
+    else if (const Contact& contact = system->stuck.contact; !contact.others.empty())
+        contact.hold(out.data()); // to the last bit, which rounded rows of shapes do not
 }
 
 evaluation::LinearSum ContactPhases::motion_of_masses(int direction, double tau) const {

@@ -79,7 +79,7 @@ void add_static_load(ContactSystem& system, const std::vector<double>& s) {
     const Column modal = system.basis.phi.transpose() * force, stuck = system.stuck.shapes.transpose() * force;
     system.constant.modal.assign(modal.begin(), modal.end());
     system.constant.stuck.assign(stuck.begin(), stuck.end());
-    system.constant.direct = system.stuck.contact.sign * s[system.stuck.contact.a];
+    system.constant.direct = system.stuck.contact.over(s[system.stuck.contact.a]);
 }
 
 void take_load_away(ContactSystem& system) {

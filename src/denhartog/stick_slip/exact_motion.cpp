@@ -26,7 +26,7 @@ void Deviations::start(const ContactPhases& phases, int direction) {
     for (std::size_t k = 0; k < N; ++k) dx(k, k) = dv(k, N + k) = 1;
     if (direction != 0) return;
     const StuckConfiguration& stuck = phases.system->stuck;
-    if (stuck.contact.b || std::ranges::any_of(stuck.m_j, [](double tie) { return tie != 0; }))
+    if (stuck.contact.has_own_row() || std::ranges::any_of(stuck.m_j, [](double tie) { return tie != 0; }))
         dv -= phases.inertia * phases.w * stuck.contact.row_of(dv);
     stuck.contact.hold(dv);
 }

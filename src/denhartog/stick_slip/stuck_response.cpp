@@ -122,7 +122,7 @@ StuckResponse stuck_response(const StuckConfiguration& stuck, Mass load, double 
 
 std::optional<StuckChain> stuck_chain(const System<double>& s, const StuckConfiguration& stuck) {
     const Mass load = load_row(s);
-    if (!is_chain(s) || s.contact_with || load.index >= number_of_masses(s)) return std::nullopt;
+    if (!is_chain(s) || contact_moves_apart(s) || load.index >= number_of_masses(s)) return std::nullopt;
     StuckChain chain;
     if (load == s.contact) return chain;
     const auto j = static_cast<std::ptrdiff_t>(s.contact.index);

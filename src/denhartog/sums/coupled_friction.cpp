@@ -69,12 +69,14 @@ Matrix<double> errors(const BoundedMatrix& A) {
     return A.unaryExpr([](const Bounded<double>& entry) { return entry.e; });
 }
 
-// A column a mass, and where the contact has a row of its own the difference of those of its masses.
+// A column a mass, and where the contact has a row of its own w^T of them.
 BoundedMatrix with_contact(BoundedMatrix columns, const System<double>& s) {
-    if (!s.contact_with) return columns;
-    const auto j = static_cast<Eigen::Index>(s.contact.index), k = static_cast<Eigen::Index>(s.contact_with->index);
-    columns.conservativeResize(Eigen::NoChange, columns.cols() + 1);
-    for (Eigen::Index i = 0; i < columns.rows(); ++i) columns(i, columns.cols() - 1) = columns(i, j) - columns(i, k);
+    if (!contact_moves_apart(s)) return columns;
+    const Eigen::Index N = columns.cols();
+    columns.conservativeResize(Eigen::NoChange, N + 1);
+    for (Eigen::Index i = 0; i < columns.rows(); ++i)
+        columns(i, N) =
+            along_contact<Bounded<double>>(s, [&](std::size_t k) { return columns(i, static_cast<Eigen::Index>(k)); });
     return columns;
 }
 

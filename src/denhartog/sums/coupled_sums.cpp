@@ -63,10 +63,9 @@ ModeSums<Bounded<double>> coupled_sums(const System<double>& system, const Bound
     if (!motion.is_regular()) throw DomainError(Why::response_33_is_infinite);
     const auto to = [&](const std::vector<Complex<double>>& forces, const std::vector<double>& errors) {
         std::vector<Complex<Bounded<double>>> V = harmonic_responses(motion, forces, errors);
-        if (system.contact_with) {
-            const auto &V_j = V[system.contact.index], &V_k = V[system.contact_with->index];
-            V.push_back({V_j.re - V_k.re, V_j.im - V_k.im});
-        }
+        if (contact_moves_apart(system))
+            V.push_back({along_contact<Bounded<double>>(system, [&](std::size_t k) { return V[k].re; }),
+                         along_contact<Bounded<double>>(system, [&](std::size_t k) { return V[k].im; })});
         return V;
     };
     ModeSums<Bounded<double>> s;

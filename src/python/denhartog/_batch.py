@@ -149,13 +149,14 @@ def solve(handle: Optional[c_void_p], points: Arrays, masses: Union[np.ndarray, 
 
 
 def solve_map(handle: c_void_p, r: np.ndarray, beta: np.ndarray, mu: float, from_sliding: bool, masses: np.ndarray,
-              threads: int, progress: Report, effort: Optional[float] = None) -> Arrays:
+              threads: int, progress: Report, effort: Optional[float] = None, phases: bool = False,
+              from_ground: bool = False) -> Arrays:
     """dh_map() over the grid of `r` and `beta`; arrays of the shape r by beta, the masses last."""
     wanted = masses.size
-    out, found = _room((r.size, beta.size), wanted, ("amplitude",))
+    out, found = _room((r.size, beta.size), wanted, ("amplitude", "phase") if phases else ("amplitude",))
     request = _library.MapRequest(
         r_count=r.size, r=r.ctypes.data, beta_count=beta.size, beta=beta.ctypes.data, mu=mu, from_sliding=int(from_sliding),
-        mass_count=wanted, masses=masses.ctypes.data, threads=threads)
+        mass_count=wanted, masses=masses.ctypes.data, threads=threads, from_ground=int(from_ground))
     result = _library.MapResult(r_step=beta.size, beta_step=1, amplitude_r_step=beta.size * wanted,
                                 amplitude_beta_step=wanted, mass_step=1, **found)
     run("dh_map", (handle,), request, result, progress, (r, beta, masses, out), effort)

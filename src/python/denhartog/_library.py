@@ -47,9 +47,10 @@ HistoryRequest = _struct("dh_history_request", "double r, beta, mu; void* x, x_p
 HistoryResult = _struct("dh_history", "size_t stop_room, sample_room; void* start, end, stop_x, tau, x, x_prime, direction; "
                                       "size_t stops, samples; double from_")
 MapRequest = _struct("dh_map_request", "size_t r_count; void* r; size_t beta_count; void* beta; double mu; int from_sliding; "
-                                       "size_t mass_count; void* masses; unsigned threads; dh_progress progress; void* context")
+                                       "size_t mass_count; void* masses; unsigned threads; dh_progress progress; void* context; "
+                                       "int from_ground")
 MapResult = _struct("dh_map_result", "ptrdiff_t r_step, beta_step; void* status, regime, stops, periods; "
-                                     "ptrdiff_t amplitude_r_step, amplitude_beta_step, mass_step; void* amplitude")
+                                     "ptrdiff_t amplitude_r_step, amplitude_beta_step, mass_step; void* amplitude, phase")
 PointsRequest = _struct("dh_points_request", "size_t count; void* r; ptrdiff_t r_step; void* beta; ptrdiff_t beta_step; "
                                              "double mu; int digits; size_t mass_count; void* masses; unsigned threads; "
                                              "dh_progress progress; void* context; int from_ground")
@@ -70,7 +71,7 @@ _FUNCTIONS = {  # by their arguments
     "pp": "dh_solution_is_proved dh_solution_is_from_rest dh_solution_summary dh_solution_contact dh_solve_systems dh_find",
     "ppp": "dh_map dh_solve_points dh_free_decay dh_follow",
     "pppp": "dh_system_masses",
-    "pnp": "dh_system_from_json dh_solution_mass",
+    "pnp": "dh_system_from_json dh_solution_mass dh_solution_warning",
     "pnppp": "dh_solution_from_ground",
     "pipp": "dh_solution_energies",
     "pnpp": "dh_place_of_rest dh_natural_frequency_ratios dh_natural_frequency_ratio_errors dh_solution_stops dh_solution_stop_errors",

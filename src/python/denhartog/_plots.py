@@ -52,7 +52,7 @@ def response(self: "System", r: ArrayLike, beta: ArrayLike, mass: Optional[int] 
         dashed ones: it rests for a part of every period, or for ever.
     """
     above, beside = _axes(axes, 2)[:2]
-    k = int(np.ravel(self.contact)[0]) if mass is None else mass
+    k = self._contact_mass if mass is None else mass
     r_values, betas = np.atleast_1d(_batch.numbers("r", r)), np.atleast_1d(_batch.numbers("beta", beta))
     found = self.solve(r_values, betas[:, None], mu=mu, masses=k, threads=threads)
     for line, value in enumerate(betas):

@@ -230,7 +230,8 @@ class Solution:
     phase, phase_error : ndarray, shape (M,)
         Lag of the largest displacement behind the force, in (-pi, pi], and the bound of its error; NaN for a mass at rest.
     contact_amplitude, contact_phase : float
-        The same of the contact: of two masses that rub against each other, of the first relative to the second.
+        The same of the contact: of two masses that rub against each other, of the first relative to the second; of a contact
+        with a direction w, of w^T x.
     contact_amplitude_error, contact_phase_error : float
         Bounds of their errors.
     from_ground : FromGround or None
@@ -240,6 +241,9 @@ class Solution:
     proved : bool
         True where every number and every bound is proved; else the bounds are estimates. The samples of `motion` are then
         proved too, to 1e-6 of the amplitude of each mass.
+    warning : str
+        What the amplitudes depend on too much: a mode next to its resonance and with next to no damping, which a unit in the last
+        place of a number of the system moves by more than a thousandth. Empty where there is nothing to say.
     """
 
     r: float
@@ -267,6 +271,7 @@ class Solution:
     from_ground: Optional[FromGround]
     relative_error: float
     proved: bool
+    warning: str
     _handle: c_void_p
     _N: int
 
@@ -397,6 +402,7 @@ class Solutions(_Points):
         return f"<solutions of shape {self.regime.shape}, masses {self.masses.tolist()}: {self._told()}>"
 
 
+@dataclass(frozen=True, eq=False, repr=False)
 class Map(_Points):
     """Regimes, stops and amplitudes over a grid of R frequency ratios by B friction ratios, for M masses.
 
@@ -406,9 +412,14 @@ class Map(_Points):
         Frequency ratios and friction ratios.
     amplitude : ndarray, shape (R, B, M)
         In units of P / k_1; NaN where there are no numbers.
+    phase : ndarray, shape (R, B, M), or None
+        Lags behind the force, or of absolute displacements behind base or wall, if they were asked for; NaN where a mass does
+        not move or there are no numbers.
     mu, masses, status, regime, stops, periods
         As of `Solutions`, where S is (R, B) and mu one number.
     """
+
+    phase: Optional[np.ndarray] = None
 
     def __repr__(self) -> str:
         r, beta = (f"{a.size} from {a[0]:.6g} to {a[-1]:.6g}" for a in (self.r, self.beta))

@@ -227,7 +227,7 @@ def plan_of(study: Mapping[str, Any], grid: Any = None) -> Plan:
         raise _refusal(words[0] if words else jsonschema.exceptions.best_match(faults))
     scene = {key: value for key, value in study["scene"].items() if key not in (*COLUMNS, "frequency")}
     system = System.from_scene(scene)
-    study = {"masses": np.atleast_1d(system.contact)[:1], "start": "rest", "reduce": [], "points_of_a_chunk": 10**6,
+    study = {"masses": np.array([system._contact_mass]), "start": "rest", "reduce": [], "points_of_a_chunk": 10**6,
              "answers": [] if "reduce" in study else ["regime", "amplitudes"], **study, "scene": scene}
     study["masses"], study["points_of_a_chunk"] = [int(k) for k in study["masses"]], int(study["points_of_a_chunk"])
     axes, drawn = _of_study(study) if grid is None else _of_grid(grid)

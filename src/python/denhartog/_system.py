@@ -5,7 +5,7 @@ import json
 import math
 import os
 import pathlib
-from ctypes import byref, c_double, c_int, c_size_t
+from ctypes import byref, c_double, c_int, c_size_t, create_string_buffer
 from typing import Any, Mapping, Optional, Sequence, Union
 
 import numpy as np
@@ -52,8 +52,9 @@ class System:
         C in the units of masses and stiffnesses; of a system in ratios in units of sqrt(k_1 m_1).
     damping_tolerance : float, from 0 to 2
         How far `damping_matrix` may be from leaving the modes uncoupled for the damping ratios of its diagonal to take its place.
-    contact : int or pair of ints
-        The mass that rubs against a wall, or two masses that rub against each other.
+    contact : int, pair of ints, or ``{"direction": w}``
+        The mass that rubs against a wall, or two masses that rub against each other; or any direction w, N numbers: w^T x then
+        slides, and friction loads mass k by w_k times its force.
     load : int or array_like, shape (N,)
         The mass that bears the force P cos(omega t), or the force on each mass in units of P.
     load_phases : array_like, shape (N,)
@@ -79,7 +80,7 @@ class System:
     def __init__(self, *, masses: Optional[ArrayLike] = None, stiffnesses: Optional[ArrayLike] = None,
                  mass_ratios: Optional[ArrayLike] = None, stiffness_ratios: Optional[ArrayLike] = None,
                  damping_ratios: Optional[ArrayLike] = None, damping_matrix: Optional[ArrayLike] = None,
-                 damping_tolerance: Optional[float] = None, contact: Union[int, Sequence[int], None] = None,
+                 damping_tolerance: Optional[float] = None, contact: Union[int, Sequence[int], Mapping[str, ArrayLike], None] = None,
                  load: Union[int, ArrayLike, None] = None, load_phases: Optional[ArrayLike] = None,
                  base_motion: Optional[str] = None, static_load: Optional[ArrayLike] = None, mu: float = 1.0) -> None:
         scene = {key: plain(key, value) for key, value in locals().items() if key != "self" and value is not None}
@@ -117,10 +118,10 @@ class System:
         return system
 
     def _prepare(self, scene: dict[str, Any], text: str) -> None:
-        N, encoded = c_size_t(), text.encode()
+        N, contact, encoded = c_size_t(), c_size_t(), text.encode()
         self._handle = _library.handle("dh_system_from_json", "dh_system_destroy", encoded, len(encoded))
-        _library.call("dh_system_masses", self._handle, byref(N), None, None)
-        self._scene, self._N = scene, N.value
+        _library.call("dh_system_masses", self._handle, byref(N), byref(contact), None)
+        self._scene, self._N, self._contact_mass = scene, N.value, contact.value  # that stands for the contact
         (self._r_n, self._zeta), (self._r_n_error, self._zeta_error) = (
             self._of_modes(name) for name in ("dh_natural_frequency_ratios", "dh_natural_frequency_ratio_errors"))
 
@@ -142,9 +143,11 @@ class System:
         return self._N
 
     @property
-    def contact(self) -> Union[int, tuple[int, int]]:
-        """The mass in contact with a wall, j, or the two masses that rub against each other; from 1."""
+    def contact(self) -> Union[int, tuple[int, int], dict[str, Any]]:
+        """The mass in contact with a wall, j, or the two masses that rub against each other, from 1; or the direction, as given."""
         contact = self._scene["contact"]
+        if isinstance(contact, dict):
+            return json.loads(json.dumps(contact))
         return tuple(map(int, contact)) if isinstance(contact, list) else int(contact)
 
     @property
@@ -362,8 +365,10 @@ class System:
         stops, stop_errors = stops.swapaxes(1, 2).copy()
         rest_interval = (found.rest_from, found.rest_to) if found.rest_interval_exists else None
         whether = {name: bool(getattr(found, name)) for name in ("on_boundary", "unique", "symmetric")}
+        warning = create_string_buffer(512)
+        _library.call("dh_solution_warning", handle, len(warning), warning)
         return Solution(
-            r=r, beta=beta, mu=mu, regime=REGIMES[found.regime], periods=found.periods, stops=stops, stop_errors=stop_errors,
+            r=r, beta=beta, mu=mu, warning=warning.value.decode(), regime=REGIMES[found.regime], periods=found.periods, stops=stops, stop_errors=stop_errors,
             rest_interval=rest_interval, rest_error=found.rest_error, masses=masses.astype(int),
             from_ground=from_ground, relative_error=found.relative_error, proved=bool(is_proved), from_rest=bool(from_rest), _handle=handle, _N=self.N, **whether, **of_contact,
             **dict(zip(kinds, of_masses)))
@@ -372,7 +377,8 @@ class System:
         return self.mu if mu is None else float(mu)
 
     def map(self, r: ArrayLike, beta: ArrayLike, masses: Union[int, Sequence[int], None] = None, start: str = "rest",
-            threads: int = 0, progress: Report = None, mu: Optional[float] = None) -> Map:
+            threads: int = 0, progress: Report = None, mu: Optional[float] = None, phases: bool = False,
+            from_ground: bool = False) -> Map:
         """Regimes, stops and amplitudes over a grid: what ``denhartog map`` computes, to 6 digits of every amplitude.
 
         A point costs a few nanoseconds where the contact slides or rests and ``masses=system.contact``, some ten microseconds
@@ -389,13 +395,17 @@ class System:
         progress : callable
             Called as ``progress(done, all)`` with columns, one for each frequency ratio; the computation ends where it returns
             something true.
+        phases : bool
+            True for phases as well; every point is then answered as by `solve`. For ``start="rest"`` only.
+        from_ground : bool
+            True for absolute displacements, and phases behind base or wall, where these move. For ``start="rest"`` only.
         masses, threads, mu
             As of `solve`.
 
         Returns
         -------
         Map
-            Arrays of the shape (R, B), amplitudes (R, B, M).
+            Arrays of the shape (R, B), amplitudes and phases (R, B, M).
 
         Raises
         ------
@@ -411,7 +421,7 @@ class System:
                 raise InputError.of(name, "must be a number or a list of at least one", f"an array of shape {axes[name].shape}")
         listed, static = _batch.mass_list(masses, self.N), self._static(mu)
         found = _batch.solve_map(self._handle, axes["r"], axes["beta"], static, start == "sliding", listed,
-                                 _batch.thread_count(threads), progress)
+                                 _batch.thread_count(threads), progress, phases=phases, from_ground=from_ground)
         return Map(mu=static, masses=listed.astype(int), **axes, **found)
 
     def boundary(self, r: ArrayLike, mu: Optional[float] = None, proved: bool = False) -> Boundary:
@@ -570,7 +580,8 @@ class System:
 
     def __repr__(self) -> str:
         contact, load = self.contact, self._scene.get("load")
-        rubs = f"between masses {contact[0]} and {contact[1]}" if isinstance(contact, tuple) else f"on mass {contact}"
+        rubs = f"along {contact['direction']}" if isinstance(contact, dict) else \
+            f"between masses {contact[0]} and {contact[1]}" if isinstance(contact, tuple) else f"on mass {contact}"
         loaded = f"load on mass {load}" if isinstance(load, (int, float)) else f"load {load}" if load is not None else \
             f"base motion {self._scene['base_motion']}"
         r_n = ", ".join(f"{x:.6g}" for x in self._r_n[:6]) + (", ..." if self.N > 6 else "")

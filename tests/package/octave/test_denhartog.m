@@ -208,11 +208,39 @@ assert(whole.masses, 1:3);
 assert(whole.amplitude(:, :, [3, 1]), map.amplitude);
 assert(size(denhartog_map(one, 0.1, 0.2).amplitude), [1, 1]);
 close_to(denhartog_map(one, 0.1, 0.2).amplitude, denhartog_solve(one).amplitude);
+function phase = program_phases(options, scene)
+  lines = strsplit(strtrim(program('map', denhartog_json(scene), options)), "\n");
+  column = find(strcmp(strsplit(lines{1}, ','), 'phase_1'));
+  phase = cellfun(@(line) str2double(strsplit(line, ','){column}), lines(2:end))';
+end
+seen = denhartog_map(chain, linspace(0.5, 1.5, 5), linspace(0, 1.2, 4), 1, 'phases');
+close_to(seen.phase(:), program_phases('--r 0.5:1.5:5 --beta 0:1.2:4 --mass 1 --phases', chain));
+close_to(seen.amplitude, map.amplitude(:, :, 2));
+absolute = denhartog_map(frame, linspace(0.3, 0.6, 4), [0.1, 0.4], 1, 'from_ground', 'phases');
+close_to(absolute.phase(:), program_phases('--r 0.3:0.6:4 --beta 0.1:0.4:2 --mass 1 --phases --from-ground', frame));
+close_to(absolute.amplitude(1, 1), denhartog_solve(frame, 0.3, 0.1).absolute_amplitude(1));
+says('denhartog:input', 'must be phases or from_ground', @() denhartog_map(chain, 1, 0.1, 1, 'everything'));
+says('denhartog:input', 'base', @() denhartog_map(chain, 1, 0.1, 1, 'from_ground'));
+printf("a map has the program's phases and absolute displacements\n");
+
 pole = denhartog_map(undamped, [0.5, 1], [0, 0.1]);
 assert(pole.status_names{pole.status(1, 2) + 1}, 'at_a_pole');
 assert(isnan(pole.amplitude), logical([0, 1; 0, 1]));
 assert(isnan(pole.regime) & isnan(pole.stops) & isnan(pole.periods), logical([0, 1; 0, 1]));
 printf("a map is beta by r by masses and has the program's numbers, and none at a pole\n");
+
+lever = struct('masses', [20, 12, 8], 'stiffnesses', [9000, 6000, 4000], 'damping_ratios', 0.02, 'load', 3, 'force', 40, ...
+               'friction', 12, 'frequency_hz', 2);
+lever.contact = struct('direction', [-0.5, 1, 0]);
+same_as_program(lever);
+same_as_program(struct('mass_ratios', 1, 'stiffness_ratios', 1, 'damping_ratios', 0.05, 'load', 1, 'r', 0.75, 'beta', 0.125, ...
+                       'contact', struct('direction', 1)));
+printf("a contact may have any direction\n");
+
+near_pole = setfield(setfield(undamped, 'r', 1 - 2^-45), 'beta', 0.125);
+assert(denhartog_solve(near_pole).warning, solved(near_pole).warning);
+assert(isempty(denhartog_solve(chain, 1, 0.1).warning));
+printf("an answer has the program's warning\n");
 
 for scene = {chain, one, frame}
   [tau, x, v] = denhartog_motion(scene{1}, [], [], 32);
@@ -327,7 +355,7 @@ printf("energies are the textbook's, and a free decay loses 2 F / k every half-p
 
 page = fileread(fullfile(fileparts(mfilename('fullpath')), '..', '..', '..', 'docs', 'octave.md'));
 examples = regexp(page, '```matlab\n(.*?)```\s*```text\n(.*?)```', 'tokens');
-assert(numel(examples), 6);
+assert(numel(examples), 7);
 clear scene frame motion limit map many undamped;
 for example = examples
   assert(strtrim(evalc(example{1}{1})), strtrim(example{1}{2}));

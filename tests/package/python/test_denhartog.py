@@ -79,6 +79,48 @@ class AgainstTheProgram(unittest.TestCase):
                     for n, k in enumerate(masses):
                         np.testing.assert_array_equal(found.amplitude[:, :, n], true[f"amplitude_{k}"])
 
+    def test_a_map_has_the_phases_and_absolute_displacements_of_the_program(self):
+        for name, ground in (("example", False), ("example_quarter_car", True), ("example_lever", False)):
+            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
+                path = pathlib.Path(folder, "map.npy")
+                told("map", scene_file(name), "--r", "0.3:1.5:5", "--beta", "0.05:1.2:4", "--mass", 2, "--phases",
+                     *(["--from-ground"] if ground else []), "--output", path)
+                true = np.load(path)
+                found = System.from_scene(scene_file(name)).map(true["r"][:, 0], true["beta"][0], 2, phases=True, from_ground=ground)
+                np.testing.assert_array_equal(found.amplitude[:, :, 0], true["amplitude_2"])
+                np.testing.assert_array_equal(found.phase[:, :, 0], true["phase_2"])
+        self.assertIsNone(System(**CHAIN).map([1], [0.1]).phase)
+        for start, what in (("rest", {"from_ground": True}), ("sliding", {"phases": True})):
+            with self.assertRaises(denhartog.InputError):
+                System(**CHAIN, mu=1.375).map([1], [0.1], start=start, **what)
+
+    def test_a_contact_may_have_any_direction(self):
+        true = json.loads(told("solve", "--json", scene_file("example_lever")))
+        system = System.from_scene(scene_file("example_lever"))
+        found = system.solve(true["r"], true["beta"])
+        np.testing.assert_array_equal(found.amplitude, [m["amplitude"] for m in true["masses"]])
+        self.assertEqual((found.contact_amplitude, found.contact_phase), (true["contact"]["amplitude"], true["contact"]["phase"]))
+        self.assertEqual(system.contact, {"direction": true["contact"]["direction"]})
+        self.assertIn("contact along [-0.5, 1, 0]", repr(system))
+        same = System(masses=[20, 12, 8], stiffnesses=[9000, 6000, 4000], damping_ratios=0.02, load=3,
+                      contact={"direction": np.array([-0.5, 1, 0])})
+        self.assertEqual(same.solve(true["r"], true["beta"]).contact_amplitude, found.contact_amplitude)
+        tau, x, _ = found.motion(64)
+        self.assertLessEqual(np.abs(x @ [-0.5, 1, 0]).max(), found.contact_amplitude * (1 + 1e-12))
+        for direction, part in (([1, 2], "must have as many values"), ([0, 0, 0], "not zero")):
+            with self.assertRaisesRegex(denhartog.InputError, part):
+                System(**{**CHAIN, "contact": {"direction": direction}})
+
+    def test_an_answer_has_the_warning_of_the_program(self):
+        scene = {"mass_ratios": 1, "stiffness_ratios": 1, "damping_ratios": 0, "contact": 1, "load": 1, "r": 1 - 2**-45, "beta": 0.125}
+        with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
+            json.dump(scene, file)
+            file.flush()
+            true = json.loads(told("solve", "--json", file.name))
+        self.assertIn("a unit in the last place", true["warning"])
+        self.assertEqual(System.from_scene(scene).solve(scene["r"], scene["beta"]).warning, true["warning"])
+        self.assertEqual(System(**CHAIN).solve(1.125, 0.1).warning, "")
+
     def test_a_proved_solution_is_what_solve_tells_with_proved(self):
         for name in NAMES:
             with self.subTest(name):

@@ -4,6 +4,7 @@
 
 #include "denhartog/answer/free_decay.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/program/json/solution_json.hpp"
 #include "denhartog/scene/json_document.hpp"
 
 namespace denhartog::program {
@@ -114,8 +115,7 @@ Json free_motion_json(const UnloadedScene& unloaded, const SceneSource& source, 
                                     : *motion.others_come_to_rest ? "come_to_rest"
                                                                   : "vibrate";
     }
-    all["contact"] = {{"mass", s.contact.index + 1}};
-    if (s.contact_with) all["contact"] = {{"between", {s.contact.index + 1, s.contact_with->index + 1}}};
+    all["contact"] = contact_name(s);
     for (std::size_t k = 0; k < motion.masses.size(); ++k) { // none in motion
         Json mass{{"mass", k + 1}};
         mass.update(place_json(motion.masses[k]));

@@ -71,7 +71,7 @@ Json motion_json(const PaperMotion& m, const Scene<double>& scene, const Integra
         all["contact"] = mass_json(s.contact.index, m.between ? *m.between : m.masses[s.contact.index]);
         if (m.between) {
             all["contact"].erase("mass");
-            all["contact"]["between"] = {s.contact.index + 1, s.contact_with->index + 1};
+            all["contact"].update(contact_name(s));
         }
         all["masses"] = Json::array();
         for (std::size_t k = 0; k < m.masses.size(); ++k) all["masses"].push_back(mass_json(k, m.masses[k]));

@@ -54,15 +54,6 @@ void add_condition(Json& answer, const SceneText& part, const SolveOptions& opti
     }
 }
 
-// Says so where the amplitudes hang on the last digits of the scene.
-void add_warning(Json& answer, const SceneSource& source) {
-    const std::optional<SensitiveMode> mode = sensitive_mode(source);
-    if (!mode) return;
-    answer["warning"] = "a unit in the last place of the frequency, of a mass or of a stiffness changes amplitudes by some " +
-                        number_in_digits(mode->change, 2) + " of themselves: mode " + std::to_string(mode->mode + 1) +
-                        " has next to no damping, and R = " + number_to_text(mode->R);
-}
-
 std::string condition_table(const Json& answer) {
     if (!answer.contains("condition")) return "";
     Rows rows{{"relative change of the amplitude of mass"}};
@@ -100,15 +91,16 @@ std::string solved(const SceneText& part, const SolveOptions& options, Effort* e
     add_damping(answer, source);
     add_dimensional(answer, source, solution, NumberWriter{options.digits});
     add_place_of_rest(answer, source);
-    if (solution.regime.regime != Regime::permanent_sticking) add_warning(answer, source);
+    const std::string warning = warning_of(source, solution);
+    if (!warning.empty()) answer["warning"] = warning;
     if (options.energy)
         add_energies(answer, source, solution, energies(source, solution, options.digits), NumberWriter{options.digits});
     if (options.condition) add_condition(answer, part, options, effort);
     if (options.json) return answer.dump() + "\n";
     const std::string damping = damping_line(answer);
-    const std::string warning = answer.contains("warning") ? "warning: " + answer.at("warning").get<std::string>() + "\n\n" : "";
-    return solution_table(answer) + warning + damping + (damping.empty() ? "" : "\n") + place_of_rest_lines(answer) +
-           from_ground_table(answer) + dimensional_table(answer) + energy_table(answer) + condition_table(answer);
+    return solution_table(answer) + (warning.empty() ? "" : "warning: " + warning + "\n\n") + damping +
+           (damping.empty() ? "" : "\n") + place_of_rest_lines(answer) + from_ground_table(answer) + dimensional_table(answer) +
+           energy_table(answer) + condition_table(answer);
 }
 
 } // namespace

@@ -41,7 +41,7 @@ Json dimensional_json(const Solution& s, const Units& units, bool relative) {
         all["masses"][k].update({{"absolute_amplitude", write(length * X.value)}, {"absolute_error_bound", bound(length, X)}});
     }
     if (s.between) {
-        all["contact"] = {{"between", {s.contact.index + 1, s.contact_with.value().index + 1}}};
+        all["contact"] = contact_name(s);
         all["contact"].update(displacement(*s.between));
     }
     for (const SolvedStop& stop : s.stops)
@@ -177,9 +177,12 @@ std::string dimensional_table(const Json& answer) {
         for (const Json& m : a.at("masses"))
             rows.push_back({"mass " + in_table(m.at("mass")) + ", absolute", cell(m, "absolute_amplitude"),
                             "+- " + cell(m, "absolute_error_bound")});
-    if (a.contains("contact"))
-        rows.push_back({contact_in_words({{"between", a.at("contact").at("between")}}), cell(a.at("contact"), "amplitude"),
-                        "+- " + cell(a.at("contact"), "error_bound")});
+    if (a.contains("contact")) {
+        Json name = a.at("contact");
+        name.erase("amplitude");
+        rows.push_back(
+            {contact_in_words(name), cell(a.at("contact"), "amplitude"), "+- " + cell(a.at("contact"), "error_bound")});
+    }
     return text + aligned(rows) + "\n";
 }
 

@@ -106,11 +106,10 @@ Json motion_json(const OtherMotion& motion, const std::optional<Mass>& only, con
 }
 
 Json contact_json(const Solution& s, const NumberWriter& write) {
-    Json all{{"mass", s.contact.index + 1}};
-    if (s.contact_with) all = {{"between", {s.contact.index + 1, s.contact_with->index + 1}}};
-    const bool known = s.contact_with ? s.between.has_value() : !s.masses.empty() && (!s.only || s.only == s.contact);
+    Json all = contact_name(s);
+    const bool known = contact_moves_apart(s) ? s.between.has_value() : !s.masses.empty() && (!s.only || s.only == s.contact);
     if (!known) return all;
-    const SolvedMass& m = s.contact_with ? *s.between : mass_of(s, s.contact);
+    const SolvedMass& m = contact_moves_apart(s) ? *s.between : mass_of(s, s.contact);
     all["amplitude"] = write(m.amplitude);
     if (m.phase) all["phase"] = write(*m.phase);
     return all;
@@ -222,9 +221,12 @@ Json solution_json(const Solution& s, const NumberWriter& write) {
 
 std::string contact_in_words(const Json& contact) {
     if (contact.contains("mass")) return "contact: mass " + cell(contact, "mass");
-    const Json& masses = contact.at("between");
-    std::string text = "contact: between masses " + in_table(masses[0]) + " and " + in_table(masses[1]);
-    if (contact.contains("amplitude")) text += ", which slide on each other by " + cell(contact, "amplitude");
+    const bool of_two = contact.contains("between");
+    const Json& w = contact.at(of_two ? "between" : "direction");
+    std::string text = "contact: " + std::string(of_two ? "between masses " : "along the direction ");
+    for (std::size_t k = 0; k < w.size(); ++k) text += (k == 0 ? "" : of_two ? " and " : ", ") + in_table(w[k]);
+    if (contact.contains("amplitude"))
+        text += (of_two ? ", which slide on each other by " : ", which slides by ") + cell(contact, "amplitude");
     return text + (contact.contains("phase") ? ", phase " + cell(contact, "phase") : "");
 }
 

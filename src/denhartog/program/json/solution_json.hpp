@@ -14,6 +14,14 @@ namespace denhartog::program {
     return system.base_motion == BaseMotion::wall ? "wall" : nullptr;
 }
 
+// Where the contact is: its mass, the two that it is between, or its direction. Of a system, or an answer about one.
+template <class S>
+[[nodiscard]] Json contact_name(const S& s) {
+    if (!s.contact_direction.empty()) return {{"direction", s.contact_direction}};
+    if (s.contact_with) return {{"between", {s.contact.index + 1, s.contact_with->index + 1}}};
+    return {{"mass", s.contact.index + 1}};
+}
+
 // An answer to `response`, with beta: regime, boundary, method and, in the sliding regime, every mass.
 [[nodiscard]] Json response_json(const Solution& solution, const NumberWriter& write);
 
