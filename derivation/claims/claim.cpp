@@ -61,6 +61,27 @@ std::string fingerprint_of(const Symbolic& kernel, const GiNaC::ex& derived) {
     return found;
 }
 
+/// Whether a claim that states a premise needs it: with the premise made false its sides differ, or are not made any more.
+bool fails_on_a_false_premise(const Claim& claim) {
+    const FalsePremise false_premise;
+    const long before = altered_statements_refuted();
+    bool fails = false;
+    try {
+        if (claim.check) {
+            fails = claim.check().verdict != Verdict::proved;
+        } else {
+            const Values kernel = claim.kernel();
+            const std::vector<GiNaC::ex> derived = claim.derived();
+            for (std::size_t i = 0; i < kernel.size() && !fails; ++i)
+                fails = component_differs(kernel[i], derived[i], roots_in(derived));
+        }
+    } catch (const std::exception&) {
+        fails = true;
+    }
+    altered_statements_refuted() = before;
+    return fails;
+}
+
 /// Both sides of a claim, and its kind: what was called to make them says how the claim bears on its equations. Only formula
 /// templates carry out operations of the symbolic scalar.
 std::pair<Values, std::vector<GiNaC::ex>> sides(const Claim& claim, Result& result) {
@@ -72,7 +93,8 @@ std::pair<Values, std::vector<GiNaC::ex>> sides(const Claim& claim, Result& resu
     };
     std::pair<Values, std::vector<GiNaC::ex>> both;
     const long of_kernel = operations(claim.kernel, both.first), of_derived = operations(claim.derived, both.second);
-    result.kind = watch.premise_called() ? "derived" : of_derived > 0 ? "refinement" : "restated";
+    const bool derived = watch.premise_called() && fails_on_a_false_premise(claim);
+    result.kind = derived ? "derived" : of_derived > 0 ? "refinement" : "restated";
     // two formulas of equal value are told apart by how they are written
     for (std::size_t i = 0; i < std::min(both.first.size(), both.second.size()); ++i)
         result.fingerprint += fingerprint_of(both.first[i], both.second[i]);
@@ -91,7 +113,7 @@ std::string correction_of(const Claim& claim, const std::vector<GiNaC::ex>& deri
 std::string kind_of_check(const Claim& claim, const Outcome& outcome, const Watch& watch) {
     if (outcome.argued) return "argument";
     if (claim.role == Role::observation) return "observation";
-    return watch.premise_called() ? "derived" : "consequence";
+    return watch.premise_called() && fails_on_a_false_premise(claim) ? "derived" : "consequence";
 }
 
 } // namespace

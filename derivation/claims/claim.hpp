@@ -72,6 +72,7 @@ struct Claim {
     std::vector<std::string> refines = {};                ///< equations whose formulas the derived side calls, other than its own
     bool approximation = false;                           ///< proved means: the order of the error is proved
     bool special_case = false;    ///< the kernel at special values, where some of its operations do not matter
+    bool slow = false;            ///< a reduction takes seconds: values come first for the twins of operations
     std::vector<Step> steps = {}; ///< how the derived side was made
 };
 
@@ -124,20 +125,19 @@ struct Result {
 struct MutantCount {
     long refuted = 0;               ///< not equal, with a witness
     long without_value = 0;         ///< the mutant is not an expression at all (division by zero)
+    long idle = 0;                  ///< equal in a special case, where the operation meets a zero
     long unknown = 0;               ///< neither proved nor refuted
     long proved = 0;                ///< wrongly proved: must be 0
     std::vector<std::string> holes; ///< which were proved or unknown
 };
 
-/// @brief Looks for a value that refutes each mutated twin of a claim.
-///
-/// A twin without such a value goes through the whole zero test, and so does every fourth operation that is replaced: its
-/// reduction must not come to zero.
+/// @brief Refutes each mutated twin of a claim.
 ///
 /// A twin has one operation of the kernel replaced or a term dropped, two of its symbols exchanged (the contact's mode shapes for
-/// those of the load, u for g, the mass k for j), or the first or last mode left out. Further twins have the derived side
-/// altered: one added, the sign changed, doubled, a term dropped. Where the claim is a special case, in which operations of the
-/// kernel meet a zero and do not matter, operations are left alone.
+/// those of the load, u for g, the mass k for j), or a mode left out: the difference of each is reduced, and must not come to zero.
+/// Further twins have the derived side altered, one added, the sign changed, doubled, a term dropped: where values refute these,
+/// nothing is reduced. In a slow claim and in a special case, often a whole system, values come first for operations as well; in a
+/// special case an operation may meet a zero, and a twin that is proved is counted as idle.
 /// @param claim  a claim whose kernel is proved
 /// @return       the counts
 [[nodiscard]] MutantCount mutate(const Claim& claim);

@@ -62,15 +62,13 @@ json finding_of(const Claim& claim) {
                  {"fault", ""},
                  {"why_no_twin", why_no_twin(claim, result)}};
     if (result.altered > 0)
-        finding["twins"] = {
-            {"refuted", result.altered}, {"without_value", 0}, {"unknown", 0}, {"proved", 0}, {"holes", json::array()}};
+        finding["twins"] = {{"refuted", result.altered}, {"without_value", 0}, {"idle", 0}, {"unknown", 0}, {"proved", 0},
+                            {"holes", json::array()}};
     if (result.verdict == Verdict::proved && claim.kernel) {
         const MutantCount twins = mutate(claim);
-        finding["twins"] = {{"refuted", twins.refuted},
-                            {"without_value", twins.without_value},
-                            {"unknown", twins.unknown},
-                            {"proved", twins.proved},
-                            {"holes", twins.holes}};
+        finding["twins"] = {{"refuted", twins.refuted}, {"without_value", twins.without_value},
+                            {"idle", twins.idle},       {"unknown", twins.unknown},
+                            {"proved", twins.proved},   {"holes", twins.holes}};
     }
     return finding;
 }

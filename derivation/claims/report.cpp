@@ -73,10 +73,12 @@ std::string loss_text(const json& entry) {
 std::string mutants_text(const json& m) {
     std::ostringstream text;
     text << m.at("refuted") << " of "
-         << m.at("refuted").get<long>() + m.at("without_value").get<long>() + m.at("unknown").get<long>() +
-                m.at("proved").get<long>()
+         << m.at("refuted").get<long>() + m.at("without_value").get<long>() + m.at("idle").get<long>() +
+                m.at("unknown").get<long>() + m.at("proved").get<long>()
          << " mutated twins of " << m.at("claims") << " claims refuted, " << m.at("without_value")
-         << " without a value (division by zero), " << m.at("unknown") << " unknown, " << m.at("proved") << " wrongly proved";
+         << " without a value (division by zero), " << m.at("idle") << " idle in a special case, " << m.at("unknown")
+         << " unknown, " << m.at("proved") << " wrongly proved; " << m.at("claims_without")
+         << " more claims have none and say why";
     return text.str();
 }
 
@@ -253,32 +255,61 @@ std::string status_markdown(const ReportParts& p) {
     return out.str();
 }
 
-std::string found_markdown(const ReportParts& p) {
-    std::vector<json> refuted;
-    json example;
-    for (const json& entry : p.entries) {
-        if (entry.at("equation") == "86") example = entry;
-        if (entry.at("printed") == "refuted" && entry.contains("scene") && entry.at("scene").contains("loss"))
-            refuted.push_back(entry);
+namespace {
+
+/// The entry of an equation.
+const json& entry_of(const ReportParts& p, const std::string& equation) {
+    const auto found = std::ranges::find_if(p.entries, [&](const json& entry) { return entry.at("equation") == equation; });
+    if (found == p.entries.end()) throw std::invalid_argument("the ledger has no row (" + equation + ")");
+    return *found;
+}
+
+/// What the left and right bracket of d_i enclose in a statement: the part of it between two texts.
+std::string bracket_of(const std::string& statement) {
+    const std::string before = "e^{-\\frac{\\zeta_i\\tau}{R_i}}", after = "\\right]";
+    const std::size_t from = statement.find(before + "\\left["), to = statement.find(after, from);
+    if (to == std::string::npos) throw std::invalid_argument("a statement without the bracket of d_i: " + statement);
+    return statement.substr(from + before.size(), to + after.size() - from - before.size());
+}
+
+/// The largest losses over the paper's own scenes, the largest first; equations that lose the same stand together.
+std::string largest_losses(const ReportParts& p, std::size_t count) {
+    std::vector<std::pair<double, std::string>> losses;
+    for (const json& entry : p.entries)
+        if (entry.at("printed") == "refuted" && !entry.at("loss").is_null())
+            losses.emplace_back(entry.at("loss").get<double>(), entry.at("equation").get<std::string>());
+    std::ranges::stable_sort(losses, std::greater(), &std::pair<double, std::string>::first);
+    losses.resize(std::min(count, losses.size()));
+    std::string text;
+    for (std::size_t n = 0; n < losses.size(); ++n) {
+        const auto& [loss, equation] = losses[n];
+        const bool same = n + 1 < losses.size() && losses[n + 1].first == loss;
+        text += "(" + equation + ")" + (same ? " = " : " " + std::to_string(std::lround(100 * loss)) + " %");
+        if (!same && n + 1 < losses.size()) text += ", ";
     }
-    const auto loss_of = [](const json& entry) { return entry.at("scene").at("loss").get<double>(); };
-    std::ranges::sort(refuted, [&](const json& a, const json& b) { return loss_of(a) > loss_of(b); });
-    const auto percent = [](double loss) { return std::to_string(std::lround(100 * loss)) + " %"; };
+    return text;
+}
+
+} // namespace
+
+std::string found_markdown(const ReportParts& p) {
+    const std::string bracket = bracket_of(entry_of(p, "46").at("statement"));
+    for (const char* other : {"40", "41", "A.15"})
+        if (bracket_of(entry_of(p, other).at("statement")) != bracket)
+            throw std::invalid_argument(std::string("(46) and (") + other + ") have different brackets");
+    const json& scene = entry_of(p, "46").at("scene");
     std::ostringstream out;
     out << "Of " << p.summary.at("equations") << " numbered equations " << p.summary.at("refuted").size()
         << " do not hold as printed, and " << p.summary.at("illegible").size()
-        << " more are illegible in the text at hand. One of them:\n\n";
-    const json& scene = example.at("scene");
-    const json system = json::parse(scene.at("scene").get<std::string>());
-    out << "| (86) as printed | corrected, and proved | mu = " << three_digits(system.at("mu")) << ", r = "
-        << three_digits(system.at("r")) << " |\n|---|---|---|\n| $"
-        << example.at("statement").get<std::string>() << "$ | $" << example.at("correction").get<std::string>() << "$ | "
-        << three_digits(scene.at("printed")) << " as printed; the boundary (69) is at " << three_digits(scene.at("holds"))
-        << " there: off by " << percent(loss_of(example)) << " |\n\nUsed as printed on a system that shows it, these are off most, as a share of the correct value:";
-    for (std::size_t n = 0; n < std::min<std::size_t>(5, refuted.size()); ++n)
-        out << (n == 0 ? " " : ", ") << "(" << refuted[n].at("equation").get<std::string>() << ") "
-            << percent(loss_of(refuted[n]));
-    out << ".\n";
+        << " more are illegible in the text at hand, a scan; it cannot tell whether " << listed(p.summary.at("perhaps_scan"))
+        << ", counted among the former, are right in print. One of the mistakes is printed four times:\n\n"
+        << "| in (40), (41), (46), (A.15) as printed | corrected, and proved | " << scene.at("where").get<std::string>()
+        << " |\n|---|---|---|\n| $" << bracket << "$ | $" << bracket_of(entry_of(p, "A.8").at("statement")) << "$ | amplitude "
+        << three_digits(scene.at("printed")) << " as printed, " << three_digits(scene.at("holds")) << " in truth |\n\n"
+        << "On the paper's own scenes these are off most, as a share of the largest value of the displacement or velocity that "
+           "they "
+           "give: "
+        << largest_losses(p, 5) << ".\n";
     return out.str();
 }
 

@@ -82,6 +82,8 @@ std::vector<std::string> faults_of(const Claim& claim, const json& finding) {
         faults.push_back("claim " + claim.id + " is needed and " + verdict);
     if (claim.role == Role::observation && verdict == "unknown")
         faults.push_back("observation " + claim.id + " was neither decided nor searched");
+    if (claim.role == Role::printed && verdict == "unknown")
+        faults.push_back("claim " + claim.id + " on a printed equation was neither proved nor refuted");
     return faults;
 }
 
@@ -90,8 +92,8 @@ std::vector<std::string> faults_of(const Claim& claim, const json& finding) {
 Run run_of(const std::vector<Claim>& claims, const Findings& findings) {
     Run run;
     run.record = json::array();
-    long with_mutants = 0;
-    std::map<std::string, long> counts{{"refuted", 0}, {"without_value", 0}, {"unknown", 0}, {"proved", 0}};
+    long with_mutants = 0, without = 0; // of the claims that are not refuted
+    std::map<std::string, long> counts{{"refuted", 0}, {"without_value", 0}, {"idle", 0}, {"unknown", 0}, {"proved", 0}};
     json holes = json::array();
     std::map<std::string, std::string> said; // fingerprint -> the first claim with it
     for (const Claim& claim : claims) {
@@ -106,6 +108,8 @@ Run run_of(const std::vector<Claim>& claims, const Findings& findings) {
         if (twins.is_null()) {
             if (finding.value("why_no_twin", "").empty())
                 run.faults.push_back("claim " + claim.id + " is proved and has neither a mutated twin nor a reason why not");
+            const std::string verdict = finding.at("record").at("verdict");
+            if (claim.role != Role::observation && verdict != "refuted") ++without;
             continue;
         }
         ++with_mutants;
@@ -116,6 +120,7 @@ Run run_of(const std::vector<Claim>& claims, const Findings& findings) {
     for (const json& hole : holes) run.faults.push_back("mutated twin not refuted: " + hole.get<std::string>());
     run.mutants = counts;
     run.mutants["claims"] = with_mutants;
+    run.mutants["claims_without"] = without;
     run.mutants["holes"] = holes;
     return run;
 }

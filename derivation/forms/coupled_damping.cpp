@@ -78,13 +78,12 @@ Values shipped_rates(const FactoredSystem& s) {
 
 // (12) without its forces, M = r^2 L L^T, C = r C, K = G G^T, for s = (G^T x / r, L^T x').
 std::vector<ex> derived_rates(unsigned N) {
-    from_premise();
     const FactoredSystem& s = factored_system(N);
     const ex r = symbols().r;
     const matrix first = column_of(s.state, 0, N), second = column_of(s.state, N, N);
     const matrix x = s.G.transpose().inverse().mul(first).mul_scalar(r), velocity = s.L.transpose().inverse().mul(second);
     const matrix M = s.L.mul(s.L.transpose()).mul_scalar(r * r), K = s.G.mul(s.G.transpose());
-    const matrix acceleration = M.inverse().mul(s.C.mul(velocity).mul_scalar(r).add(K.mul(x))).mul_scalar(-1);
+    const matrix acceleration = M.inverse().mul(s.C.mul(velocity).mul_scalar(r).add(K.mul(x))).mul_scalar(-from_premise());
     const matrix of_first = s.G.transpose().mul(velocity).mul_scalar(1 / r), of_second = s.L.transpose().mul(acceleration);
     std::vector<ex> rates;
     for (unsigned n = 0; n < 2 * N; ++n)
@@ -145,13 +144,12 @@ Values rates_of_modes(int N) {
 
 // (20) without its forces for s = (Omega eta, eta').
 std::vector<ex> derived_rates_of_modes(int N) {
-    from_premise();
     const SymbolicSystem& s = symbolic_system(N);
     std::vector<ex> rates(static_cast<std::size_t>(4 * N * N), 0);
     for (int i = 0; i < N; ++i) {
         const ex Omega = s.Omega[static_cast<std::size_t>(i)], zeta = s.zeta[static_cast<std::size_t>(i)];
         rates[static_cast<std::size_t>(i * 2 * N + N + i)] = Omega;
-        rates[static_cast<std::size_t>((N + i) * 2 * N + i)] = -Omega;
+        rates[static_cast<std::size_t>((N + i) * 2 * N + i)] = -from_premise() * Omega;
         rates[static_cast<std::size_t>((N + i) * 2 * N + N + i)] = -2 * zeta * Omega;
     }
     return rates;
@@ -198,9 +196,8 @@ const Register claims_of_coupled_damping([] {
              .kernel = [N] { return equations_under_friction(N); },
              .derived =
                  [N] {
-                     from_premise();
                      std::vector<ex> force(N, 0);
-                     force.back() = 1;
+                     force.back() = from_premise();
                      return force;
                  },
              .special_case = true,

@@ -15,11 +15,10 @@ namespace {
 
 /// Sum and product of the rates sigma for which exp(sigma tau) solves (20) without its right side, both times their power of R.
 std::pair<ex, ex> derived_sum_and_product(const ex& zeta) {
-    from_premise(); // (20)
     const Symbols& s = symbols();
     const GiNaC::symbol sigma("sigma");
     const ex eta = GiNaC::exp(sigma * s.tau);
-    const ex left = rate(rate(eta)) + 2 * zeta / s.R * rate(eta) + eta / (s.R * s.R);
+    const ex left = rate(rate(eta)) + 2 * zeta / s.R * rate(eta) + from_premise() * eta / (s.R * s.R); // (20)
     const ex polynomial = (left / eta).expand();
     return {(-polynomial.coeff(sigma, 1) * s.R).normal(), (polynomial.coeff(sigma, 0) * s.R * s.R).normal()};
 }
@@ -66,8 +65,9 @@ std::pair<ex, ex> derived_phase(const FreeMotions& f) {
     const ex forced =
         s.psi_ji * s.R * s.R * s.beta + s.psi_li * s.R * s.R * (s.v_cos * GiNaC::cos(s.tau) - s.v_sin * GiNaC::sin(s.tau));
     const ex eta = forced + derived_start(f, s.eta_0 - forced.subs(s.tau == 0), s.eta_prime_0 - rate(forced).subs(s.tau == 0));
-    const ex displacement = (eta.subs(s.tau == GiNaC::Pi) + s.eta_0).expand();
-    const ex velocity = (rate(eta).subs(s.tau == GiNaC::Pi) + s.eta_prime_0).expand();
+    const ex by_25 = from_premise();
+    const ex displacement = (eta.subs(s.tau == GiNaC::Pi) + by_25 * s.eta_0).expand();
+    const ex velocity = (rate(eta).subs(s.tau == GiNaC::Pi) + by_25 * s.eta_prime_0).expand();
     const ex solution = GiNaC::lsolve(lst{displacement == 0, velocity == 0}, lst{s.v_cos, s.v_sin});
     return {s.v_cos.subs(solution), s.v_sin.subs(solution)};
 }

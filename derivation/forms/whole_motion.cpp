@@ -81,9 +81,8 @@ ex left_side_of_12(const WholeSystem& s, const std::vector<ex>& x, int n) {
 
 /// Row n of the right side of (12): (6) where x_j' < 0, the sign that friction has.
 ex right_side_of_12(int n, int j, int l, const ex& beta, const ex& load) {
-    from_premise();
     const ex sgn = -1;
-    return (n == l ? load : ex(0)) - (n == j ? beta * sgn : ex(0));
+    return from_premise() * ((n == l ? load : ex(0)) - (n == j ? beta * sgn : ex(0)));
 }
 
 /// The harmonic part of every mass under the load on the mass l, its phase any angle.
@@ -133,10 +132,7 @@ ex motion_of_any_mass(const SymbolicModes& m) {
 }
 
 /// What (25) and (30) set to zero.
-std::vector<ex> zeros_by_condition(std::size_t count) {
-    from_premise();
-    return std::vector<ex>(count, 0);
-}
+std::vector<ex> zeros_by_condition(std::size_t count) { return std::vector<ex>(count, from_premise() - 1); }
 
 /// x_k and x_k' of any mass at an instant.
 std::vector<ex> state_at(int N, const ex& tau) {
@@ -152,9 +148,8 @@ Values state_after_half_a_period(int N) {
 
 /// What (25) makes of the state at the start.
 std::vector<ex> mirrored_start(int N) {
-    from_premise();
     std::vector<ex> values;
-    for (const ex& e : state_at(N, 0)) values.push_back(-e);
+    for (const ex& e : state_at(N, 0)) values.push_back(-from_premise() * e);
     return values;
 }
 
@@ -187,7 +182,7 @@ Outcome rows_of(const Values& kernel, const std::vector<ex>& derived) {
 /// A claim that compares by kernel and derived side up to two masses, by `rows_of` for three.
 Claim comparison(int N, Claim claim) {
     claim.assumptions.push_back("N = " + std::to_string(N));
-    claim.special_case = true; // the twins of the formulas are tried on the whole, by tests/derivation/forms/whole_motion.cpp
+    claim.special_case = true; // of a part of the motion: of the whole see tests/derivation/whole_motion.cpp
     if (N < 3) return claim;
     claim.check = [kernel = std::exchange(claim.kernel, {}), derived = std::exchange(claim.derived, {})] {
         return rows_of(kernel(), derived());

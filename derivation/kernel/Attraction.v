@@ -46,17 +46,18 @@ Qed.
 (* A motion seen from the start of the period n *)
 Definition shifted (n : nat) (f : nat -> R -> R) (a : nat) (t : R) := f a (t + 2 * PI * INR n).
 
-Lemma shifted_is_a_motion s mu phi y y1 n : (forall T, 0 < T -> contact_motion s mu phi T y y1) ->
-  contact_motion s mu phi (2 * PI) (shifted n y) (shifted n y1).
+Lemma shifted_is_a_motion s load y y1 n : (forall a t, load a (t + 2 * PI) = load a t) -> (forall T, 0 < T -> motion_under s load T y y1) ->
+  motion_under s load (2 * PI) (shifted n y) (shifted n y1).
 Proof.
-  intros H. pose proof PI_RGT_0 as P. pose proof (pos_INR n) as Pn. set (c := 2 * PI * INR n).
-  assert (Hc : 0 <= c) by (unfold c; apply Rmult_le_pos; lra). destruct (H (2 * PI + c) ltac:(lra)) as [Cy [[L Ey] St]].
-  assert (Co : forall t, cos (t + c + phi) = cos (t + phi)).
-  { intros t. rewrite <- (cos_period (t + phi) n). f_equal. unfold c. ring. }
+  intros Per H. pose proof PI_RGT_0 as P. pose proof (pos_INR n) as Pn. set (c := 2 * PI * INR n).
+  assert (Hc : 0 <= c) by (unfold c; apply Rmult_le_pos; lra). destruct (H (2 * PI + c) ltac:(lra)) as [Cy [L Ey]].
+  assert (Co : forall a t, load a (t + c) = load a t).
+  { intros a t. unfold c. clear - Per. induction n; [simpl; f_equal; ring|].
+    rewrite S_INR, <- IHn, <- (Per a (t + 2 * PI * INR n)). f_equal. ring. }
   assert (Mv : forall (f : R -> R) t k, is_derive f (t + c) k -> is_derive (fun t => f (t + c)) t k).
   { intros f t k D. evar_last. { apply (is_derive_comp f (fun t => t + c)); [exact D | auto_derive; [trivial | reflexivity]]. }
     unfold scal; simpl; unfold mult; simpl. ring. }
-  split; [|split].
+  split.
   - intros a t Ha Ht. destruct (Cy a (t + c) Ha ltac:(lra)) as [C1 C2].
     assert (Sh : forall f : R -> R, continuous f (t + c) -> continuous (fun t => f (t + c)) t).
     { intros f Cf. apply (continuous_comp (fun t => t + c) f); [|exact Cf]. apply (continuous_plus (V := R_NormedModule)); [apply
@@ -66,9 +67,6 @@ Proof.
     + intros I. apply NL, in_map_iff. exists (t + c). split; [ring | exact I].
     + exists y2, sg. split; [exact Cs|]. intros a Ha. destruct (Es a Ha) as [D1 [D2 Q]].
       split; [apply (Mv (y a)), D1 | split; [apply (Mv (y1 a)), D2|]]. rewrite Co in Q. exact Q.
-  - intros t Ht V0 HL. destruct (St (t + c)) as [t' [Ht' Z]]; [lra | exact V0 | |].
-    + unfold load_at in *. rewrite Co. exact HL.
-    + exists (t' - c). split; [lra|]. intros x Hx. apply Z. fold c. lra.
 Qed.
 
 Section Pair.
@@ -82,10 +80,11 @@ Local Notation beta := (friction s).
 Hypothesis Hs : is_scene s.
 Hypothesis Hz : forall i, (i < N)%nat -> 0 < zeta i.
 Hypothesis Hb : 0 <= beta.
-Variables (phi : R) (y y1 z z1 : nat -> R -> R).
-Hypothesis HY : forall T, 0 < T -> contact_motion s 1 phi T y y1.
-Hypothesis HZ : steady_contact_motion s 1 phi (2 * PI) z z1.
-Let HYn n := shifted_is_a_motion s 1 phi y y1 n HY.
+Variables (load : nat -> R -> R) (y y1 z z1 : nat -> R -> R).
+Hypothesis Hp : forall a t, load a (t + 2 * PI) = load a t.
+Hypothesis HY : forall T, 0 < T -> motion_under s load T y y1.
+Hypothesis HZ : steady_under s load (2 * PI) z z1.
+Let HYn n := shifted_is_a_motion s load y y1 n Hp HY.
 Let p n := gap s (shifted n y) z.
 Let p1 n := gap s (shifted n y1) z1.
 Let E n := energy s (shifted n y) (shifted n y1) z z1.
@@ -101,7 +100,7 @@ Proof.
   reflexivity.
 Qed.
 Lemma falls n a b : 0 <= a -> a <= b -> b <= 2 * PI -> E n b <= E n a.
-Proof. apply (energy_falls s Hs phi (2 * PI) _ _ z z1 Hz Hb (HYn n) (proj1 HZ)). Qed.
+Proof. apply (energy_falls s Hs load (2 * PI) _ _ z z1 Hz Hb (HYn n) (proj1 HZ)). Qed.
 
 Lemma parts_of_energy n i t : (i < N)%nat -> p1 n i t * p1 n i t <= 2 * E n t /\ / R_ i ^ 2 * (p n i t * p n i t) <= 2 * E n t.
 Proof.
@@ -165,8 +164,8 @@ Proof.
   - assert (0 < 2 * zeta i / R_ i * V) by (apply Rmult_lt_0_compat; lra). assert (0 < V * / R_ i) by (apply Rmult_lt_0_compat;
     lra).
     assert (0 <= Rabs (psi j i) * (beta * 2)) by (apply Rmult_le_pos; lra). lra.
-  - intros n a b H0 Hab H1. destruct (gap_equation s Hs phi (2 * PI) _ _ z z1 (HYn n) (proj1 HZ)) as [L Eq].
-    apply (bounded_slope L); [exact Hab | intros; apply (gap_continuous s phi (2 * PI) _ _ z z1 (HYn n) (proj1 HZ)); lra |].
+  - intros n a b H0 Hab H1. destruct (gap_equation s Hs load (2 * PI) _ _ z z1 (HYn n) (proj1 HZ)) as [L Eq].
+    apply (bounded_slope L); [exact Hab | intros; apply (gap_continuous s load (2 * PI) _ _ z z1 (HYn n) (proj1 HZ)); lra |].
     intros t Ht NL. destruct (Eq t ltac:(lra) NL) as [p2 [f [_ [F [_ Q]]]]]. destruct (Q i Hi) as [_ [D Q3]]. exists (p2 i).
     split; [exact D|]. destruct (speeds n i t Hi ltac:(lra)) as [S1 S2].
     assert (X : Rabs (2 * zeta i / R_ i * p1 n i t) <= 2 * zeta i / R_ i * V).
@@ -198,11 +197,11 @@ Proof.
         - apply Rle_trans with (B * (b - x)); [apply Lip; lra | apply Rmult_le_compat_l; lra]. }
       pose proof (Rabs_triang_inv (p1 n i t) (p1 n i t - p1 n i x)) as Tr.
       replace (p1 n i t - (p1 n i t - p1 n i x)) with (p1 n i x) in Tr by ring. lra. }
-    destruct (energy_rate s Hs phi (2 * PI) _ _ z z1 Hb (HYn n) (proj1 HZ)) as [L E'].
+    destruct (energy_rate s Hs load (2 * PI) _ _ z z1 Hb (HYn n) (proj1 HZ)) as [L E'].
     assert (F : E n b + k * b <= E n a + k * a).
     { apply (not_growing L (fun t => E n t + k * t) a b); [lra | |].
       - intros x Hx. apply (continuous_plus (V := R_NormedModule)).
-        + apply (energy_continuous s phi (2 * PI) _ _ z z1 (HYn n) (proj1 HZ)). lra.
+        + apply (energy_continuous s load (2 * PI) _ _ z z1 (HYn n) (proj1 HZ)). lra.
         + apply continuous_scaled, continuous_id.
       - intros x Hx NL. destruct (E' x ltac:(lra) NL) as [e [D Q]]. exists (e + k). split.
         + apply (is_derive_plus (V := R_NormedModule)); [exact D | auto_derive; [trivial | ring]].
@@ -274,8 +273,8 @@ Proof.
   destruct (velocity_gap i e Hi He) as [n1 H1].
   destruct (of_masses y1 z1 (fun i e Hi He => velocity_gap i e Hi He) m Hm) as [n2 H2].
   exists (max n1 n2). intros n Hn. specialize (H1 n ltac:(lia)).
-  assert (Cp := fun x Hx => gap_continuous s phi (2 * PI) _ _ z z1 (HYn n) (proj1 HZ) i x Hx).
-  destruct (gap_equation s Hs phi (2 * PI) _ _ z z1 (HYn n) (proj1 HZ)) as [L Eq].
+  assert (Cp := fun x Hx => gap_continuous s load (2 * PI) _ _ z z1 (HYn n) (proj1 HZ) i x Hx).
+  destruct (gap_equation s Hs load (2 * PI) _ _ z z1 (HYn n) (proj1 HZ)) as [L Eq].
   assert (Near' : forall u v, 0 <= u -> u <= v -> v <= 2 * PI -> Rabs (p n i v - p n i u) <= e * (2 * PI)).
   { intros u v Hu Huv Hv. apply Rle_trans with (e * (v - u)); [|apply Rmult_le_compat_l; lra].
     apply (bounded_slope L); [exact Huv | intros; apply Cp; lra |]. intros x Hx NL. destruct (Eq x ltac:(lra) NL) as [p2 [f [_
@@ -321,11 +320,11 @@ End Pair.
 
 Theorem velocities_are_attracted : forall s, Statements.velocities_are_attracted s.
 Proof.
-  intros s Hs Hz Hb phi y y1 z z1 HY HZ. apply (of_masses s Hs). intros i e Hi He.
-  apply (velocity_gap s Hs Hz Hb phi y y1 z z1 HY HZ i e Hi He).
+  intros s Hs Hz Hb load Hp y y1 z z1 HY HZ. apply (of_masses s Hs). intros i e Hi He.
+  apply (velocity_gap s Hs Hz Hb load y y1 z z1 Hp HY HZ i e Hi He).
 Qed.
 Theorem displacements_are_attracted : forall s, Statements.displacements_are_attracted s.
 Proof.
-  intros s Hs Hz Hb phi y y1 z z1 HY HZ Mv. apply (of_masses s Hs). intros i e Hi He.
-  apply (displacement_gap s Hs Hz Hb phi y y1 z z1 HY HZ i e Mv Hi He).
+  intros s Hs Hz Hb load Hp y y1 z z1 HY HZ Mv. apply (of_masses s Hs). intros i e Hi He.
+  apply (displacement_gap s Hs Hz Hb load y y1 z z1 Hp HY HZ i e Mv Hi He).
 Qed.

@@ -109,10 +109,13 @@ Qed.
 Theorem steady_motion_is_symmetric : forall s, Statements.steady_motion_is_symmetric s.
 Proof.
   intros s Hs Hz Hb phi y y1 H. pose proof PI_RGT_0. pose proof (turned_over_is_a_motion s 1 phi y y1 Hs H) as H'.
-  split.
-  - intros k t Hk Ht. rewrite (one_steady_velocity s Hs Hz Hb phi (2 * PI) _ _ _ _ ltac:(lra) H H' k t Hk ltac:(lra)).
+  assert (F : forall f f1, steady_contact_motion s 1 phi (2 * PI) f f1 ->
+    steady_under s (fun a t => delta a (loaded s) * cos (t + phi)) (2 * PI) f f1)
+    by (intros f f1 [A B]; split; [apply contact_motions_are_under_a_load, A | exact B]).
+  apply F in H, H'. split.
+  - intros k t Hk Ht. rewrite (one_steady_velocity s Hs Hz Hb _ (2 * PI) _ _ _ _ ltac:(lra) H H' k t Hk ltac:(lra)).
     unfold turned_over. rewrite joined_before by lra. ring.
-  - intros Mv k t Hk Ht. rewrite (one_steady_motion s Hs Hz Hb phi (2 * PI) _ _ _ _ ltac:(lra) H H' Mv k t Hk ltac:(lra)).
+  - intros Mv k t Hk Ht. rewrite (one_steady_motion s Hs Hz Hb _ (2 * PI) _ _ _ _ ltac:(lra) H H' Mv k t Hk ltac:(lra)).
     unfold turned_over. rewrite joined_before by lra. ring.
 Qed.
 

@@ -127,11 +127,11 @@ Definition energy (y y1 z z1 : nat -> R -> R) t :=
   Sum N (fun i => / 2 * (gap y1 z1 i t * gap y1 z1 i t + / R_ i ^ 2 * (gap y z i t * gap y z i t))).
 
 Section Pair.
-Variables (phi T : R) (y y1 z z1 : nat -> R -> R).
+Variables (load : nat -> R -> R) (T : R) (y y1 z z1 : nat -> R -> R).
 Hypothesis Hz : forall i, (i < N)%nat -> 0 < zeta i.
 Hypothesis Hb : 0 <= beta.
-Hypothesis HY : contact_motion s 1 phi T y y1.
-Hypothesis HZ : contact_motion s 1 phi T z z1.
+Hypothesis HY : motion_under s load T y y1.
+Hypothesis HZ : motion_under s load T z z1.
 Let p := gap y z.
 Let p1 := gap y1 z1.
 Let E := energy y y1 z z1.
@@ -148,7 +148,7 @@ Lemma gap_equation : exists L, forall t, 0 < t < T -> ~ In t L -> exists (p2 : n
   forall i, (i < N)%nat -> is_derive (p i) t (p1 i t) /\ is_derive (p1 i) t (p2 i) /\
     p2 i + 2 * zeta i / R_ i * p1 i t + / R_ i ^ 2 * p i t = - (psi j i * (beta * f)).
 Proof.
-  destruct HY as [_ [[Ly Ey] _]], HZ as [_ [[Lz Ez] _]]. exists (Ly ++ Lz)%list.
+  destruct HY as [_ [Ly Ey]], HZ as [_ [Lz Ez]]. exists (Ly ++ Lz)%list.
   intros t Ht NL. assert (NY : ~ In t Ly) by (intro; apply NL, in_or_app; left; assumption). assert (NZ : ~ In t Lz) by
     (intro; apply NL, in_or_app; right; assumption).
   destruct (Ey t Ht NY) as [y2 [a [Ca Ea]]]. destruct (Ez t Ht NZ) as [z2 [b [Cb Eb]]].
@@ -242,11 +242,11 @@ Qed.
 End Pair.
 
 (* Steady motions: the energy returns to its value. *)
-Lemma one_velocity phi T y y1 z z1 : (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta -> 0 < T ->
-  steady_contact_motion s 1 phi T y y1 -> steady_contact_motion s 1 phi T z z1 ->
+Lemma one_velocity load T y y1 z z1 : (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta -> 0 < T ->
+  steady_under s load T y y1 -> steady_under s load T z z1 ->
   forall i t, (i < N)%nat -> 0 < t < T -> gap y1 z1 i t = 0.
 Proof.
-  intros Hz Hb HT [HY Py] [HZ Pz]. apply (at_rest phi T y y1 z z1 Hz Hb HY HZ HT). unfold energy, gap, modal.
+  intros Hz Hb HT [HY Py] [HZ Pz]. apply (at_rest load T y y1 z z1 Hz Hb HY HZ HT). unfold energy, gap, modal.
   apply Sum_ext. intros i Hi.
   rewrite (Sum_ext N (fun a => W s i a * (y1 a T - z1 a T)) (fun a => W s i a * (y1 a 0 - z1 a 0))) by (intros a Ha; destruct
     (Py a Ha), (Pz a Ha); congruence).
@@ -262,15 +262,15 @@ Proof.
 Qed.
 
 (* Where the contact moves the difference of two steady motions vanishes with the difference of the two signs of friction. *)
-Lemma one_motion phi T y y1 z z1 : (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta -> 0 < T ->
-  steady_contact_motion s 1 phi T y y1 -> steady_contact_motion s 1 phi T z z1 ->
+Lemma one_motion load T y y1 z z1 : (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta -> 0 < T ->
+  steady_under s load T y y1 -> steady_under s load T z z1 ->
   (exists t, 0 < t < T /\ y1 j t <> 0) -> forall i t, (i < N)%nat -> 0 <= t <= T -> gap y z i t = 0.
 Proof.
   intros Hz Hb HT Sy Sz [tm [Htm Mv]] i.
-  assert (V := one_velocity phi T y y1 z z1 Hz Hb HT Sy Sz). destruct Sy as [HY _], Sz as [HZ _].
-  destruct (gap_equation phi T y y1 z z1 HY HZ) as [L Eq].
+  assert (V := one_velocity load T y y1 z z1 Hz Hb HT Sy Sz). destruct Sy as [HY _], Sz as [HZ _].
+  destruct (gap_equation load T y y1 z z1 HY HZ) as [L Eq].
   assert (Const : forall t, (i < N)%nat -> 0 <= t <= T -> gap y z i t = gap y z i 0).
-  { intros t Hi. apply (steady_inside L (gap y z i) 0 T); [lra | intros; apply (gap_continuous phi T y y1 z z1 HY HZ);
+  { intros t Hi. apply (steady_inside L (gap y z i) 0 T); [lra | intros; apply (gap_continuous load T y y1 z z1 HY HZ);
     assumption|].
     intros x Hx NL. destruct (Eq x Hx NL) as [p2 [f [_ [_ [_ Q]]]]]. destruct (Q i Hi) as [D _]. rewrite (V i x Hi Hx) in D. exact
       D. }
@@ -304,11 +304,13 @@ Proof.
 Qed.
 Theorem one_steady_velocity : forall s, Statements.one_steady_velocity s.
 Proof.
-  intros s Hs Hz Hb phi T y y1 z z1 HT Hy Hzz k t Hk Ht. apply (no_gap s y1 z1 k t Hs Hk). intros i Hi.
-  apply (one_velocity s Hs phi T y y1 z z1 Hz Hb HT Hy Hzz i t Hi Ht).
+  intros s Hs Hz Hb load T y y1 z z1 HT Hy Hzz k t Hk Ht. apply (no_gap s y1 z1 k t Hs Hk). intros i Hi.
+  apply (one_velocity s Hs load T y y1 z z1 Hz Hb HT Hy Hzz i t Hi Ht).
 Qed.
 Theorem one_steady_motion : forall s, Statements.one_steady_motion s.
 Proof.
-  intros s Hs Hz Hb phi T y y1 z z1 HT Hy Hzz Mv k t Hk Ht. apply (no_gap s y z k t Hs Hk). intros i Hi.
-  apply (one_motion s Hs phi T y y1 z z1 Hz Hb HT Hy Hzz Mv i t Hi Ht).
+  intros s Hs Hz Hb load T y y1 z z1 HT Hy Hzz Mv k t Hk Ht. apply (no_gap s y z k t Hs Hk). intros i Hi.
+  apply (one_motion s Hs load T y y1 z z1 Hz Hb HT Hy Hzz Mv i t Hi Ht).
 Qed.
+Theorem contact_motions_are_under_a_load : forall s, Statements.contact_motions_are_under_a_load s.
+Proof. intros s phi T y y1 [Cy [Ey _]]. split; assumption. Qed.

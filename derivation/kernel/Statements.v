@@ -361,6 +361,22 @@ Definition eq_52_53 : Prop := responds -> forall k,
   X_k k = sqrt (X_kC k ^ 2 + X_kS k ^ 2) /\
   (X_k k <> 0 -> forall phi_kj, cos phi_kj = X_kC k / X_k k -> sin phi_kj = X_kS k / X_k k ->
     forall t, X_kC k * cos t + X_kS k * sin t = X_k k * cos (t - phi_kj)).
+(* What (48) leaves out at a given damping. Its one harmonic has the initial values of the motion. What the motion has besides is
+   beta R_i^2 times a function of each mode. It starts from rest, and vibrates under a force that is nowhere above force_left_out. *)
+Definition force_left_out R_i zeta := 1 + (Rabs (1 - R_i ^ 2) + 2 * zeta * R_i) * (Rabs (g R_i zeta) + Rabs (u R_i zeta)).
+Definition mode_left_out R_i zeta := force_left_out R_i zeta * Rmin (PI / R_i) (PI ^ 2 / (2 * R_i ^ 2)).
+Definition left_out k := beta * Sum N (fun i => Rabs (psi k i * psi j i) * R_ i ^ 2 * mode_left_out (R_ i) (zeta i)).
+Definition eq_48_error : Prop := is_scene -> responds -> 0 <= beta -> forall phi, is_phase phi ->
+  forall k t, (k < N)%nat -> 0 <= t <= PI ->
+  Rabs (x phi k t - (x phi k 0 * cos t + x_prime phi k 0 * sin t)) <= left_out k.
+(* (52): the largest |x_k| of the half-period is X_k but for that, from above and from below. *)
+Definition eq_52_error : Prop := is_scene -> responds -> 0 <= beta -> forall phi, is_phase phi -> forall k, (k < N)%nat ->
+  (forall t, 0 <= t <= PI -> Rabs (x phi k t) <= X_k k + left_out k) /\
+  (exists t, 0 <= t <= PI /\ X_k k - left_out k <= Rabs (x phi k t)).
+(* (81)-(83) leave out what U_j does in the root of (38): at any frequency that lowers the amplitude of the contact, by at most
+   this. *)
+Definition eq_38_without_U : Prop := responds ->
+  0 <= V_abs j - beta * G j - X_j <= (beta * U j) ^ 2 / V_abs j.
 (* (52) reduces to (38) for k = j *)
 Definition eq_52_is_38_at_the_contact : Prop := responds -> X_k j = Rabs X_j.
 
@@ -480,6 +496,18 @@ Definition closed_form_needs_54b : Prop := forall mu, is_scene -> forall phi, is
   steady_contact_motion mu phi (2 * PI) (continued (x phi)) (continued (x_prime phi)) ->
   mu * beta <= Rabs (holding_friction phi).
 
+(* Forces on any masses, in phase or out of phase, with or without a constant part, need mu = 1 only: a motion of (6) with Coulomb's
+   friction under a load on each mass. The paper's load is delta a l * cos (t + phi); forces out of phase are
+   p a * cos t - q a * sin t. (74) need not be asked for here. *)
+Definition motion_under (load : nat -> R -> R) (T : R) (y y1 : nat -> R -> R) :=
+  (forall a t, (a < N)%nat -> 0 <= t <= T -> continuous (y a) t /\ continuous (y1 a) t) /\
+  (exists exceptions : list R, forall t, 0 < t < T -> ~ In t exceptions -> exists (y2 : nat -> R) sigma,
+    coulomb 1 (y1 j t) sigma /\
+    forall a, (a < N)%nat -> is_derive (y a) t (y1 a t) /\ is_derive (y1 a) t (y2 a) /\
+      Sum N (fun b => M a b * y2 b + C a b * y1 b t + K a b * y b t) + beta * delta a j * sigma = load a t).
+Definition steady_under (load : nat -> R -> R) (T : R) (y y1 : nat -> R -> R) :=
+  motion_under load T y y1 /\ forall a, (a < N)%nat -> y a T = y a 0 /\ y1 a T = y1 a 0.
+
 (* The contact reverses twice a period; time counts from a reversal to smaller x. *)
 Definition reverses_twice (y1 : nat -> R -> R) := y1 j 0 = 0 /\ exists b, 0 < b < 2 * PI /\
   (forall t, 0 < t < b -> y1 j t < 0) /\ (forall t, b < t < 2 * PI -> 0 < y1 j t).
@@ -496,14 +524,17 @@ Definition eq_69_is_the_boundary : Prop := forall mu S, is_scene -> (forall i, (
 Definition X_j_is_the_largest : Prop := is_scene -> forall phi, is_phase phi -> slides phi ->
   x phi j 0 = X_j /\ forall t, 0 <= t <= 2 * PI -> Rabs (continued (x phi) j t) <= X_j.
 
-(* For mu = 1 and damping in all modes, any two steady motions have the same velocities, *)
-Definition one_steady_velocity : Prop := is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta -> forall phi T y y1 z z1,
-  0 < T -> steady_contact_motion 1 phi T y y1 -> steady_contact_motion 1 phi T z z1 ->
+(* For mu = 1 and damping in all modes, any two steady motions under the same forces have the same velocities, *)
+Definition one_steady_velocity : Prop := is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta -> forall load T y y1 z z1,
+  0 < T -> steady_under load T y y1 -> steady_under load T z z1 ->
   forall k t, (k < N)%nat -> 0 < t < T -> y1 k t = z1 k t.
 (* and, where the contact is not at rest at all times, the same displacements. *)
-Definition one_steady_motion : Prop := is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta -> forall phi T y y1 z z1,
-  0 < T -> steady_contact_motion 1 phi T y y1 -> steady_contact_motion 1 phi T z z1 ->
+Definition one_steady_motion : Prop := is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta -> forall load T y y1 z z1,
+  0 < T -> steady_under load T y y1 -> steady_under load T z z1 ->
   (exists t, 0 < t < T /\ y1 j t <> 0) -> forall k t, (k < N)%nat -> 0 <= t <= T -> y k t = z k t.
+(* The paper's motions are among them. *)
+Definition contact_motions_are_under_a_load : Prop := forall phi T y y1,
+  contact_motion 1 phi T y y1 -> motion_under (fun a t => delta a l * cos (t + phi)) T y y1.
 (* Hence for mu = 1, damping in all modes, the period 2 pi and a finite number of exceptions in it, the assumption (25) is a
    theorem for the velocities, and for the displacements where the contact is not at rest at all times. Where it is, it may
    rest anywhere between two positions. *)
@@ -512,15 +543,17 @@ Definition steady_motion_is_symmetric : Prop := is_scene -> (forall i, (i < N)%n
   (forall k t, (k < N)%nat -> 0 < t < PI -> y1 k (t + PI) = - y1 k t) /\
   ((exists t, 0 < t < 2 * PI /\ y1 j t <> 0) -> forall k t, (k < N)%nat -> 0 <= t <= PI -> y k (t + PI) = - y k t).
 
-(* Attraction, for mu = 1 and damping in all modes: the velocities of every motion, from any start, tend to those of the steady
-   motion, *)
+(* Attraction, for mu = 1, damping in all modes and forces of period 2 pi: the velocities of every motion, from any start, tend to
+   those of a steady motion, *)
 Definition velocities_are_attracted : Prop := is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta ->
-  forall phi y y1 z z1, (forall T, 0 < T -> contact_motion 1 phi T y y1) -> steady_contact_motion 1 phi (2 * PI) z z1 ->
+  forall load, (forall a t, load a (t + 2 * PI) = load a t) ->
+  forall y y1 z z1, (forall T, 0 < T -> motion_under load T y y1) -> steady_under load (2 * PI) z z1 ->
   forall eps, 0 < eps -> exists n0 : nat, forall n k t, (n0 <= n)%nat -> (k < N)%nat -> 0 <= t <= 2 * PI ->
   Rabs (y1 k (t + 2 * PI * INR n) - z1 k t) < eps.
 (* and so do the displacements where the contact of the steady motion is not at rest at all times. *)
 Definition displacements_are_attracted : Prop := is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta ->
-  forall phi y y1 z z1, (forall T, 0 < T -> contact_motion 1 phi T y y1) -> steady_contact_motion 1 phi (2 * PI) z z1 ->
+  forall load, (forall a t, load a (t + 2 * PI) = load a t) ->
+  forall y y1 z z1, (forall T, 0 < T -> motion_under load T y y1) -> steady_under load (2 * PI) z z1 ->
   (exists t, 0 < t < 2 * PI /\ z1 j t <> 0) ->
   forall eps, 0 < eps -> exists n0 : nat, forall n k t, (n0 <= n)%nat -> (k < N)%nat -> 0 <= t <= 2 * PI ->
   Rabs (y k (t + 2 * PI * INR n) - z k t) < eps.

@@ -255,6 +255,11 @@ JoinedLedger join_ledger(const LedgerParts& parts) {
         if (!present.contains(number)) faults.push_back("equation " + number + " has no row");
     ledger::fill_used_by(joined.entries);
     joined.summary = summary_of(joined.entries, parts.claims, parts.results.found);
+    joined.summary["perhaps_scan"] = Json::array();
+    for (const Json& row : parts.rows)
+        if (row.contains("perhaps_scan") &&
+            std::ranges::find(joined.summary.at("refuted"), row.at("equation")) != joined.summary.at("refuted").end())
+            joined.summary["perhaps_scan"].push_back(row.at("equation"));
     return joined;
 }
 

@@ -16,7 +16,7 @@ namespace {
 const std::set<std::string> kinds = {"definition", "assumption", "result", "approximation", "quoted"};
 const std::set<std::string> sections = {"2.1", "2.2", "2.3", "2.4", "2.5", "2.6", "3.1", "4.1", "4.2", "4.3", "Appendix"};
 const std::vector<std::string> required = {"equation", "section", "kind", "statement", "rests_on"};
-const std::set<std::string> optional_keys = {"printed_note", "read_as", "in_print", "remark", "no_function"};
+const std::set<std::string> optional_keys = {"printed_note", "read_as", "in_print", "remark", "perhaps_scan", "no_function"};
 
 std::vector<std::string> faults_of_keys(const Json& row, const std::string& name) {
     std::vector<std::string> faults;

@@ -105,13 +105,12 @@ Outcome local_damper() {
 /// The single mass by itself: r^2 x'' + 2 zeta r x' + x = beta + cos(tau + phi), which mirrors itself after half a period. The
 /// displacement and velocity at tau = 0 that friction makes, over beta.
 std::pair<ex, ex> friction_part_of_single_mass() {
-    from_premise(); // (12) with N = 1, and (25)
     const Symbols& s = symbols();
     const GiNaC::symbol& tau = GiNaC::ex_to<GiNaC::symbol>(s.tau);
     const ex angle = s.w * s.tau / s.R;
     const ex x = GiNaC::exp(-s.zeta * s.tau / s.R) * (s.A * GiNaC::cos(angle) + s.B * GiNaC::sin(angle)) + 1;
     const ex v = x.diff(tau);
-    const ex constants = GiNaC::lsolve(lst{(x.subs(s.tau == GiNaC::Pi) + x.subs(s.tau == 0)).expand() == 0,
+    const ex constants = GiNaC::lsolve(lst{(x.subs(s.tau == GiNaC::Pi) + from_premise() * x.subs(s.tau == 0)).expand() == 0,
                                            (v.subs(s.tau == GiNaC::Pi) + v.subs(s.tau == 0)).expand() == 0},
                                        lst{s.A, s.B});
     return {x.subs(s.tau == 0).subs(constants), v.subs(s.tau == 0).subs(constants)};
@@ -174,6 +173,25 @@ Values damping_of_a_mode() {
                                               Symbolic(s.beta), Symbolic(s.phi_j));
     };
     return {residual(1) - residual(0)};
+}
+
+/// The largest |v_di| of the modes of the paper's two masses, one over the other: 1 / (2 zeta_i w_i) each.
+Outcome similar_peaks() {
+    Outcome outcome;
+    Worst worst;
+    for (const ObservedSystem& s : systems_of_the_paper()) {
+        if (s.basis.r_n.size() != 2) continue;
+        const auto peak = [&s](std::size_t i) {
+            const double zeta = s.basis.zeta[i];
+            return 1 / (2 * zeta * std::sqrt(1 - zeta * zeta));
+        };
+        worst.take(peak(1) / peak(0), [&] {
+            return Witness{{"system", s.name}, {"r_n,2 / r_n,1", text(s.basis.r_n[1] / s.basis.r_n[0])}};
+        });
+    }
+    refute_above(outcome, worst.error, {.what = "ratio of the modes' largest |v_di|", .taken = 2});
+    outcome.witness = with(worst.place, {{"ratio of the largest |v_di|", text(worst.error)}});
+    return outcome;
 }
 
 Claim by_both_sides(Claim claim) {
@@ -246,6 +264,11 @@ const Register claims_of_formulation_observations([] {
                        .steps = {{"What the velocity is multiplied by in (20), $2\\zeta_i\\Omega_i$, with $\\Omega_i=r_{n,i}/r$: "
                                   "the natural frequency drops out",
                                   ""}}}),
+        observation(
+            "18/similar-peaks/text", {"18", "23"},
+            "Observation in the text: zeta_i = zeta / r_n,i has a similar damping effect on both modes; here: their largest "
+            "|v_di| differ by less than a factor of two",
+            {"the two masses of Figs. 8 to 10", "zeta = 0.001, 0.01, 0.1"}, similar_peaks),
     };
 });
 

@@ -1,6 +1,7 @@
 // Section 4.1: what the text says beside (76)-(84) and algebra decides. Limits have their path; what is measured is in
 // resonant_peak_observations.cpp, the boundary (85) in resonant_boundary_observations.cpp.
 #include "denhartog/formulas/contact.hpp"
+#include "denhartog/formulas/mode.hpp"
 #include "denhartog/formulas/resonance.hpp"
 #include "derivation/algebra/limits.hpp"
 #include "derivation/algebra/symbols.hpp"
@@ -87,17 +88,29 @@ Outcome second_damping_function_grows() {
     return outcome;
 }
 
-/// Without damping the amplitude of a single mass is unbounded next to R = 1 wherever beta < pi / 4.
+/// Without damping the amplitude of the contact is unbounded next to a resonance wherever it slides there, for every N: the other
+/// modes add something finite to V_dj and to U_dj.
 Outcome infinite_without_damping() {
-    const ex x = path().x, beta = symbols().beta;
+    static const ex a = new_symbol("V_others", "a", -1, 1), b = new_symbol("U_others", "b", -1, 1);
+    const Symbols& s = symbols();
+    const ex x = path().x, R = 1 + x;
+    const ex v = paper::complex_response(Symbolic(R), Symbolic(ex(0))).re.expression();
+    const ex V = s.psi_ji * s.psi_li * R * R * v + a, U = s.psi_ji * s.psi_ji * R * R * first_function(R, 0) + b;
     Outcome outcome;
-    const ex V_squared = squared_response(1 + x, 0), U = first_function(1 + x, 0);
-    add_statement(outcome, decide_equal(second_function(symbols().R, 0), 0, domain_of({symbols().R})).verdict, "Without damping",
-                  "g_i = 0");
-    add_limit(outcome, V_squared - beta * beta * U * U, {numeric(1, 4) - 4 * beta * beta / (Pi * Pi), -2},
-              "zeta = 0, R = 1 + x: the square of (38)",
-              "\\overline{X}^2\\sim\\frac{1}{x^2}\\left(\\frac14-\\frac{4\\beta^2}{\\pi^2}\\right)");
-    outcome.steps.push_back({"Positive where beta < pi / 4, which is also where the contact slides: the peak is infinite", ""});
+    add_statement(outcome, decide_equal(second_function(s.R, 0), 0, domain_of({s.R})).verdict, "Without damping", "g_i = 0");
+    add_limit(outcome, V * V - s.beta * s.beta * U * U,
+              {pow(s.psi_ji * s.psi_li, 2) / 4 - 4 * pow(s.beta * s.psi_ji * s.psi_ji / Pi, 2), -2},
+              "R_i = 1 + x, the other modes any finite numbers a and b: the square of (38)",
+              "\\overline{X}_j^2\\sim\\frac{\\psi_{ji}^2}{x^2}\\left(\\frac{\\psi_{li}^2}{4}-\\frac{4\\beta^2\\psi_{ji}^2}{\\pi^"
+              "2}\\right)");
+    add_limit(outcome, V * V / (U * U), {pow(Pi * s.psi_li / (4 * s.psi_ji), 2), 0},
+              "What beta^2 has to be below for (38) to be real",
+              "\\frac{|V_{dj}|^2}{U_{dj}^2}\\to\\left(\\frac{\\pi\\psi_{li}}{4\\psi_{ji}}\\right)^2");
+    add_argument(
+        outcome,
+        "Where the contact slides all along, (38) is real and beta is at most that limit; below it the factor of 1/x^2 is "
+        "positive and the peak is infinite",
+        "\\beta<\\frac{\\pi}{4}\\left|\\frac{\\psi_{li}}{\\psi_{ji}}\\right|");
     return outcome;
 }
 
@@ -183,7 +196,7 @@ const Register claims_of_resonance_observations([] {
         observation(
             "38/infinite-undamped/text", {"38"},
             "Observation in the text: without damping, friction leaves the resonant peak infinite unless the contact sticks",
-            {"N = 1", "zeta = 0"}, infinite_without_damping),
+            {"all zeta_i = 0", "psi_ji, psi_li not zero", "natural frequencies that differ"}, infinite_without_damping),
         observation("38/finite-damped/text", {"38", "23"},
                     "Observation in the text: with damping, the peaks of the contact are finite while it slides",
                     {"sliding regime", "0 < zeta_i < 1"}, finite_with_damping),

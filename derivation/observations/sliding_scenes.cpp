@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/modal_coordinate.hpp"
 #include "denhartog/model/modal_basis.hpp"
@@ -70,9 +71,24 @@ bool every_mode_meets_63(const SlidingScene& scene, double beta) {
     for (std::size_t i = 0; i < m.R.size(); ++i) {
         const ModeInScene<double> mode = mode_of(at, i);
         const double load = paper::modal_contact_load_by_functions(mode, start_of_mode(at, i).eta_0, m.u[i], m.g[i], beta);
-        if (std::abs(load) <= mode.psi_ji * scene.mu * beta) return false;
+        if (std::abs(load) <= std::abs(mode.psi_ji) * scene.mu * beta) return false;
     }
     return true;
+}
+
+double printed_sum_of_maxima(const SlidingScene& scene) {
+    const ModeSums<double>& m = scene.sums;
+    double sum = 0;
+    for (std::size_t i = 0; i < m.R.size(); ++i) {
+        const auto of_57 = [&](double tau) { return as_printed::s_d_integrand(tau, m.R[i], m.zeta[i], m.u[i], m.g[i]); };
+        const double at_end = 1e-9;
+        double largest = -INFINITY;
+        for (const double tau : {at_end, pi<double>() - at_end})
+            if (of_57(tau) * std::sin(tau) > 1e-6) return INFINITY;
+        for (int n = 1; n < 1000; ++n) largest = std::max(largest, of_57(pi<double>() * n / 1000));
+        sum += std::pow(mode_of(scene, i).psi_ji, 2) * largest;
+    }
+    return sum;
 }
 
 } // namespace denhartog::derivation

@@ -40,8 +40,13 @@ constexpr std::uint64_t seed_of_scenes = 2022;
 /// @brief The boundary (69) with a sum S_dj of one's own. @param scene a scene @param S the sum @return the friction ratio
 [[nodiscard]] double limit_with_sum(const SlidingScene& scene, double S);
 
-/// @brief Whether every mode on its own meets (63), which is (59) with (62). @param scene a scene @param beta friction ratio
-/// @return  whether all do
+/// @brief Whether every mode on its own meets (63), which is (59) with (62). As printed the sign of psi_ji counts, which is free;
+///        it is taken positive here.
+/// @param scene a scene @param beta friction ratio @return whether all do
 [[nodiscard]] bool every_mode_meets_63(const SlidingScene& scene, double beta);
+
+/// @brief (56) with (57) as printed. @param scene a scene
+/// @return  the sum; infinite where (57) grows beyond bounds at an end of the half-period, else from 999 instants
+[[nodiscard]] double printed_sum_of_maxima(const SlidingScene& scene);
 
 } // namespace denhartog::derivation

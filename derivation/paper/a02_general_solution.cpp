@@ -15,10 +15,9 @@ namespace {
 
 /// Left side of (20) for a motion eta(tau).
 ex left_side(const ex& eta) {
-    from_premise();
     const Symbols& s = symbols();
-    return eta.diff(GiNaC::ex_to<GiNaC::symbol>(s.tau), 2) + 2 * s.zeta / s.R * eta.diff(GiNaC::ex_to<GiNaC::symbol>(s.tau)) +
-           eta / (s.R * s.R);
+    return from_premise() * eta.diff(GiNaC::ex_to<GiNaC::symbol>(s.tau), 2) +
+           2 * s.zeta / s.R * eta.diff(GiNaC::ex_to<GiNaC::symbol>(s.tau)) + eta / (s.R * s.R);
 }
 
 /// Decay rate and frequency of the free motion: e^(sigma tau) cos(nu tau) and sin(nu tau) both solve the homogeneous equation.

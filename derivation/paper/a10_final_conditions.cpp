@@ -1,5 +1,6 @@
 // (A.4), (A.10), (A.11): the conditions at the end of the half-period are linear in v cos(phi_j) and v sin(phi_j).
 #include "derivation/algebra/symbols.hpp"
+#include "derivation/claims/provenance.hpp"
 #include "derivation/paper/derived.hpp"
 
 namespace denhartog::derivation {
@@ -10,8 +11,8 @@ using GiNaC::lst;
 std::pair<ex, ex> derived_final_conditions() {
     const Symbols& s = symbols();
     const ex eta = derived_displacement_by_v();
-    const ex velocity = eta.diff(GiNaC::ex_to<GiNaC::symbol>(s.tau));
-    return {eta.subs(s.tau == GiNaC::Pi) + s.eta_0, velocity.subs(s.tau == GiNaC::Pi) + s.eta_prime_0};
+    const ex velocity = eta.diff(GiNaC::ex_to<GiNaC::symbol>(s.tau)), by_25 = from_premise();
+    return {eta.subs(s.tau == GiNaC::Pi) + by_25 * s.eta_0, velocity.subs(s.tau == GiNaC::Pi) + by_25 * s.eta_prime_0};
 }
 
 namespace {

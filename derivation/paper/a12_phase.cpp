@@ -4,6 +4,7 @@
 #include "denhartog/formulas/as_printed.hpp"
 #include "derivation/algebra/symbols.hpp"
 #include "derivation/algebra/zero_test.hpp"
+#include "derivation/claims/provenance.hpp"
 #include "derivation/paper/derived.hpp"
 #include "derivation/typeset/latex.hpp"
 
@@ -30,9 +31,9 @@ ex friction_part(const ex& v_times) {
 } // namespace
 
 std::pair<ex, ex> derived_phase_by_functions() {
-    // (A.13) and (A.14): the claims A.13/cosine and A.14/sine prove that `derived_phase` is this for the u and g below
+    // (A.13) and (A.14), from (25): the claims A.13/cosine and A.14/sine prove that `derived_phase` is this for the u and g below
     const Symbols& s = symbols();
-    const ex unit = s.psi_li * s.R * s.R, friction = s.psi_ji * s.R * s.R * s.beta;
+    const ex unit = from_premise() * s.psi_li * s.R * s.R, friction = s.psi_ji * s.R * s.R * s.beta;
     return {(s.eta_0 + friction * s.g) / unit, -(s.eta_prime_0 + friction * s.u) / unit};
 }
 

@@ -61,7 +61,6 @@ Values modal_equations(int N) {
 
 // The transposed modal matrix times what the equations of motion leave over for x = Psi eta, friction beta along w.
 std::vector<ex> derived_modal_equations(int N) {
-    from_premise();
     const SymbolicSystem& s = symbolic_system(N);
     const SymbolicModes m = symbolic_modes(N);
     matrix eta(N, 1), velocity(N, 1), second(N, 1);
@@ -70,7 +69,7 @@ std::vector<ex> derived_modal_equations(int N) {
         velocity(i, 0) = m.g[i].expression();
         second(i, 0) = m.v[i].re.expression();
     }
-    const matrix friction = contact_direction(N).mul_scalar(symbols().beta),
+    const matrix friction = contact_direction(N).mul_scalar(from_premise() * symbols().beta),
                  load = load_direction(N).mul_scalar(GiNaC::cos(symbols().tau + symbols().phi_j));
     const matrix residual =
         s.M.mul(s.Psi).mul(second).add(s.C.mul(s.Psi).mul(velocity)).add(s.K.mul(s.Psi).mul(eta)).sub(friction).sub(load);
@@ -110,10 +109,9 @@ Values responses_to_phases(int N) {
 
 // x = Psi (a cos - b sin) in (12) without friction, multiplied by Psi^T: what stands before cosine and sine is zero.
 std::vector<ex> derived_responses_to_phases(int N) {
-    from_premise();
     const SymbolicSystem& s = symbolic_system(N);
     const matrix across = s.Psi.transpose();
-    const matrix inertia = across.mul(s.M).mul(s.Psi), damping = across.mul(s.C).mul(s.Psi),
+    const matrix inertia = across.mul(s.M).mul(s.Psi).mul_scalar(from_premise()), damping = across.mul(s.C).mul(s.Psi),
                  stiffness = across.mul(s.K).mul(s.Psi);
     const matrix p = across.mul(load_direction(N)), q = across.mul(leading_direction(N));
     std::vector<ex> a, b;
@@ -184,8 +182,8 @@ const Register claims_of_directions([] {
                         .derived =
                             [N] {
                                 const matrix w = contact_direction(N);
-                                from_premise(); // (17)
-                                return std::vector<ex>{w.transpose().mul(symbolic_system(N).M.inverse()).mul(w)(0, 0)};
+                                return std::vector<ex>{from_premise() *
+                                                       w.transpose().mul(symbolic_system(N).M.inverse()).mul(w)(0, 0)};
                             },
                         .special_case = true});
     }

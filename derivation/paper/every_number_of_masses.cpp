@@ -69,13 +69,12 @@ Symbolic modal_residual_with_one_more(const ex& zeta) {
 
 /// psi_i^T times what (12) leaves over: so far, and the row of one more mass. (15) makes (K psi_i)_n of (M psi_i)_n.
 ex projected_residual(const ex& damping_before, const ex& damping_of_n) {
-    from_premise(); // (12)
     const Symbols& s = symbols();
     const OneMoreMass& m = one_more_mass();
     const ex load = GiNaC::cos(s.tau + s.phi_j), stiffness = 1 / (s.R * s.R);
     const ex before = m.acceleration + damping_before + stiffness * m.eta - m.psi_ji * s.beta - m.psi_li * load;
-    const ex of_n =
-        m.M_psi * m.x_second + damping_of_n + stiffness * m.M_psi * m.x - m.psi_a * (s.beta * m.is_contact + load * m.is_load);
+    const ex of_n = from_premise() * m.M_psi * m.x_second + damping_of_n + stiffness * m.M_psi * m.x -
+                    m.psi_a * (s.beta * m.is_contact + load * m.is_load);
     return before + of_n;
 }
 
@@ -143,8 +142,7 @@ const Register claims_of_every_number_of_masses([] {
              },
          .derived =
              [&s, &m] {
-                 from_premise(); // (18)
-                 return std::vector<ex>{m.form + 2 * s.zeta / s.R, m.form};
+                 return std::vector<ex>{m.form + 2 * from_premise() * s.zeta / s.R, m.form};
              },
          .special_case = true},
         {.id = "16/one-more-mass",

@@ -16,7 +16,6 @@ ex shape(const SymbolicModes& m, Row row, int i) { return (row == Row::contact ?
 } // namespace
 
 std::pair<ex, ex> derived_start(const ex& re, const ex& im, const ex& c, const ex& s) {
-    from_premise(); // (25), by which v cos(phi) and v sin(phi) are tied to the initial values
     const Symbols& n = symbols();
     const auto [v_cos, v_sin] = derived_phase_by_functions();
     const ex solution = GiNaC::lsolve(lst{v_cos == n.v_cos, v_sin == n.v_sin}, lst{n.eta_0, n.eta_prime_0});
@@ -80,9 +79,10 @@ ex derived_displacement_of_mass(int N, Row row, const std::vector<std::pair<ex, 
 }
 
 std::pair<ex, ex> derived_phase_of_contact(const ex& re, const ex& im, const ex& c, const ex& s) {
-    from_premise(); // (30)
+    const ex by_30 = from_premise();
     const GiNaC::symbol cosine("cosine"), sine("sine");
-    const ex solution = GiNaC::lsolve(lst{re * cosine - im * sine == c, re * sine + im * cosine == s}, lst{cosine, sine});
+    const ex solution =
+        GiNaC::lsolve(lst{by_30 * (re * cosine - im * sine) == c, by_30 * (re * sine + im * cosine) == s}, lst{cosine, sine});
     return {ex(cosine).subs(solution), ex(sine).subs(solution)};
 }
 

@@ -15,11 +15,11 @@ std::vector<Symbolic> symbolic(const std::vector<ex>& values) { return {values.b
 
 /// Stiffness matrix of the chain as second derivatives of the energy of its springs.
 std::vector<ex> hessian_of_chain(const std::vector<ex>& k) {
-    from_premise();
     std::vector<GiNaC::symbol> x;
     for (std::size_t i = 0; i < k.size(); ++i) x.emplace_back("x" + std::to_string(i + 1));
     ex energy = 0;
-    for (std::size_t i = 0; i < k.size(); ++i) energy += k[i] * GiNaC::pow(i == 0 ? ex(x[0]) : ex(x[i] - x[i - 1]), 2) / 2;
+    for (std::size_t i = 0; i < k.size(); ++i)
+        energy += from_premise() * k[i] * GiNaC::pow(i == 0 ? ex(x[0]) : ex(x[i] - x[i - 1]), 2) / 2;
     std::vector<ex> K;
     for (const GiNaC::symbol& a : x)
         for (const GiNaC::symbol& b : x) K.push_back(energy.diff(a).diff(b));
@@ -59,12 +59,12 @@ Values non_dimensional_residual() {
 
 /// One row of (4), divided by P. d/dt = omega d/dtau; the rates in tau belong to the non-dimensional displacement.
 std::vector<ex> residual_of_4_over_P() {
-    from_premise();
     const Symbols& s = symbols();
     const Motion& m = motion();
     const ex unit = s.P / s.k_1;
     const ex x_double_dot = unit * s.omega * s.omega * m.inertia, x_dot = unit * s.omega * m.damping;
-    const ex residual = s.m_i * x_double_dot + damping_constant() * x_dot + s.k_i * s.x + s.F * m.sgn - s.P * m.load;
+    const ex residual =
+        from_premise() * s.m_i * x_double_dot + damping_constant() * x_dot + s.k_i * s.x + s.F * m.sgn - s.P * m.load;
     return {residual / s.P, s.omega * s.t};
 }
 

@@ -89,7 +89,6 @@ Values coupled_modal_equations(int N) {
 
 /// The transposed modal matrix times what (12) leaves over for x = Psi eta.
 std::vector<ex> derived_modal_equations(int N, const matrix& C) {
-    from_premise();
     const SymbolicSystem& s = symbolic_system(N);
     const SymbolicModes m = symbolic_modes(N);
     matrix eta(N, 1), velocity(N, 1), second(N, 1), load(N, 1);
@@ -98,7 +97,7 @@ std::vector<ex> derived_modal_equations(int N, const matrix& C) {
         velocity(i, 0) = m.g[i].expression();
         second(i, 0) = m.v[i].re.expression();
     }
-    load(0, 0) = symbols().beta;
+    load(0, 0) = from_premise() * symbols().beta;
     load(N - 1, 0) = load(N - 1, 0) + GiNaC::cos(symbols().tau + symbols().phi_j);
     const matrix residual = s.M.mul(s.Psi).mul(second).add(C.mul(s.Psi).mul(velocity)).add(s.K.mul(s.Psi).mul(eta)).sub(load);
     return expressions(s.Psi.transpose().mul(residual));
@@ -184,9 +183,8 @@ const Register claims_of_section_2_1_modes([] {
              .derived =
                  [N] {
                      const SymbolicSystem& s = symbolic_system(N);
-                     from_premise(); // (18)
                      matrix C(N, N), zero(N, N);
-                     for (int i = 0; i < N; ++i) C(i, i) = 2 * s.zeta[i] * s.Omega[i];
+                     for (int i = 0; i < N; ++i) C(i, i) = 2 * from_premise() * s.zeta[i] * s.Omega[i];
                      std::vector<ex> values = expressions(C);
                      for (const ex& entry : expressions(zero)) values.push_back(entry);
                      return values;
@@ -224,9 +222,8 @@ const Register claims_of_section_2_1_modes([] {
              .derived =
                  [N] {
                      const SymbolicSystem& s = symbolic_system(N);
-                     from_premise(); // (17)
                      ex sum = 0;
-                     for (int i = 0; i < N; ++i) sum += s.Psi(0, i) * s.Psi(0, i);
+                     for (int i = 0; i < N; ++i) sum += from_premise() * s.Psi(0, i) * s.Psi(0, i);
                      return std::vector<ex>{sum};
                  },
              .steps = {{"(17) says $\\boldsymbol\\Psi\\boldsymbol\\Psi^T=\\overline{\\mathbf{M}}^{-1}$; this is its "

@@ -176,7 +176,7 @@ const Register claims_of_section_2_4_time_response([] {
                                                                            Symbolic(s.G_k), Symbolic(s.beta))};
                         },
                     .derived = [] { return std::vector<ex>{derived_initial_state().first}; },
-                    .departure = Departure::convention,
+                    .departure = Departure::misprint,
                     .correction = "\\bar{x}_{k0} = -\\beta G_k + \\frac{|V_{dk}|}{|V_{dj}|}\\left[\\sqrt{|V_{dj}|^2-(\\beta "
                                   "U_{dj})^2}\\cos\\Delta + \\beta U_{dj}\\sin\\Delta\\right],\\quad \\Delta=\\angle "
                                   "V_{dk}-\\angle V_{dj}"});
@@ -206,7 +206,7 @@ const Register claims_of_section_2_4_time_response([] {
                                                                        Symbolic(s.U_k), Symbolic(s.beta))};
                         },
                     .derived = [] { return std::vector<ex>{derived_initial_state().second}; },
-                    .departure = Departure::convention,
+                    .departure = Departure::misprint,
                     .correction =
                         "\\bar{x}_{k0}' = -\\beta U_{dk} + \\frac{|V_{dk}|}{|V_{dj}|}\\left[\\beta U_{dj}\\cos\\Delta - "
                         "\\sqrt{|V_{dj}|^2-(\\beta U_{dj})^2}\\sin\\Delta\\right],\\quad \\Delta=\\angle "

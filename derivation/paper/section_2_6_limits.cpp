@@ -1,5 +1,6 @@
 // Section 2.6, (54), (58), (67)-(69): the load on the contact, and the limits that the conditions set to the friction ratio.
 #include "denhartog/formulas/boundary.hpp"
+#include "derivation/algebra/limits.hpp"
 #include "derivation/algebra/symbols.hpp"
 #include "derivation/claims/claim.hpp"
 #include "derivation/claims/provenance.hpp"
@@ -38,24 +39,34 @@ ContactRow contact_row() {
 
 /// The load by (12) at tau = 0, through the acceleration of the contact: gamma_j r^2 x_j'' is beta less it.
 ex load_by_acceleration() {
-    from_premise();
     const Symbols& s = symbols();
     const ContactRow row = contact_row();
     const GiNaC::symbol acceleration("acceleration");
     const ex mass = s.gamma * s.r * s.r;
-    ex left = mass * acceleration;
+    ex left = from_premise() * mass * acceleration; // (12)
     for (std::size_t k = 0; k < row.x.size(); ++k)
         left += row.C_j[k].expression() * row.x_prime[k].expression() + row.K_j[k].expression() * row.x[k].expression();
     return s.beta - mass * GiNaC::lsolve(left == s.beta + GiNaC::cos(s.phi_j), acceleration);
 }
 
+Outcome no_modulus() {
+    Outcome outcome;
+    add_claim(outcome, "54/load-by-acceleration", "at tau = 0 the load on the contact is beta less gamma_j r^2 x_j''");
+    add_argument(
+        outcome,
+        "After tau = 0 the contact moves back, (54)a, from velocity zero: its acceleration is not positive, and the load is "
+        "at least beta",
+        "\\bar{x}_j''(0)\\le0");
+    outcome.why_no_twin = "an argument from a claim that has twins";
+    return outcome;
+}
+
 const Register claims_of_section_2_6_limits([] {
     const Symbols& s = symbols();
     std::vector<Claim> list{
-        {.id = "54/sign",
+        {.id = "54/load-by-acceleration",
          .equations = {"54"},
-         .title = "The load at tau = 0 is beta less gamma_j r^2 x_j''(0), which (54)a makes not positive: it is positive, and "
-                  "needs no modulus",
+         .title = "Row j of (12) at tau = 0: the load on the contact is beta less gamma_j r^2 x_j''",
          .assumptions = {"diagonal mass matrix", "x_j' < 0 for 0 < tau < pi"},
          .kernel =
              [] {
@@ -69,8 +80,13 @@ const Register claims_of_section_2_6_limits([] {
                        "\\sum_{k=1}^N\\overline{K}_{jk}\\bar{x}_k - \\delta_{lj}\\cos(\\tau+\\phi_j) > \\mu\\beta \\ "
                        "\\text{if}\\ \\tau=0",
          .special_case = true,
-         .steps = {{"Row j of (12), solved for the acceleration of the contact", ""},
-                   {"At a maximum of $\\bar{x}_j$ the acceleration is not positive, so that the load is at least $\\beta$", ""}}},
+         .steps = {{"Row j of (12), solved for the acceleration of the contact", ""}}},
+        {.id = "54/no-modulus",
+         .equations = {"54"},
+         .role = Role::step,
+         .title = "The load at tau = 0 is positive and needs no modulus",
+         .assumptions = {"diagonal mass matrix", "x_j' < 0 for 0 < tau < pi", "beta > 0"},
+         .check = no_modulus},
         {.id = "58/limit",
          .equations = {"58"},
          .title = "(55) with (38) holds where beta is below the limit, and not above it",
@@ -154,12 +170,12 @@ const Register claims_of_section_2_6_limits([] {
                  [N, &s] {
                      const SymbolicSystem& system = symbolic_system(N);
                      const SymbolicModes m = symbolic_modes(N);
-                     from_premise(); // (17), (18)
+                     const ex by_18 = from_premise();
                      ex load = 0;
                      for (int i = 0; i < N; ++i) {
                          const ex eta_0 = m.u[i].expression(), eta_prime_0 = m.g[i].expression();
                          load +=
-                             system.Psi(0, i) * (2 * system.zeta[i] * system.Omega[i] * eta_prime_0 +
+                             system.Psi(0, i) * (2 * by_18 * system.zeta[i] * system.Omega[i] * eta_prime_0 +
                                                  GiNaC::pow(system.Omega[i], 2) * eta_0 - system.Psi(0, i) * GiNaC::cos(s.phi_j));
                      }
                      return std::vector<ex>{system.gamma[0] * system.r * system.r * load};

@@ -30,12 +30,12 @@ HeldMotion held_motion(int N) {
 
 /// What (6) leaves for beta times the member of (3)'s set: row 1 of the load less inertia, damping and stiffness forces.
 ex friction_needed(int N, const ex& direct) {
-    from_premise();
     const SymbolicSystem& s = symbolic_system(N);
     const HeldMotion motion = held_motion(N);
     matrix load(N, 1);
     load(0, 0) = direct * GiNaC::cos(symbols().tau);
-    return load.sub(s.M.mul(motion.x_double_prime)).sub(s.C.mul(motion.x_prime)).sub(s.K.mul(motion.x))(0, 0);
+    const matrix springs = s.K.mul(motion.x).mul_scalar(from_premise());
+    return load.sub(s.M.mul(motion.x_double_prime)).sub(s.C.mul(motion.x_prime)).sub(springs)(0, 0);
 }
 
 Symbolic shipped_load(int N, const ex& direct) {

@@ -145,12 +145,16 @@ const Register claims_of_section_4_1_resonance([] {
          .derived =
              [] {
                  return for_all_signs<ex>([](const Shapes& psi) {
-                     const auto [re_k, im_k] = derived_term_of_response(psi.k, psi.l);
-                     const auto [re_j, im_j] = derived_term_of_response(psi.j, psi.l);
-                     const ex Delta = GiNaC::atan2(im_k, re_k) - GiNaC::atan2(im_j, re_j);
+                     const auto argument = [&psi](const ex& shape) {
+                         const Complex<Symbolic> V =
+                             paper::complex_response_at_resonance(Symbolic(shape), Symbolic(psi.l), Symbolic(symbols().zeta));
+                         return GiNaC::atan2(V.im.expression(), V.re.expression());
+                     };
+                     const ex Delta = argument(psi.k) - argument(psi.j);
                      return std::vector<ex>{GiNaC::cos(Delta), GiNaC::sin(Delta)};
                  });
              },
+         .refines = {"76"},
          .approximation = true},
         {.id = "79/theta-pi",
          .equations = {"79"},

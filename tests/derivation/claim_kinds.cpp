@@ -1,8 +1,10 @@
-// The kind of a claim follows from what is called while its sides are built, and from nothing that is written next to it.
+// The kind of a claim follows from what is called while its sides are built and from what a false premise breaks, and from nothing that
+// is written next to it.
 #include "denhartog/formulas/mode.hpp"
 #include "derivation/algebra/limits.hpp"
 #include "derivation/algebra/symbols.hpp"
 #include "derivation/claims/claim.hpp"
+#include "derivation/claims/provenance.hpp"
 #include "derivation/claims/run.hpp"
 #include "derivation/ledger/equation_order.hpp"
 #include "derivation/paper/derived.hpp"
@@ -40,6 +42,20 @@ TEST_CASE("the kind of a claim is computed from what its sides call", "[claim]")
     CHECK(restated.kind == "restated");
     CHECK(restated.fingerprint == refined.fingerprint);
     CHECK_FALSE(restated.fingerprint.empty());
+}
+
+TEST_CASE("a premise that makes no difference does not make a claim derived", "[claim]") {
+    const Result needed = decide(claim_of(shipped_response, [] { return std::vector<ex>{from_premise() * typed_response()}; }));
+    CHECK(needed.verdict == Verdict::proved);
+    CHECK(needed.kind == "derived");
+    const Result idle = decide(claim_of(shipped_response, [] { return std::vector<ex>{typed_response() + 0 * from_premise()}; }));
+    CHECK(idle.verdict == Verdict::proved);
+    CHECK(idle.kind == "restated");
+    Claim check{.id = "23/check", .equations = {"23"}};
+    check.check = [] { return Outcome{from_premise().is_equal(1) ? Verdict::proved : Verdict::refuted, {}, {}}; };
+    CHECK(decide(check).kind == "derived");
+    check.check = [] { return Outcome{from_premise().is_zero() ? Verdict::refuted : Verdict::proved, {}, {}}; };
+    CHECK(decide(check).kind == "consequence");
 }
 
 TEST_CASE("claims come in the order of their equations, those named after one before the others", "[claim]") {
@@ -112,4 +128,23 @@ TEST_CASE("a claim that says what one before it has said is known by its values"
     CHECK(run.claims[1].same_as == "23/test");
     CHECK(run.claims[2].same_as.empty());
     CHECK(claims_from_json(to_json(run.claims))[1].same_as == "23/test");
+}
+
+TEST_CASE("a claim that ends unknown makes the run fail, whatever it speaks of", "[claim]") {
+    Claim claim = claim_of(shipped_response, [] { return std::vector<ex>{typed_response()}; });
+    for (const Role role : {Role::both, Role::printed, Role::shipped, Role::step, Role::observation}) {
+        claim.role = role;
+        const Findings findings{{claim.id,
+                                 {{"record",
+                                   {{"verdict", "unknown"},
+                                    {"kind", "restated"},
+                                    {"by_equation", nlohmann::json::object()},
+                                    {"correction", ""},
+                                    {"witness", nlohmann::json::array()}}},
+                                  {"fingerprint", ""},
+                                  {"twins", nullptr},
+                                  {"why_no_twin", "a test"},
+                                  {"fault", ""}}}};
+        CHECK(run_of({claim}, findings).faults.size() == 1);
+    }
 }

@@ -64,10 +64,16 @@ TEST_CASE("a twin that is proved is a hole, on either side", "[twins]") {
     const Symbols& s = symbols();
     // a kernel that is zero however it is altered, and a derived side of which a term is zero
     const ex nothing = GiNaC::pow(GiNaC::sin(s.tau), 2) + GiNaC::pow(GiNaC::cos(s.tau), 2) - 1;
-    const MutantCount count = mutate(
-        claim_of([&s] { return Values{Symbolic(s.R) - Symbolic(ex(0))}; }, [=] { return std::vector<ex>{s.R + nothing}; }));
+    Claim claim = claim_of([&s, nothing] { return Values{Symbolic(s.R) - Symbolic(nothing)}; },
+                           [=] { return std::vector<ex>{s.R + nothing}; });
+    const MutantCount count = mutate(claim);
     CHECK(has_hole(count, "a - b -> a"));
     CHECK(count.proved > 0);
+    CHECK(count.idle == 0);
+    claim.special_case = true; // there an operation may meet a zero
+    const MutantCount special = mutate(claim);
+    CHECK_FALSE(has_hole(special, "a - b -> a"));
+    CHECK(special.idle == 2); // + for -, and a for a - b
 }
 
 TEST_CASE("a claim with a check of its own counts the altered statements that it has refuted", "[twins]") {
