@@ -37,7 +37,7 @@ int steps_of(const PlainSystem& s) {
     double fastest = 0;
     for (std::size_t i = 0; i < s.size(); ++i)
         fastest = std::max(fastest, s.shapes.r_n[i] / s.r * (1 + 2 * s.zeta[i] * s.zeta[i]));
-    return 2 * static_cast<int>(std::clamp(32 + 8 * std::ceil(fastest), 64.0, 8192.0));
+    return 2 * static_cast<int>(std::clamp(16 + 6 * std::ceil(fastest), 32.0, 8192.0));
 }
 
 FrictionResponse::FrictionResponse(const PlainSystem& s) : A(equations_of(s, false)), step(2 * std::numbers::pi / steps_of(s)) {

@@ -150,30 +150,36 @@ void PlainContact::run() {
 std::optional<PlainRow> PlainContact::by_newton() const {
     const std::size_t N = system.size(), n = 2 * N;
     const double reach = system.mu > 1 ? 1e-2 : largest_of(system.zeta, N) == 0 ? 0.5 : INFINITY;
+    const auto after = [&](const PlainRow& from) {
+        PlainContact other = *this;
+        other.now = from;
+        other.run();
+        return other.now;
+    };
     PlainRow z = now;
-    for (int steps = 0; steps < 16; ++steps) {
-        const auto after = [&](const PlainRow& from) {
-            PlainContact other = *this;
-            other.now = from;
-            other.run();
-            return other.now;
-        };
+    PlainMatrix J; // kept as long as it brings the state ten times nearer
+    double last = INFINITY;
+    for (int steps = 0; steps < 24; ++steps) {
         const PlainRow end = after(z);
         const double size = largest_of(z, n), apart = distance(z, end, n), change = 1e-7 * size;
-        if (apart <= 1e-13 * size || (steps > 3 && apart <= 1e-11 * size)) return z;
-        PlainMatrix J = square(n);
-        for (std::size_t k = 0; k < n; ++k) {
-            PlainRow other = z;
-            other[k] += change;
-            if (direction == 0 && k >= N) // a contact at rest stays at rest
-                for (std::size_t i = 0; i < N; ++i) other[N + i] -= change * system.w[k - N] / dot(system.w, pull) * pull[i];
-            other = after(other);
-            for (std::size_t i = 0; i < n; ++i) J[i][k] = (i == k ? 1 : 0) - (other[i] - end[i]) / change;
+        const bool found = apart <= (steps < 12 ? 1e-13 : 1e-11) * size;
+        if (J.empty() || (!found && apart > 0.1 * last)) {
+            J = square(n);
+            for (std::size_t k = 0; k < n; ++k) {
+                PlainRow other = z;
+                other[k] += change;
+                if (direction == 0 && k >= N) // a contact at rest stays at rest
+                    for (std::size_t i = 0; i < N; ++i) other[N + i] -= change * system.w[k - N] / dot(system.w, pull) * pull[i];
+                other = after(other);
+                for (std::size_t i = 0; i < n; ++i) J[i][k] = (i == k ? 1 : 0) - (other[i] - end[i]) / change;
+            }
         }
+        last = apart;
         PlainRow right(n);
         for (std::size_t i = 0; i < n; ++i) right[i] = end[i] - z[i];
         const PlainRow by = solved(J, right);
         for (std::size_t i = 0; i < n; ++i) z[i] += by[i];
+        if (found) return z;
         if (!(distance(z, now, n) <= reach * size)) return std::nullopt;
     }
     return std::nullopt;
