@@ -235,15 +235,12 @@ std::pair<double, double> PlainContact::largest(const PlainRow& row) const {
     const auto take = [&](double tau, double x) {
         if (std::abs(x) > std::abs(best.second) * (1 + 1e-12)) best = {tau, x};
     };
-    if (row == system.w && system.beta > 0) { // it is at its largest where it comes to rest or turns
-        if (rests()) take(0, displacement(row, period.front().states.front().second));
-        for (std::size_t n = 1; n < period.size(); ++n)
-            if (period[n - 1].direction != 0) take(period[n].start(), displacement(row, period[n].states.front().second));
-        return best;
-    }
+    const bool of_contact = row == system.w && system.beta > 0; // it is at its largest where it comes to rest or turns
     const PlainRow rates = in_state(row, system.size());
-    for (const PlainStretch& s : period)
-        for (std::size_t n = 1; n < s.states.size(); ++n) {
+    for (std::size_t m = 0; m < period.size(); ++m) {
+        const PlainStretch& s = period[m];
+        if (of_contact && m > 0 && period[m - 1].direction != 0) take(s.start(), displacement(row, s.states.front().second));
+        for (std::size_t n = 1; n < s.states.size() && !of_contact; ++n) {
             const auto& [tau, z] = s.states[n - 1];
             if (dot(rates, z) * dot(rates, s.states[n].second) > 0) continue;
             const PlainMatrix& A = equations(s.direction);
@@ -252,6 +249,9 @@ std::pair<double, double> PlainContact::largest(const PlainRow& row) const {
             const double t = dt * zero_between([&](double x) { return polynomial(series, x); }, 0, 1);
             take(tau + t, displacement(row, moved(A, z, t)));
         }
+    }
+    for (const auto* end : {&period.front().states.front(), &period.back().states.back()}) // of a motion that is not periodic
+        take(end->first, displacement(row, end->second));
     return best;
 }
 
