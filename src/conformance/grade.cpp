@@ -4,6 +4,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "conformance/mistakes/mistake_definition.hpp"
 #include "denhartog/number/legible.hpp"
@@ -19,7 +20,7 @@ std::string numbers_in_words(std::size_t count) { return count == 1 ? "1 number"
 // Angles of the protocol's interval differ round the circle, those outside it (degrees, [0, 2 pi)) as they stand.
 bool round_the_circle(const Quantity& asked, double given) {
     constexpr double rounding = 1e-9;
-    return asked.angle && std::abs(given) <= pi<double>() + rounding;
+    return asked.angle && std::abs(given) <= std::numbers::pi + rounding;
 }
 
 // Error against the 40 digits of the vector: the rounding of the nearest double does not count as the answer's.
@@ -146,7 +147,7 @@ Difference difference(const Quantity& asked, const std::vector<double>& given, c
     Difference worst;
     for (std::size_t n = 0; n < given.size(); ++n) {
         const double apart = given[n] - reference[n];
-        const double size = std::abs(round_the_circle(asked, given[n]) ? std::remainder(apart, 2 * pi<double>()) : apart);
+        const double size = std::abs(round_the_circle(asked, given[n]) ? std::remainder(apart, 2 * std::numbers::pi) : apart);
         if (size > worst.size) worst = {size, n};
     }
     return worst;

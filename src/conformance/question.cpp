@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "conformance/scene_of.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/point_rules.hpp"
@@ -170,18 +171,6 @@ std::span<const Quantity> quantities() { return table; }
 
 bool is_of_the_paper(const ProtocolQuestion& q) { return beyond_the_paper(q).empty(); }
 
-System<double> paper_system(const ProtocolQuestion& q) {
-    if (!is_of_the_paper(q)) throw InputError("scene", "must be one of the paper", beyond_the_paper(q).front());
-    const std::size_t N = q.mass_ratios.size();
-    System<double> system;
-    system.mass_ratios = q.mass_ratios;
-    system.stiffness_ratios = q.stiffness_ratios;
-    system.damping_ratios = q.damping_ratios;
-    system.contact = mass_from(q.contact, N, "contact");
-    system.load = mass_from(q.load, N, "load");
-    return system;
-}
-
 std::size_t masses_of(const ProtocolQuestion& q) { return q.mass_matrix.empty() ? q.mass_ratios.size() : rows_of(q.mass_matrix); }
 
 std::vector<std::string> beyond_the_paper(const ProtocolQuestion& q) {
@@ -193,6 +182,10 @@ std::vector<std::string> beyond_the_paper(const ProtocolQuestion& q) {
     if (!q.stiffness_matrix.empty()) names.emplace_back("stiffness-matrix");
     if (!q.damping_matrix.empty()) names.emplace_back("damping-matrix");
     return names;
+}
+
+bool asks_for(const ProtocolQuestion& q, std::initializer_list<std::string_view> names) {
+    return std::ranges::find(names, q.quantity) != names.end();
 }
 
 const Quantity& quantity(std::string_view name) {
@@ -214,7 +207,12 @@ bool is_overdamped(const ProtocolQuestion& q) {
 Scene<double> scene_of(const ProtocolQuestion& q) {
     Scene<double> scene;
     if (is_of_the_paper(q)) {
-        scene.system = paper_system(q);
+        const std::size_t N = q.mass_ratios.size();
+        scene.system.mass_ratios = q.mass_ratios;
+        scene.system.stiffness_ratios = q.stiffness_ratios;
+        scene.system.damping_ratios = q.damping_ratios;
+        scene.system.contact = mass_from(q.contact, N, "contact");
+        scene.system.load = mass_from(q.load, N, "load");
         scene.mu = q.mu;
         scene.r = q.r;
         scene.beta = q.beta;

@@ -12,8 +12,6 @@
 #include <variant>
 #include <vector>
 
-#include "denhartog/scene/scene.hpp"
-
 namespace denhartog::conformance {
 
 /// @brief How many numbers the answer to a quantity has.
@@ -82,12 +80,6 @@ struct ProtocolQuestion {
 /// @return   false where it has one of the last six members
 [[nodiscard]] bool is_of_the_paper(const ProtocolQuestion& q);
 
-/// @brief The system of a question about a scene of the paper; only the places of contact and load are checked.
-/// @param q  the question
-/// @return   the chain
-/// @throws   InputError where the scene is not of the paper, or has no such mass
-[[nodiscard]] System<double> paper_system(const ProtocolQuestion& q);
-
 /// @brief Number of masses of a question's scene. @param q the question @return N
 [[nodiscard]] std::size_t masses_of(const ProtocolQuestion& q);
 
@@ -99,11 +91,9 @@ struct ProtocolQuestion {
 /// @brief Whether a mode of a question's scene does not vibrate. @param q the question @return whether a zeta_i is 1 or more
 [[nodiscard]] bool is_overdamped(const ProtocolQuestion& q);
 
-/// @brief The scene of a question, its numbers taken as exact.
-/// @param q  the question
-/// @return   the scene, checked; a moving base as the load that it is
-/// @throws   InputError if a number breaks a rule of the scene, or the scene does not have the mass asked about
-[[nodiscard]] Scene<double> scene_of(const ProtocolQuestion& q);
+/// @brief Whether a question asks for one of several quantities. @param q the question @param names the quantities
+/// @return whether it does
+[[nodiscard]] bool asks_for(const ProtocolQuestion& q, std::initializer_list<std::string_view> names);
 
 /// @brief A question as the object of the protocol's `json` dialect. @param q the question @return the object
 [[nodiscard]] nlohmann::ordered_json question_json(const ProtocolQuestion& q);

@@ -11,6 +11,7 @@
 #include <set>
 #include <sstream>
 
+#include "conformance/scene_of.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/number/number_text.hpp"

@@ -1,6 +1,8 @@
 // Mistakes with a number of their own: the number is found from the answers.
 #include "conformance/diagnosis/explanations.hpp"
 
+#include <numbers>
+
 #include "conformance/diagnose.hpp"
 #include "conformance/grade.hpp"
 #include "conformance/plain/closed_form.hpp"
@@ -75,7 +77,7 @@ TEST_CASE("instants that go with r or R from scene to scene are found from the a
             const double h = 0.0125 * steps.of(m);
             Choices c;
             c.demand_as_printed = true;
-            const double count = std::min(4096.0, std::round(pi<double>() / h - 2)) + 1;
+            const double count = std::min(4096.0, std::round(std::numbers::pi / h - 2)) + 1;
             c.instants = Instants{h, h, static_cast<std::size_t>(std::max(2.0, count))};
             return is_overdamped(v.question) ? std::optional<Value>() : plain_answer(v.question, c);
         });

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "conformance/plain/closed_form.hpp"
+#include "conformance/scene_of.hpp"
 #include "conformance/verdict.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/sliding/boundary.hpp"

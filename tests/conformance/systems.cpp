@@ -4,6 +4,7 @@
 
 #include "conformance/mistakes/mistake.hpp"
 #include "conformance/plain/closed_form.hpp"
+#include "conformance/scene_of.hpp"
 #include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/runner_fixtures.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "conformance/plain/closed_form.hpp"
+#include "conformance/scene_of.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/number/errors.hpp"
@@ -13,6 +13,7 @@
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
 #include "tests/catch.hpp"
+#include "tests/conformance/systems_in_double.hpp"
 #include "tests/conformance/vector_folder.hpp"
 
 using namespace denhartog;
@@ -70,7 +71,8 @@ Numbers of_sums(const Asks& q, const Scene<double>& scene) {
 Numbers of_stuck_motion(const Asks& q, const Scene<double>& scene) {
     const StuckConfiguration stuck = stuck_configuration(scene.system, modal_basis(scene.system));
     const StuckResponse held = stuck_response(stuck, scene.system.load, q.r);
-    if (q.quantity == "rest_interval") return {paper::sticking_margin(modulus(held.contact_load), q.mu, q.beta) / stuck.k_contact};
+    if (q.quantity == "rest_interval")
+        return {paper::sticking_margin(modulus(held.contact_load), q.mu, q.beta) / stuck.k_contact};
     const StuckMass& m = held.masses[mass_of(q)];
     if (q.quantity == "amplitude") return {m.amplitude};
     if (q.quantity == "phase") return {m.phase.value()};
@@ -110,7 +112,7 @@ bool is_of_modes(const std::string& name) {
 
 Numbers in_double(const Vector& v) {
     const Asks& q = v.question;
-    if (!is_of_the_paper(q)) return conformance::answer_of_system(q).value().numbers;
+    if (!is_of_the_paper(q)) return answer_of_system(q).value().numbers;
     const Scene<double> scene = conformance::scene_of(q);
     if (is_of_modes(q.quantity)) return of_modes(q, scene);
     if (q.quantity == "beta_lim_high_frequency") return {paper::friction_ratio_limit_at_high_frequency(q.mu)};
@@ -187,7 +189,7 @@ TEST_CASE("the library finds the regime of every vector that asks for it, and re
             CHECK_THROWS_AS(conformance::scene_of(v.question), InputError);
             ++rejected;
         } else if (!v.word.empty() && !is_of_the_paper(v.question)) {
-            CHECK(conformance::answer_of_system(v.question).value().word == v.word);
+            CHECK(answer_of_system(v.question).value().word == v.word);
             ++regimes;
         } else if (!v.word.empty()) {
             const Scene<double> scene = conformance::scene_of(v.question);

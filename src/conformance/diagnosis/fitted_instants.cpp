@@ -2,11 +2,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 #include "conformance/diagnosis/explanations.hpp"
 #include "conformance/mistakes/mistake_definition.hpp"
 #include "conformance/plain/closed_form.hpp"
-#include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "elementary/elementary.hpp"
 
@@ -50,7 +50,7 @@ std::vector<Observed> all_observed(std::span<const Judged> judged) {
 }
 
 double printed_of_mode(const PlainModes& m, std::size_t i, double tau) {
-    return m.psi[m.j][i] * m.psi[m.j][i] * as_printed::s_d_integrand(tau, m.R[i], m.zeta[i], m.u[i], m.g[i]);
+    return m.psi[m.j][i] * m.psi[m.j][i] * printed_demand_of_mode(m, i, tau);
 }
 
 // Steps from an end of the half-period at which a function that is large there has a value.
@@ -99,9 +99,9 @@ struct Grid {
 
 Instants instants_of(const Grid& grid, const PlainModes& m) {
     const double unit = grid.measure->of(m), first = unit * grid.first, step = unit * grid.step;
-    const double rest = pi<double>() - first - unit * grid.before_end.value_or(0);
+    const double rest = std::numbers::pi - first - unit * grid.before_end.value_or(0);
     const double steps = std::max(1.0, grid.before_end ? std::round(rest / step) : std::floor(rest / step));
-    const double before_end = pi<double>() - first - (grid.before_end ? rest : steps * step);
+    const double before_end = std::numbers::pi - first - (grid.before_end ? rest : steps * step);
     return {first, before_end, static_cast<std::size_t>(std::min(steps, 4096.0)) + 1};
 }
 
@@ -189,7 +189,7 @@ EndSteps end_steps(const Observed& one) {
         for (std::size_t i = 0; i < m.R.size(); ++i) S += of_mode(i);
         return S;
     };
-    const auto late = [](double step) { return pi<double>() - step; };
+    const auto late = [](double step) { return std::numbers::pi - step; };
     const auto larger = [&](std::size_t i, double h) {
         return std::max(printed_of_mode(m, i, h), printed_of_mode(m, i, late(h)));
     };
@@ -208,7 +208,7 @@ void add_grids(std::vector<Grid>& shown, const std::vector<Observed>& all, const
     };
     const std::optional<double> start = common(&EndSteps::at_start), end = common(&EndSteps::at_end),
                                 both = common(&EndSteps::at_both);
-    const double fine = pi<double>() / 1000;
+    const double fine = std::numbers::pi / 1000;
     const auto add = [&](double first, std::optional<double> before_end, double step) {
         shown.push_back({first, before_end, step, &measure});
     };
@@ -244,7 +244,7 @@ std::vector<Grid> grids_shown(const std::vector<Observed>& all) {
 std::vector<Grid> coarse_grids() {
     std::vector<Grid> grids;
     for (int steps = 4; steps <= 64; ++steps) {
-        const double h = pi<double>() / steps;
+        const double h = std::numbers::pi / steps;
         grids.insert(grids.end(), {{0, 0.0, h}, {0, h, h}, {h, h, h}, {h / 2, h / 2, h}});
     }
     return grids;

@@ -5,7 +5,6 @@
 #include "conformance/grade.hpp"
 #include "conformance/mistakes/mistake_definition.hpp"
 #include "conformance/plain/closed_form.hpp"
-#include "denhartog/number/errors.hpp"
 #include "elementary/elementary.hpp"
 
 namespace denhartog::conformance {
@@ -71,8 +70,7 @@ std::optional<Fitted> fitted_transient(std::span<const Judged> judged) {
         if (all.size() == first_probed && shown_by(all).agreeing == 0) return std::nullopt;
         try {
             all.push_back(distances(*one));
-        } catch (const DomainError&) { // a motion that is none shows nothing
-        } catch (const PrecisionError&) {
+        } catch (const NoPlainAnswer&) { // a motion that is none shows nothing
         }
     }
     const Shown shown = shown_by(all);

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <numbers>
 
 #include "conformance/mistakes/mistake_definition.hpp"
 #include "conformance/plain/closed_form.hpp"
-#include "denhartog/number/number.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "elementary/elementary.hpp"
 
@@ -167,7 +167,7 @@ void add_factors(std::vector<Mistake>& all, const Input& input, std::span<const 
     std::vector<double> grid;
     for (int n = 0; n <= pieces; ++n) grid.push_back(elementary::exp(reach * (2.0 * n / pieces - 1)));
     std::vector<double> factors = sign_changes(apart, grid, 48);
-    for (const double unit : {100.0, 1000.0, 180 / pi<double>()}) factors.insert(factors.end(), {unit, 1 / unit});
+    for (const double unit : {100.0, 1000.0, 180 / std::numbers::pi}) factors.insert(factors.end(), {unit, 1 / unit});
     for (const double factor : factors) {
         Mistake guess = scaled(input, factor);
         if (std::abs(factor - 1) > fits && fits_some(guess, answers)) all.push_back(std::move(guess));

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 #include <string_view>
 
-#include "denhartog/number/number.hpp"
 #include "denhartog/number/number_text.hpp"
 
 namespace denhartog::conformance {
@@ -25,7 +25,7 @@ std::set<std::string> properties(const Vector& v) {
     for (const std::string& flag : v.flags) all.insert("flag " + flag);
     all.insert(masses_of(q) > 1 ? "N > 1" : "N = 1");
     all.insert(masses_of(q) > 2 ? "N > 2" : "N <= 2");
-    if (q.quantity == "displacement") all.insert(q.tau > pi<double>() ? "tau > pi" : "tau <= pi");
+    if (q.quantity == "displacement") all.insert(q.tau > std::numbers::pi ? "tau > pi" : "tau <= pi");
     all.insert(q.mu > 1 ? "mu > 1" : "mu = 1");
     all.insert(is_of_the_paper(q) ? "a scene of the paper" : "a system beyond the paper");
     if (q.contact_with == 0 && q.load != 0) {

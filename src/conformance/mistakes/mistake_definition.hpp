@@ -42,7 +42,5 @@ using Names = std::vector<std::string_view>;
 // Mistakes that solvers of the motion make.
 [[nodiscard]] std::vector<Mistake> mistakes_of_integrators();
 
-// Whether a question asks for one of several quantities.
-[[nodiscard]] bool asks_for(const ProtocolQuestion& q, std::initializer_list<std::string_view> names);
 
 } // namespace denhartog::conformance

@@ -5,10 +5,6 @@
 
 namespace denhartog::conformance {
 
-bool asks_for(const ProtocolQuestion& q, std::initializer_list<std::string_view> names) {
-    return std::ranges::find(names, q.quantity) != names.end();
-}
-
 namespace {
 
 // Whether a question is about one of some quantities; about any if there are none.

@@ -1,13 +1,14 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "conformance/mistakes/mistake_definition.hpp"
-#include "denhartog/formulas/as_printed.hpp"
-#include "denhartog/formulas/mode.hpp"
-#include "denhartog/number/number.hpp"
+#include "elementary/elementary.hpp"
 
 namespace denhartog::conformance {
 namespace {
+
+using std::numbers::pi;
 
 // Every mode shape times a factor of its own.
 Answering scaled_shapes(double (*factor)(const PlainModes& m, std::size_t i)) {
@@ -22,7 +23,7 @@ Answering scaled_shapes(double (*factor)(const PlainModes& m, std::size_t i)) {
 }
 
 // Another response of every mode in place of (23).
-Answering other_responses(Complex<double> (*response)(double R, double zeta)) {
+Answering other_responses(Phasor (*response)(double R, double zeta)) {
     return by_formulas({}, [=](Choices& c) {
         c.change_modes = [=](PlainModes& m) {
             for (std::size_t i = 0; i < m.R.size(); ++i) m.v[i] = response(m.R[i], m.zeta[i]);
@@ -65,8 +66,7 @@ std::vector<Mistake> mistakes_of_print() {
                 {"initial_velocity"}),
         printed("50", "(50) as printed: the ratio of the moduli multiplies its first term only.",
                 "X_kC: |V_dk| / |V_dj| multiplies the root and beta U_dj sin(Delta)",
-                by_formulas({"phase_monoharmonic", "amplitude_monoharmonic"},
-                            [](Choices& c) { c.cosine_as_printed = c.amplitude_from_parts = true; }),
+                by_formulas({"phase_monoharmonic", "amplitude_monoharmonic"}, [](Choices& c) { c.cosine_as_printed = true; }),
                 {"phase_monoharmonic"}),
         printed("52", "(52) as printed: U_dk sin(Delta) has the other sign.",
                 "the first bracket of (52): G_k cos(Delta) - U_dk sin(Delta)",
@@ -87,7 +87,7 @@ std::vector<Mistake> mistakes_of_print() {
         printed("86", "(86) as printed has mu in place of its square.", "the root of (86): 4 mu^2 + pi^2",
                 changed({"beta_lim_high_frequency"},
                         [](Value& value, const ProtocolQuestion& q) {
-                            value.numbers = {as_printed::friction_ratio_limit_at_high_frequency(q.mu)};
+                            value.numbers = {2 / elementary::hypot(2 * std::sqrt(q.mu), pi)};
                         })),
         printed("88", "(88) as printed: the spring next to the contact alone holds it, and the modes are taken as uncoupled.",
                 "(88): all forces on the held contact count, the damping forces of the moving masses among them",
@@ -102,7 +102,7 @@ std::vector<Mistake> mistakes_of_print() {
                 by_formulas({"S_j", "beta_lim_paper", "beta_lim_exact", "regime"},
                             [](Choices& c) {
                                 c.demand_as_printed = true;
-                                c.instants = Instants{pi<double>() / 1000, pi<double>() / 1000, 999};
+                                c.instants = Instants{pi / 1000, pi / 1000, 999};
                             }),
                 {"S_j", "beta_lim_exact", "beta_lim_paper"})};
 }
@@ -153,7 +153,7 @@ std::vector<Mistake> mistakes_of_form() {
          "how the maximum over tau is found: refine it around the largest sample",
          by_formulas({"S_j", "beta_lim_exact", "beta_lim_paper", "regime"},
                      [](Choices& c) {
-                         c.instants = Instants{pi<double>() / 15, pi<double>() / 15, 14};
+                         c.instants = Instants{pi / 15, pi / 15, 14};
                      }),
          1e-6,
          {"S_j", "beta_lim_exact", "beta_lim_paper"}},
@@ -196,12 +196,12 @@ std::vector<Mistake> mistakes_of_form() {
          changed({"natural_frequency_ratios", "modal_frequency_ratios", "mode_shape_products"},
                  [](Value& value, const ProtocolQuestion&) { std::ranges::reverse(value.numbers); })},
         {"no-2-in-23", "23", "The 2 of 2 zeta_i R_i is missing in (23).", "the imaginary part of (23)",
-         other_responses([](double R, double zeta) { return paper::complex_response(R, double(zeta / 2)); })},
+         other_responses([](double R, double zeta) { return response_of_mode(R, zeta / 2); })},
         {"hysteretic-damping", "23", "Damping is hysteretic: (23) has 2 zeta_i in place of 2 zeta_i R_i.",
          "the imaginary part of (23): a viscous force grows with the frequency", other_responses([](double R, double zeta) {
              const double stiffness = (1 - R) * (1 + R), damping = 2 * zeta;
              const double square = stiffness * stiffness + damping * damping;
-             return Complex<double>{stiffness / square, -damping / square};
+             return Phasor{stiffness / square, -damping / square};
          })},
         {"argument-by-arctangent", "39",
          "The argument of V_dj is taken as the arcus tangent of a quotient, which loses the half-plane.",

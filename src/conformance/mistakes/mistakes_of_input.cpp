@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "conformance/mistakes/mistake_definition.hpp"
-#include "denhartog/model/contact_and_load.hpp"
-#include "denhartog/model/modal_basis.hpp"
-#include "denhartog/number/number.hpp"
 
 namespace denhartog::conformance {
 namespace {
+
+using std::numbers::pi;
 
 void invert(std::vector<double>& ratios) {
     for (double& x : ratios) x = 1 / x;
@@ -48,7 +48,7 @@ std::vector<Mistake> mistakes_of_input() {
              "The damping ratios are taken for logarithmic decrements: zeta_i of (18) is divided by 2 pi.",
              "what is made of damping_ratios: they are zeta_i, not delta_i = 2 pi zeta_i / sqrt(1 - zeta_i^2)",
              reading([](ProtocolQuestion& q) {
-                 for (double& x : q.damping_ratios) x /= 2 * pi<double>();
+                 for (double& x : q.damping_ratios) x /= 2 * pi;
              })},
             {"damping-ratios-reversed", "18",
              "The damping ratios are given to the modes by descending natural frequency; the list goes by ascending.",
@@ -73,7 +73,9 @@ std::vector<Mistake> mistakes_of_input() {
              "the index made from load: the protocol counts masses from 1", reading([](ProtocolQuestion& q) { ++q.load; })},
             {"mass-counted-from-0", "", "The mass asked about is counted from 0: mass is taken as one mass further.",
              "the index made from mass: the protocol counts masses from 1", reading([](ProtocolQuestion& q) { ++q.mass; })},
-            {"mu-ignored", "3", "Static friction is taken equal to kinetic friction: mu of (3) is taken as 1.",
+            {"mu-ignored",
+             "3",
+             "Static friction is taken equal to kinetic friction: mu of (3) is taken as 1.",
              "the conditions (54)b, (67) and (74), which have mu beta where the sliding motion has beta",
              reading([](ProtocolQuestion& q) { q.mu = 1; }),
              1e-6,
@@ -93,7 +95,7 @@ std::vector<Mistake> mistakes_of_input() {
             {"friction-by-first-harmonic", "11",
              "Friction is 4 / pi times as large: the first harmonic of a square wave is taken for its height.",
              "the meaning of beta: (11) has the friction force itself over the amplitude of the load",
-             reading([](ProtocolQuestion& q) { q.beta *= 4 / pi<double>(); })},
+             reading([](ProtocolQuestion& q) { q.beta *= 4 / pi; })},
             {"r-over-first-natural-frequency", "10",
              "r is taken as omega over the first natural frequency; (10) has omega sqrt(m_1 / k_1).",
              "the definition of r: no eigenvalue is in it",
@@ -145,8 +147,7 @@ std::vector<Mistake> mistakes_of_systems() {
          "which load base_motion makes: \"with_wall\" loads every mass by its inertia, in displacements relative to the wall",
          reading([](ProtocolQuestion& q) {
              if (q.base_motion != "with_wall") return;
-             const Eigen::VectorXd sums = stiffness_matrix(scene_of(q).system).rowwise().sum();
-             q.loads.assign(sums.begin(), sums.end());
+             q.loads = times(plain_system(q).K, PlainRow(masses_of(q), 1.0));
              q.base_motion.clear();
          })},
         {"base-load-without-masses", "4",
@@ -160,7 +161,7 @@ std::vector<Mistake> mistakes_of_systems() {
          "Of the damping matrix the diagonal in the modes alone is taken, as (18) has it where the modes are not coupled.",
          "whether psi^T C psi is taken to be diagonal: it is where K M^-1 C = C M^-1 K", reading([](ProtocolQuestion& q) {
              if (q.damping_matrix.empty()) return;
-             q.damping_ratios = modal_basis(scene_of(q).system).zeta;
+             q.damping_ratios = plain_system(q).zeta;
              q.damping_matrix.clear();
          })},
         {"dashpots-between-masses-ignored", "19", "Of the damping matrix the diagonal alone is taken.",

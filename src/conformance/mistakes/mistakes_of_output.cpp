@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "conformance/mistakes/mistake_definition.hpp"
-#include "denhartog/number/number.hpp"
 
 namespace denhartog::conformance {
 namespace {
+
+using std::numbers::pi;
 
 // The right answer to some quantities, each of its numbers changed.
 Answering each_changed(Names touched, std::function<void(double& x, const ProtocolQuestion& q)> change) {
@@ -30,9 +32,9 @@ bool slides(ProtocolQuestion q) {
 
 // Displacement of the loaded mass under the amplitude of the load at rest, without friction, in units of P / k_1.
 double static_deflection(const ProtocolQuestion& q) {
-    const System<double> system = paper_system(q);
+    if (!is_of_the_paper(q)) throw NoPlainAnswer();
     double sum = 0;
-    for (std::size_t i = 0; i <= system.load.index; ++i) sum += 1 / system.stiffness_ratios[i];
+    for (int i = 0; i < q.load; ++i) sum += 1 / q.stiffness_ratios[static_cast<std::size_t>(i)];
     return sum;
 }
 
@@ -53,7 +55,7 @@ std::optional<Value> elongation(const ProtocolQuestion& q) {
 std::optional<Value> under_a_sine(const ProtocolQuestion& q) {
     std::optional<Value> value = plain_answer(q);
     if (!value || !asks_for(q, {"phase", "phase_monoharmonic", "motion_under_force"})) return std::nullopt;
-    if (q.quantity != "motion_under_force") return Value{{wrapped_angle(value->numbers.front() + pi<double>() / 2)}, ""};
+    if (q.quantity != "motion_under_force") return Value{{wrapped_angle(value->numbers.front() + pi / 2)}, ""};
     if (q.samples % 4 != 0) return std::nullopt;
     std::rotate(value->numbers.begin(), value->numbers.end() - q.samples / 4, value->numbers.end());
     return value;
@@ -74,13 +76,13 @@ std::optional<Value> without_stops(const ProtocolQuestion& q) {
 std::vector<Mistake> mistakes_of_output() {
     return {
         {"degrees", "39", "Angles are given in degrees; the protocol has radians.", "the unit of every phase",
-         each_changed(angles, [](double& x, const ProtocolQuestion&) { x *= 180 / pi<double>(); })},
+         each_changed(angles, [](double& x, const ProtocolQuestion&) { x *= 180 / pi; })},
         {"phase-sign", "39", "Phases are given as lead; the protocol has the lag behind the force.",
          "the sign of every phase: positive where the mass is late",
          each_changed(angles, [](double& x, const ProtocolQuestion&) { x = wrapped_angle(-x); })},
         {"phase-wrap", "39", "Phases are wrapped to [0, 2 pi); the protocol has (-pi, pi].",
          "the interval to which phases are wrapped",
-         each_changed(angles, [](double& x, const ProtocolQuestion&) { x = x < 0 ? x + 2 * pi<double>() : x; })},
+         each_changed(angles, [](double& x, const ProtocolQuestion&) { x = x < 0 ? x + 2 * pi : x; })},
         {"phase-behind-contact", "47", "Phases are given behind the mass in contact; the protocol has the lag behind the force.",
          "whether phi_j is added in (47) and (53)",
          each_changed(angles,

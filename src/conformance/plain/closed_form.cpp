@@ -1,19 +1,16 @@
 #include "conformance/plain/closed_form.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <numbers>
 
-#include "denhartog/formulas/as_printed.hpp"
-#include "denhartog/formulas/contact.hpp"
-#include "denhartog/formulas/high_frequency.hpp"
-#include "denhartog/formulas/motion.hpp"
-#include "denhartog/formulas/other_masses.hpp"
-#include "denhartog/number/errors.hpp"
+#include "conformance/plain/stick_slip.hpp"
 #include "elementary/elementary.hpp"
 
 namespace denhartog::conformance {
 namespace {
+
+using std::numbers::pi;
 
 struct PlainExtremum {
     double tau;   ///< instant in [0, pi]
@@ -23,7 +20,7 @@ struct PlainExtremum {
 
 // Largest displacement of a mass over the half-period: of the contact where it turns, of the others where they do.
 PlainExtremum largest_displacement(const PlainModes& m, const Choices& c, std::size_t k) {
-    if (k == m.j) return {0, paper::displacement_transmissibility_of_contact(m.V[k], m.U[k], m.G[k], m.beta), false};
+    if (k == m.j) return {0, turn_of(m, k).root - m.beta * m.G[k], false};
     const int steps = plain_steps(m);
     PlainExtremum best{0, 0, false};
     const auto take = [&](double tau) {
@@ -34,44 +31,36 @@ PlainExtremum largest_displacement(const PlainModes& m, const Choices& c, std::s
     take(0);
     double before = velocity(0);
     for (int n = 1; n <= steps; ++n) {
-        const double from = (n - 1) * pi<double>() / steps,
-                     to = n == steps ? pi<double>() * (1 - 1e-15) : n * pi<double>() / steps;
+        const double from = (n - 1) * pi / steps, to = n == steps ? pi * (1 - 1e-15) : n * pi / steps;
         const double after = velocity(to);
-        if (before * after < 0) {
-            std::uintmax_t most = 200;
-            const boost::math::tools::eps_tolerance<double> all_digits(52);
-            const auto [a, b] = boost::math::tools::toms748_solve(velocity, from, to, before, after, all_digits, most);
-            take((a + b) / 2);
-        }
+        if (before * after < 0) take(zero_between(velocity, from, to));
         before = after;
     }
-    take(pi<double>() * (1 - 1e-15));
+    take(pi * (1 - 1e-15));
     return best;
 }
 
 double phase_of_mass(const PlainModes& m, const Choices& c, std::size_t k) {
     if (k == m.j) return plain_phase(m, c);
     const PlainExtremum e = largest_displacement(m, c, k);
-    return paper::phase_of_mass(plain_phase(m, c), e.tau, e.minimum && !c.no_half_period_for_minima ? 1 : 0);
+    return plain_phase(m, c) + e.tau + (e.minimum && !c.no_half_period_for_minima ? pi : 0);
 }
 
-double monoharmonic_cosine(const PlainModes& m, const Choices& c, std::size_t k) {
-    if (c.cosine_as_printed) return as_printed::monoharmonic_cosine(m.V[k], m.V[m.j], m.U[m.j], m.G[k], m.beta);
-    return c.motion_from_start ? plain_start(m, c, k).x // (49)
-                               : paper::monoharmonic_cosine(m.V[k], m.V[m.j], m.U[m.j], m.G[k], m.beta);
-}
-
-double monoharmonic_sine(const PlainModes& m, const Choices& c, std::size_t k) {
-    if (c.motion_from_start) return plain_start(m, c, k).v; // (49)
-    return paper::monoharmonic_sine(m.V[k], m.V[m.j], m.U[m.j], m.U[k], m.beta);
+// (50), (51): the parts of the monoharmonic response; by (49) they are those of the start.
+PlainMotion monoharmonic(const PlainModes& m, const Choices& c, std::size_t k) {
+    PlainMotion parts = plain_start(m, c.motion_from_start ? c : Choices{}, k);
+    if (!c.cosine_as_printed) return parts;
+    const auto [cosine, sine, root, drag] = turn_of(m, k);
+    parts.x = root * cosine + drag * sine / elementary::hypot(cosine, sine) - m.beta * m.G[k];
+    return parts;
 }
 
 double monoharmonic_amplitude(const PlainModes& m, const Choices& c, std::size_t k) {
-    if (c.monoharmonic_as_printed)
-        return as_printed::displacement_transmissibility(m.V[k], m.V[m.j], m.U[m.j], m.U[k], m.G[k], m.beta);
-    if (c.amplitude_from_parts || c.motion_from_start)
-        return elementary::hypot(monoharmonic_cosine(m, c, k), monoharmonic_sine(m, c, k));
-    return paper::displacement_transmissibility(m.V[k], m.V[m.j], m.U[m.j], m.U[k], m.G[k], m.beta);
+    const PlainMotion parts = monoharmonic(m, c, k);
+    if (!c.monoharmonic_as_printed) return elementary::hypot(parts.x, parts.v); // (52)
+    const auto [cosine, sine, root, drag] = turn_of(m, k);
+    const double V = modulus(m.V[k]), G = m.beta * m.G[k], U = m.beta * m.U[k];
+    return std::sqrt(V * V + G * G + U * U - 2 * (root * (G * cosine + U * sine) + drag * (G * sine + U * cosine)));
 }
 
 bool is_of_motion(const std::string& quantity) {
@@ -84,6 +73,73 @@ bool slides(const PlainModes& m, const Choices& c) {
     const double V = modulus(m.V[m.j]), root = std::sqrt(V * V - m.beta * m.U[m.j] * (m.beta * m.U[m.j]));
     if (!(root > m.beta * (m.H_j + m.mu * m.sum_of_squares))) return false; // (67), which costs no search
     return m.beta < plain_limit(m, {}, plain_demand(m, {}, false));
+}
+
+PlainRow row_of_mass(const ProtocolQuestion& q, const PlainSystem& s) { return q.mass == 0 ? s.w : place_of(q.mass, s.size()); }
+
+// The answer that the last period of a motion shows.
+std::optional<Value> read_off(const PlainContact& motion, const ProtocolQuestion& q) {
+    if (q.quantity == "stops_per_period") return Value{{static_cast<double>(motion.stops().size())}, ""};
+    if (q.quantity == "stop_durations") return Value{motion.stops(), ""};
+    if (q.quantity == "rest_interval") return std::nullopt;
+    const PlainRow row = row_of_mass(q, motion.system);
+    if (q.quantity == "motion_under_force") return Value{motion.samples(row, q.samples), ""};
+    const auto [tau, x] = motion.largest(row);
+    return Value{{q.quantity == "amplitude" ? std::abs(x) : std::remainder(tau + (x < 0 ? pi : 0), 2 * pi)}, ""};
+}
+
+// The answer for a contact that rests permanently, under a force that holds it.
+std::optional<Value> answer_of_stuck_motion(const ProtocolQuestion& q, const PlainSystem& s, const std::vector<Phasor>& held) {
+    const double force = modulus(held.back()), compliance = dot(s.w, solved(s.K, s.w));
+    if (q.quantity == "rest_interval") return Value{{(s.mu * s.beta - force) * compliance}, ""};
+    if (q.quantity == "stops_per_period") return Value{{0}, ""};
+    if (q.quantity == "stop_durations") return Value{};
+    const PlainRow row = row_of_mass(q, s);
+    Phasor X;
+    double largest = force * compliance;
+    for (std::size_t k = 0; k < s.size(); ++k) {
+        X.re += row[k] * held[k].re;
+        X.im += row[k] * held[k].im;
+        largest = std::max(largest, modulus(held[k]));
+    }
+    constexpr double rounding = 1e-14;
+    if (row == s.w || modulus(X) <= rounding * largest) X = {0, 0};
+    if (q.quantity == "amplitude") return Value{{modulus(X)}, ""};
+    if (q.quantity != "phase") return sampled(q, [&](double tau) { return times_cosine(X, tau); });
+    return modulus(X) > 0 ? std::optional(Value{{-argument(X)}, ""}) : std::nullopt;
+}
+
+// The steady motion of a question's system; none if there is none of one period. Questions about one system come one after the
+// other: the motion of the last one is kept.
+const std::optional<PlainContact>& settled(const ProtocolQuestion& q) {
+    thread_local std::optional<ProtocolQuestion> kept_for;
+    thread_local std::optional<PlainContact> kept;
+    ProtocolQuestion of_system = q;
+    of_system.id = of_system.quantity = "";
+    of_system.mass = of_system.samples = 0;
+    of_system.tau = 0;
+    if (kept_for != of_system) {
+        kept_for = of_system;
+        kept.reset();
+        try {
+            PlainContact motion(q);
+            motion.settle();
+            kept = std::move(motion);
+        } catch (const NoPlainAnswer&) { // the same holds for the next question
+        }
+    }
+    return kept;
+}
+
+// The answer for a contact that rests during a part of every period, or permanently.
+std::optional<Value> answer_of_steady_motion(const ProtocolQuestion& q) {
+    const PlainSystem s = plain_system(q);
+    const std::vector<Phasor> held = held_response(s);
+    const bool may_rest = s.mu * s.beta >= modulus(held.back());
+    if (may_rest && s.mu <= 1) return answer_of_stuck_motion(q, s, held);
+    const std::optional<PlainContact>& motion = settled(q); // from rest the contact may never come to rest for good
+    if (may_rest && (!motion || motion->rests())) return answer_of_stuck_motion(q, s, held);
+    return motion ? read_off(*motion, q) : std::nullopt;
 }
 
 Value regime(const ProtocolQuestion& q, const PlainModes& m, const Choices& c) {
@@ -112,7 +168,7 @@ std::optional<std::vector<double>> without_motion(const ProtocolQuestion& q, con
         return std::vector{plain_limit(m, c, plain_demand(m, c, name == "beta_lim_paper"))};
     if (name == "beta_lim_approximate") return std::vector{plain_approximate_limit(m, c)};
     if (name == "beta_lim_sticking") return std::vector{plain_sticking_limit(q, m, c)};
-    if (name == "beta_lim_high_frequency") return std::vector{paper::friction_ratio_limit_at_high_frequency(m.mu)};
+    if (name == "beta_lim_high_frequency") return std::vector{2 / elementary::hypot(2 * m.mu, pi)};
     return std::nullopt;
 }
 
@@ -123,8 +179,7 @@ std::vector<double> of_motion(const ProtocolQuestion& q, const PlainModes& m, co
     if (name == "phase") return {wrapped_angle(phase_of_mass(m, c, k))};
     if (name == "amplitude_monoharmonic") return {monoharmonic_amplitude(m, c, k)};
     if (name == "phase_monoharmonic")
-        return {wrapped_angle(plain_phase(m, c) +
-                              paper::phase_behind_contact(monoharmonic_cosine(m, c, k), monoharmonic_sine(m, c, k)))};
+        return {wrapped_angle(plain_phase(m, c) + elementary::atan2(monoharmonic(m, c, k).v, monoharmonic(m, c, k).x))};
     if (name == "initial_displacement") return {plain_start(m, c, k).x};
     if (name == "initial_velocity") return {plain_start(m, c, k).v};
     if (name == "displacement") return {plain_motion(m, c, k, q.tau).x};
@@ -136,9 +191,12 @@ std::vector<double> of_motion(const ProtocolQuestion& q, const PlainModes& m, co
 
 std::optional<Value> computed(const ProtocolQuestion& q, const Choices& c) {
     const PlainModes m = plain_modes(q, c);
-    const bool of_mass = quantity(q.quantity).of_mass;
-    if (of_mass && (q.mass < 1 || static_cast<std::size_t>(q.mass) > m.R.size())) return std::nullopt;
-    const std::size_t k = of_mass ? static_cast<std::size_t>(q.mass - 1) : 0;
+    std::size_t k = m.j;
+    if (quantity(q.quantity).of_mass && (q.mass != 0 || q.contact_with == 0)) {
+        if (q.mass < 1 || static_cast<std::size_t>(q.mass) > m.masses) return std::nullopt;
+        k = static_cast<std::size_t>(q.mass - 1);
+    }
+    if (m.coupled && asks_for(q, {"modal_frequency_ratios", "mode_shape_products"})) return std::nullopt;
     if (q.quantity == "regime") return regime(q, m, c);
     if (const std::optional<std::vector<double>> numbers = without_motion(q, m, c, k)) return Value{*numbers, ""};
     if (is_of_motion(q.quantity) && !slides(m, c)) return c.closed_form_alone ? std::nullopt : answer_of_steady_motion(q);
@@ -154,30 +212,58 @@ std::optional<Value> where_finite(const std::function<std::optional<Value>()>& a
         if (value && !std::all_of(value->numbers.begin(), value->numbers.end(), [](double x) { return std::isfinite(x); }))
             return std::nullopt;
         return value;
-    } catch (const InputError&) {
-    } catch (const DomainError&) {
-    } catch (const PrecisionError&) {
+    } catch (const NoPlainAnswer&) { // there is none
     }
     return std::nullopt;
 }
 
 Value sampled(const ProtocolQuestion& q, const std::function<double(double tau)>& f) {
     Value value;
-    for (int n = 0; n < q.samples; ++n) value.numbers.push_back(f(2 * pi<double>() * n / q.samples));
+    for (int n = 0; n < q.samples; ++n) value.numbers.push_back(f(2 * pi * n / q.samples));
     return value;
 }
 
 double wrapped_angle(double angle) {
-    const double reduced = std::remainder(angle, 2 * pi<double>());
-    return reduced <= -pi<double>() ? reduced + 2 * pi<double>() : reduced;
-}
-
-std::optional<Value> plain_answer(const ProtocolQuestion& q, const Choices& c) {
-    return where_finite([&] { return computed(q, c); });
+    const double reduced = std::remainder(angle, 2 * pi);
+    return reduced <= -pi ? reduced + 2 * pi : reduced;
 }
 
 std::optional<Value> plain_answer(const ProtocolQuestion& q) {
-    return where_finite([&] { return is_of_the_paper(q) ? computed(q, {}) : answer_of_system(q); });
+    return where_finite([&] { return computed(q, {}); });
+}
+
+std::optional<Value> plain_answer(const ProtocolQuestion& q, const Choices& c) {
+    return is_of_the_paper(q) ? where_finite([&] { return computed(q, c); }) : std::nullopt;
+}
+
+std::vector<std::optional<Value>> answers_of_transient(const ProtocolQuestion& q, int first, int last) {
+    std::vector<std::optional<Value>> answers;
+    PlainContact motion(q);
+    for (int n = 1; n <= last; ++n) {
+        motion.run();
+        if (n >= first) answers.push_back(read_off(motion, q));
+    }
+    return answers;
+}
+
+std::optional<Value> answer_of_creep(const ProtocolQuestion& q, double width) {
+    if (q.mass != q.contact || !is_of_the_paper(q)) return std::nullopt;
+    const Phasor force = held_response(plain_system(q)).back();
+    const double share = modulus(force) / q.beta;
+    if (!(share < 1)) return std::nullopt;
+    // The integral of the velocity from 0 to s, by the midpoint rule: the integrand is smooth and of period 2 pi.
+    const auto path = [&](double s) {
+        constexpr int steps = 2048;
+        double sum = 0;
+        for (int n = 0; n < steps; ++n) {
+            const double x = share * elementary::cos(s * (n + 0.5) / steps);
+            sum += elementary::log((1 + x) / (1 - x));
+        }
+        return width * sum * s / (2 * steps);
+    };
+    if (q.quantity == "amplitude") return Value{{std::abs(path(pi / 2))}, ""};
+    if (q.quantity != "motion_under_force") return std::nullopt;
+    return sampled(q, [&](double tau) { return path(std::remainder(tau + argument(force), 2 * pi)); });
 }
 
 } // namespace denhartog::conformance

@@ -1,13 +1,7 @@
-// The answers of the plain closed form, and of the exact solver in double beyond it, to every quantity of the protocol.
+// The answers of the plain closed form to every quantity of the protocol. Nothing here is taken from the library.
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <string_view>
-#include <vector>
-
 #include "conformance/plain/modes.hpp"
-#include "denhartog/stick_slip/stuck_response.hpp"
 
 namespace denhartog::conformance {
 
@@ -26,15 +20,14 @@ namespace denhartog::conformance {
 [[nodiscard]] double plain_sticking_limit_without_damping(const ProtocolQuestion& q);
 [[nodiscard]] double plain_sticking_limit_by_sub_matrices(const ProtocolQuestion& q);
 
-// The answer of the plain closed form to a question; beyond the sliding regime the exact solver answers in double. The
-// scene is of the paper; the formulas are used as they stand even if it breaks a rule of friction. None if the answer is not
-// finite, or if the question has none.
-[[nodiscard]] std::optional<Value> plain_answer(const ProtocolQuestion& q, const Choices& c);
-
-// The same without variation, for any system: `answer_of_system` answers for systems beyond the paper.
+// The answer of the plain closed form to a question, and of the motion from event to event beyond the sliding regime. The formulas
+// are used as they stand even if the scene breaks a rule of friction. None if the answer is not finite, or if the question has none.
 [[nodiscard]] std::optional<Value> plain_answer(const ProtocolQuestion& q);
 
-// An answer; none where it has a number that is not finite, or no answer but an InputError, a DomainError or a PrecisionError.
+// The same with a variation, for scenes of the paper.
+[[nodiscard]] std::optional<Value> plain_answer(const ProtocolQuestion& q, const Choices& c);
+
+// An answer; none where it has a number that is not finite, or where NoPlainAnswer is thrown.
 [[nodiscard]] std::optional<Value> where_finite(const std::function<std::optional<Value>()>& answer);
 
 // The values of a function at the instants of a question, equally spaced over a period from 0 on.
@@ -43,12 +36,8 @@ namespace denhartog::conformance {
 // An angle as the protocol gives it, in (-pi, pi].
 [[nodiscard]] double wrapped_angle(double angle);
 
-// The answer for a contact that rests during a part of every period, or permanently. None if no steady motion
-// of one period is found.
-[[nodiscard]] std::optional<Value> answer_of_steady_motion(const ProtocolQuestion& q);
-
 // The answers that are read off some of the periods between rest and the steady motion, one for each period of the force from
-// the first, at least 1, to the last; none if the quantity does not belong to a motion, or the scene not to the paper.
+// the first, at least 1, to the last. Throws NoPlainAnswer.
 [[nodiscard]] std::vector<std::optional<Value>> answers_of_transient(const ProtocolQuestion& q, int first, int last);
 
 // The answer of a solver that replaces sgn by a hyperbolic tangent, to a question of amplitude or motion: a contact that should
@@ -56,10 +45,5 @@ namespace denhartog::conformance {
 // contact; this is of first order in the width, a velocity in the unit of d x / d tau. None if another mass is asked about, the
 // contact moves, or only static friction holds it.
 [[nodiscard]] std::optional<Value> answer_of_creep(const ProtocolQuestion& q, double width);
-
-// The answer about a system beyond the paper (a contact between two masses, several loads, a moving base, matrices), by the
-// library in double. None if only a chain has the quantity, or if the motion takes more than one period to repeat. Throws
-// InputError if the question breaks a rule; DomainError and PrecisionError if the library has no answer.
-[[nodiscard]] std::optional<Value> answer_of_system(const ProtocolQuestion& q);
 
 } // namespace denhartog::conformance

@@ -2,30 +2,99 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
-#include "denhartog/evaluation/friction_motion.hpp"
-#include "denhartog/evaluation/mode.hpp"
-#include "denhartog/formulas/as_printed.hpp"
-#include "denhartog/formulas/contact.hpp"
-#include "denhartog/formulas/motion.hpp"
-#include "denhartog/formulas/superposition.hpp"
-#include "denhartog/model/modal_basis.hpp"
-#include "denhartog/number/errors.hpp"
 #include "elementary/elementary.hpp"
 
 namespace denhartog::conformance {
 namespace {
 
+using std::numbers::pi;
+
+double sin(double x) { return elementary::sin(x); }
+double cos(double x) { return elementary::cos(x); }
+double exp(double x) { return elementary::exp(x); }
+
+double square(double x) { return x * x; }
+
+// 1 - d and q of (A.8) with tau / R = t, for any damping ratio.
+struct ModeDecay {
+    double lost, q;
+};
+
+ModeDecay free_decay(double t, double zeta) {
+    if (t * (1 + 2 * zeta) < 0.5) { // by the series of d'' + 2 zeta d' + d = 0, so that no digits are lost
+        ModeDecay f{0, 0};
+        double d = 1, d_rate = 0, q = 0, q_rate = 1, power = 1; // k! times the coefficients k, and those of the next power
+        for (int k = 1; k < 30; ++k) {
+            const double d_next = -2 * zeta * d_rate - d, q_next = -2 * zeta * q_rate - q;
+            d = d_rate;
+            q = q_rate;
+            d_rate = d_next;
+            q_rate = q_next;
+            power *= t / k;
+            f.lost -= d * power;
+            f.q += q * power;
+        }
+        return f;
+    }
+    const double s = (1 - zeta) * (1 + zeta), w = std::sqrt(std::abs(s)), e = exp(-zeta * t);
+    double c = 0, q = 0;
+    if (std::abs(s) * t * t < 1e-2) {
+        const double y = s * t * t;
+        c = e * (1 - y / 2 * (1 - y / 12 * (1 - y / 30 * (1 - y / 56 * (1 - y / 90)))));
+        q = e * t * (1 - y / 6 * (1 - y / 20 * (1 - y / 42 * (1 - y / 72 * (1 - y / 110)))));
+    } else if (s > 0) {
+        c = e * cos(w * t);
+        q = e * sin(w * t) / w;
+    } else {
+        const double slow = exp(-t / (zeta + w)), fast = exp(-t * (zeta + w));
+        c = (slow + fast) / 2;
+        q = (slow - fast) / (2 * w);
+    }
+    return {1 - c - zeta * q, q};
+}
+
+struct DampingFunctionsOfMode {
+    double u, g;
+};
+
+// (28) and (29), both over the larger exponential.
+DampingFunctionsOfMode damping_functions(double R, double zeta) {
+    const double t = pi / R, s = (1 - zeta) * (1 + zeta), e = exp(-zeta * t);
+    const ModeDecay f = free_decay(t, zeta);
+    const double c = 1 - f.lost - zeta * f.q;
+    // 1 + e^2 + 2 c, which is small next to a resonance
+    const double both =
+        s > 0 ? square(elementary::expm1(-zeta * t)) + 4 * e * square(cos(std::sqrt(s) * t / 2)) : 1 + e * e + 2 * c;
+    double difference = -elementary::expm1(-2 * zeta * t) - 2 * zeta * f.q;
+    if (t * (1 + 2 * zeta) < 1) { // sinh(zeta t) - zeta / w sin(w t), by its series
+        double power = zeta * t, of_sinh = 1, of_sine = 1, sum = 0;
+        for (int k = 1; k < 12; ++k) {
+            power /= (2 * k) * (2 * k + 1);
+            of_sinh *= square(zeta * t);
+            of_sine *= -s * t * t;
+            sum += power * (of_sinh - of_sine);
+        }
+        difference = 2 * e * sum;
+    }
+    return {2 * f.q / (R * both), difference / both};
+}
+
 // The response of a mode to the n-th harmonic, (23) at n R.
-Complex<double> response_to_harmonic(int n, double R, double zeta) { return paper::complex_response(double(n * R), zeta); }
+Phasor response_to_harmonic(int n, double R, double zeta) {
+    const double stiffness = (1 - n * R) * (1 + n * R), damping = 2 * zeta * n * R;
+    const double size = stiffness * stiffness + damping * damping;
+    return {stiffness / size, -damping / size};
+}
 
 // What (28), (29) and the braces of (40) become where friction is a square wave cut off after some harmonics.
-evaluation::DampingFunctions<double> truncated_functions(int highest, double R, double zeta) {
-    evaluation::DampingFunctions<double> f{0, 0};
+DampingFunctionsOfMode truncated_functions(int highest, double R, double zeta) {
+    DampingFunctionsOfMode f{0, 0};
     for (int n = 1; n <= highest; n += 2) {
-        const Complex<double> y = response_to_harmonic(n, R, zeta);
-        f.u -= 4 / pi<double>() * y.re;
-        f.g -= 4 / pi<double>() * y.im / n;
+        const Phasor y = response_to_harmonic(n, R, zeta);
+        f.u -= 4 / pi * y.re;
+        f.g -= 4 / pi * y.im / n;
     }
     return f;
 }
@@ -33,107 +102,185 @@ evaluation::DampingFunctions<double> truncated_functions(int highest, double R, 
 PlainMotion truncated_braces(double tau, int highest, double R, double zeta) {
     PlainMotion f;
     for (int n = 1; n <= highest; n += 2) {
-        const Complex<double> y = response_to_harmonic(n, R, zeta);
-        f.x += 4 / pi<double>() / n * times_sine(y, double(n * tau));
-        f.v += 4 / pi<double>() * times_cosine(y, double(n * tau));
+        const Phasor y = response_to_harmonic(n, R, zeta);
+        f.x += 4 / pi / n * (y.re * sin(n * tau) + y.im * cos(n * tau));
+        f.v += 4 / pi * times_cosine(y, n * tau);
     }
     return f;
 }
 
 PlainMotion printed_braces(double tau, double R, double zeta, double u, double g) {
-    const double w = std::sqrt(1 - zeta * zeta), a = w * tau / R, e = elementary::exp(-zeta * tau / R);
-    const double bracket = elementary::sin(a) + zeta / w * elementary::cos(a);
-    const double rate = w / R * (elementary::cos(a) - zeta / w * elementary::sin(a)) - zeta / R * bracket;
-    const double rate_of_sine = w / R * elementary::cos(a) - zeta / R * elementary::sin(a);
-    return {as_printed::friction_motion(tau, R, zeta, u, g), -(1 + g) * e * rate - u * R / w * e * rate_of_sine};
+    const double w = std::sqrt(1 - zeta * zeta), a = w * tau / R, e = exp(-zeta * tau / R);
+    const double bracket = sin(a) + zeta / w * cos(a);
+    const double rate = w / R * (cos(a) - zeta / w * sin(a)) - zeta / R * bracket;
+    const double rate_of_sine = w / R * cos(a) - zeta / R * sin(a);
+    return {1 - (1 + g) * e * bracket - u * R / w * e * sin(a), -(1 + g) * e * rate - u * R / w * e * rate_of_sine};
 }
 
 PlainMotion braces(const PlainModes& m, const Choices& c, std::size_t i, double tau) {
-    if (c.harmonics > 0) return truncated_braces(tau, c.harmonics, m.R[i], m.zeta[i]);
-    if (c.motion_as_printed) return printed_braces(tau, m.R[i], m.zeta[i], m.u[i], m.g[i]);
-    const evaluation::FrictionMotion<double> f =
-        evaluation::friction_motion(tau, m.R[i], m.zeta[i], evaluation::w_if_oscillating(m.zeta[i]), m.u[i], m.g[i]);
-    return {f.value, f.prime};
+    const double R = m.R[i], zeta = m.zeta[i], u = m.u[i], g = m.g[i];
+    if (c.harmonics > 0) return truncated_braces(tau, c.harmonics, R, zeta);
+    if (c.motion_as_printed) return printed_braces(tau, R, zeta, u, g);
+    const ModeDecay f = free_decay(tau / R, zeta);
+    return {f.lost - g * (1 - f.lost) - u * R * f.q, (1 + g) * f.q / R - u * (1 - f.lost - 2 * zeta * f.q)};
+}
+
+// The friction motion F of a row in (46), without beta.
+PlainMotion friction_motion(const PlainModes& m, const Choices& c, std::size_t k, double tau) {
+    if (m.coupled) return m.coupled->at(m.psi[k], tau);
+    PlainMotion friction;
+    for (std::size_t i = 0; i < m.R.size(); ++i) {
+        const PlainMotion f = braces(m, c, i, tau);
+        const double size = m.psi[k][i] * m.psi[m.j][i] * m.R[i] * m.R[i];
+        friction.x += size * f.x;
+        friction.v += size * f.v;
+    }
+    return friction;
 }
 
 void sum_modes(PlainModes& m) {
-    const std::size_t N = m.R.size();
-    for (std::size_t k = 0; k < N; ++k) {
-        m.V.push_back(paper::complex_response_of_mass<double>(m.psi[k], m.psi[m.l], m.R, m.v));
-        m.U.push_back(paper::damping_function_of_mass<double>(m.psi[k], m.psi[m.j], m.R, m.u));
-        m.G.push_back(paper::damping_function_of_mass<double>(m.psi[k], m.psi[m.j], m.R, m.g));
+    const auto sum = [&](std::size_t a, std::size_t b, const auto& of_mode) {
+        double S = 0;
+        for (std::size_t i = 0; i < m.R.size(); ++i) S += m.psi[a][i] * m.psi[b][i] * m.R[i] * m.R[i] * of_mode(i);
+        return S;
+    };
+    const auto response = [&](std::size_t a, std::size_t b) {
+        return Phasor{sum(a, b, [&](std::size_t i) { return m.v[i].re; }), sum(a, b, [&](std::size_t i) { return m.v[i].im; })};
+    };
+    for (std::size_t k = 0; k < m.psi.size(); ++k) {
+        m.V.push_back(response(k, m.l));
+        m.U.push_back(sum(k, m.j, [&](std::size_t i) { return m.u[i]; }));
+        m.G.push_back(sum(k, m.j, [&](std::size_t i) { return m.g[i]; }));
     }
-    m.Y_jj = paper::complex_response_of_mass<double>(m.psi[m.j], m.psi[m.j], m.R, m.v);
-    m.H_j = paper::H<double>(m.psi[m.j], m.R, m.zeta, m.u, m.g);
+    m.Y_jj = response(m.j, m.j);
+    m.H_j = sum(m.j, m.j, [&](std::size_t i) { return (m.g[i] + 2 * m.zeta[i] * m.R[i] * m.u[i]) / (m.R[i] * m.R[i]); });
+}
+
+// The same where damping couples the modes. Rows are then those of the masses themselves, without modes.
+void sum_without_modes(PlainModes& m, const PlainSystem& s) {
+    m.coupled = std::make_shared<FrictionResponse>(s);
+    const std::vector<Phasor> X = plain_response(s, s.p), Y = plain_response(s, s.w);
+    const auto of_row = [](const PlainRow& row, const std::vector<Phasor>& all) {
+        Phasor sum;
+        for (std::size_t k = 0; k < row.size(); ++k) {
+            sum.re += row[k] * all[k].re;
+            sum.im += row[k] * all[k].im;
+        }
+        return sum;
+    };
+    for (const PlainRow& row : m.psi) {
+        const PlainMotion start = m.coupled->at(row, 0);
+        m.V.push_back(of_row(row, X));
+        m.U.push_back(-start.v);
+        m.G.push_back(-start.x);
+    }
+    m.Y_jj = of_row(s.w, Y);
+    m.H_j = m.coupled->acceleration_at_start(s.w) - m.sum_of_squares;
+}
+
+// The row of weights of some masses, a mass's own or a new one behind them.
+std::size_t row_of(PlainMatrix& rows, const PlainRow& weights) {
+    const auto own = std::ranges::find(rows, weights);
+    const auto place = static_cast<std::size_t>(own - rows.begin());
+    if (own == rows.end()) rows.push_back(weights);
+    return place;
 }
 
 } // namespace
 
 PlainModes plain_modes(const ProtocolQuestion& q, const Choices& c) {
-    const System<double> system = paper_system(q);
-    const std::size_t N = q.mass_ratios.size();
-    const ModalBasis<double> basis = modal_basis(system);
+    const PlainSystem s = plain_system(q);
     PlainModes m;
-    m.j = system.contact.index;
-    m.l = system.load.index;
+    m.masses = s.size();
     m.r = q.r;
     m.beta = q.beta;
     m.mu = q.mu;
-    m.r_n = basis.r_n;
-    m.zeta = basis.zeta;
-    m.psi.assign(N, std::vector<double>(N));
-    for (std::size_t i = 0; i < N; ++i) {
-        const Eigen::VectorXd shape = basis.phi.col(static_cast<Eigen::Index>(i));
-        for (std::size_t k = 0; k < N; ++k) m.psi[k][i] = shape(static_cast<Eigen::Index>(k)) / q.r;
-        const double R = q.r / basis.r_n[i], zeta = m.zeta[i];
-        m.R.push_back(R);
-        const evaluation::DampingFunctions<double> f =
-            c.harmonics > 0 ? truncated_functions(c.harmonics, R, zeta) : evaluation::damping_functions(R, zeta);
+    m.r_n = s.shapes.r_n;
+    m.zeta = s.zeta;
+    PlainMatrix rows = square(m.masses);
+    for (std::size_t k = 0; k < m.masses; ++k) rows[k][k] = 1;
+    m.j = row_of(rows, s.w);
+    m.l = row_of(rows, s.p);
+    m.sum_of_squares = dot(s.w, solved(s.M, s.w)) / (q.r * q.r);
+    for (std::size_t i = 0; i < m.masses; ++i) m.R.push_back(q.r / m.r_n[i]);
+    if (s.coupled) {
+        m.psi = rows;
+        sum_without_modes(m, s);
+        return m;
+    }
+    m.psi = times(rows, s.shapes.phi);
+    for (PlainRow& row : m.psi)
+        for (double& x : row) x /= q.r;
+    for (std::size_t i = 0; i < m.masses; ++i) {
+        const DampingFunctionsOfMode f =
+            c.harmonics > 0 ? truncated_functions(c.harmonics, m.R[i], m.zeta[i]) : damping_functions(m.R[i], m.zeta[i]);
         m.u.push_back(f.u);
         m.g.push_back(f.g);
-        m.v.push_back(evaluation::complex_response(R, zeta));
+        m.v.push_back(response_of_mode(m.R[i], m.zeta[i]));
     }
-    m.sum_of_squares = 1 / (q.mass_ratios[m.j] * (q.r * q.r));
     if (c.change_modes) c.change_modes(m);
     sum_modes(m);
     if (c.change_sums) c.change_sums(m);
     return m;
 }
 
+Phasor response_of_mode(double R, double zeta) { return response_to_harmonic(1, R, zeta); }
+
+double demand_of_mode(const PlainModes& m, std::size_t i, double tau) {
+    if (tau == 0 || tau == pi) return m.g[i] + 2 * m.zeta[i] * m.R[i] * m.u[i] + (tau == 0 ? 1 : -1);
+    const ModeDecay f = free_decay(tau / m.R[i], m.zeta[i]);
+    const double gained = 2 * square(sin(tau / 2)) - f.lost - 2 * m.zeta[i] * f.q; // R q' - cos(tau)
+    return m.R[i] * ((1 + m.g[i]) * f.q - m.u[i] * m.R[i] * gained) / sin(tau);
+}
+
+double plain_demand_at(const PlainModes& m, double tau) {
+    if (m.coupled && tau == 0) return m.H_j + m.sum_of_squares;
+    if (m.coupled) return (m.coupled->rate_gained(m.psi[m.j], tau) - 2 * m.U[m.j] * square(sin(tau / 2))) / sin(tau);
+    double S = 0;
+    for (std::size_t i = 0; i < m.R.size(); ++i) S += square(m.psi[m.j][i]) * demand_of_mode(m, i, tau);
+    return S;
+}
+
+double printed_demand_of_mode(const PlainModes& m, std::size_t i, double tau) {
+    const double R = m.R[i], zeta = m.zeta[i], w = std::sqrt(1 - zeta * zeta), a = w * tau / R, e = exp(-zeta * tau / R);
+    return ((1 + m.g[i]) * e * R / w * sin(a) - m.u[i] * R * R * e * (sin(a) + zeta / w * cos(a))) / sin(tau);
+}
+
+PlainTurn turn_of(const PlainModes& m, std::size_t k) {
+    const Phasor &a = m.V[k], &b = m.V[m.j];
+    const double size = b.re * b.re + b.im * b.im;
+    return {(a.re * b.re + a.im * b.im) / size, (a.im * b.re - a.re * b.im) / size, std::sqrt(size - square(m.beta * m.U[m.j])),
+            m.beta * m.U[m.j]};
+}
+
 PlainMotion plain_start(const PlainModes& m, const Choices& c, std::size_t k) {
-    const Complex<double>&V_k = m.V[k], &V_j = m.V[m.j];
-    return {c.initial_displacement_as_printed ? as_printed::initial_displacement(V_k, V_j, m.U[m.j], m.G[k], m.beta)
-                                              : paper::initial_displacement(V_k, V_j, m.U[m.j], m.G[k], m.beta),
-            c.initial_velocity_as_printed ? as_printed::initial_velocity(V_k, V_j, m.U[m.j], m.U[k], m.beta)
-                                          : paper::initial_velocity(V_k, V_j, m.U[m.j], m.U[k], m.beta)};
+    const auto [cosine, sine, root, drag] = turn_of(m, k);
+    return {root * cosine + (c.initial_displacement_as_printed ? 0 : drag * sine) - m.beta * m.G[k],
+            drag * cosine - (c.initial_velocity_as_printed ? 0 : root * sine) - m.beta * m.U[k]};
 }
 
 PlainMotion plain_motion(const PlainModes& m, const Choices& c, std::size_t k, double tau) {
-    const double halves = std::floor(tau / pi<double>());
-    const double t = tau - halves * pi<double>();
-    const double sign = std::fmod(halves, 2) == 0 ? 1 : -1;
-    PlainMotion friction;
-    for (std::size_t i = 0; i < m.R.size(); ++i) {
-        const PlainMotion f = braces(m, c, i, t);
-        const double size = m.psi[k][i] * m.psi[m.j][i] * m.R[i] * m.R[i];
-        friction.x += size * f.x;
-        friction.v += size * f.v;
+    const double halves = std::floor(tau / pi), t = tau - halves * pi, sign = std::fmod(halves, 2) == 0 ? 1 : -1;
+    const PlainMotion friction = friction_motion(m, c, k, t);
+    const auto [cosine, sine, root, drag] = turn_of(m, k);
+    double C = root * cosine + drag * sine, S = drag * cosine - root * sine; // of cos(tau) and sin(tau), (46)
+    if (c.motion_from_start) {                                               // (41)
+        const PlainMotion start = plain_start(m, c, k);
+        C = start.x + m.beta * m.G[k];
+        S = start.v + m.beta * m.U[k];
     }
-    const PlainMotion start = plain_start(m, c, k);
-    const double C = start.x + m.beta * m.G[k], S = start.v + m.beta * m.U[k];
-    const double x = c.motion_from_start ? paper::displacement(t, start.x, start.v, m.G[k], m.U[k], m.beta, friction.x)
-                                         : paper::steady_displacement(t, m.V[k], m.V[m.j], m.U[m.j], m.beta, friction.x);
-    return {sign * x, sign * (S * elementary::cos(t) - C * elementary::sin(t) + m.beta * friction.v)};
+    return {sign * (C * cos(t) + S * sin(t) + m.beta * friction.x), sign * (S * cos(t) - C * sin(t) + m.beta * friction.v)};
 }
 
 double plain_phase(const PlainModes& m, const Choices& c) {
-    const Complex<double>& V_j = m.V[m.j];
-    const double phase = paper::phase_of_contact(V_j, m.U[m.j], m.beta);
-    return c.argument_in_half_plane ? phase + argument(V_j) - elementary::atan(V_j.im / V_j.re) : phase;
+    const Phasor& V_j = m.V[m.j];
+    const double s = m.beta * m.U[m.j] / modulus(V_j);
+    return elementary::atan2(-s, std::sqrt(1 - s * s)) -
+           (c.argument_in_half_plane ? elementary::atan(V_j.im / V_j.re) : argument(V_j));
 }
 
 int plain_steps(const PlainModes& m) {
-    const double fastest = *std::max_element(m.r_n.begin(), m.r_n.end()) / m.r;
+    const double fastest = *std::ranges::max_element(m.r_n) / m.r;
     return static_cast<int>(std::clamp(64 + 24 * std::ceil(fastest), 128.0, 8192.0));
 }
 

@@ -7,11 +7,11 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
-#include "conformance/question.hpp"
-#include "denhartog/formulas/complex.hpp"
+#include "conformance/plain/friction_response.hpp"
 
 namespace denhartog::conformance {
 
@@ -31,7 +31,6 @@ struct Choices {
     bool initial_velocity_as_printed = false;      // (45) as printed
     bool motion_from_start = false;                // (41) and (49) in place of (46) and (50) to (52)
     bool cosine_as_printed = false;                // (50) as printed
-    bool amplitude_from_parts = false;             // the monoharmonic amplitude from (50) and (51) in place of (52)
     bool monoharmonic_as_printed = false;          // (52) as printed
     bool maximum_of_each_mode = false;             // (56) in place of the maximum of the sum over modes
     bool demand_at_start = false;                  // (72) in place of the maximum of the sum over modes, and of (56)
@@ -50,36 +49,41 @@ struct Choices {
     std::function<double(const ProtocolQuestion&)> sticking; // another boundary of permanent sticking, (88); empty: the right one
 };
 
-// Modes and sums over modes of a question's scene.
+// Modes and sums over modes of a question's system. Rows are those of the masses, and behind them that of a contact between two
+// masses and that of a load which is not one force on one mass.
 struct PlainModes {
-    std::size_t j = 0;                    // the mass in contact, counted from 0
-    std::size_t l = 0;                    // the loaded mass, counted from 0
-    double r = 0;                         // frequency ratio
-    double beta = 0;                      // friction ratio
-    double mu = 1;                        // static over kinetic friction
-    std::vector<double> r_n;              // natural frequency ratios, ascending
-    std::vector<double> R;                // modal frequency ratios, Eq. (22)
-    std::vector<double> zeta;             // modal damping ratios
-    std::vector<std::vector<double>> psi; // mode shapes, one row for each mass
-    std::vector<double> u;                // first damping functions of the modes, Eq. (28)
-    std::vector<double> g;                // second damping functions of the modes, Eq. (29)
-    std::vector<Complex<double>> v;       // complex response functions of the modes, Eq. (23)
-    std::vector<Complex<double>> V;       // complex response functions of the masses, Eq. (33)
-    std::vector<double> U;                // first damping functions of the masses, Eq. (34)
-    std::vector<double> G;                // second damping functions of the masses, Eq. (35)
-    Complex<double> Y_jj{0, 0};           // (33) with the load on the contact
-    double H_j = 0;                       // Eq. (64)
-    double sum_of_squares = 0;            // Eq. (65)
+    std::size_t masses = 0;                          // their number
+    std::size_t j = 0;                               // the row of the contact, counted from 0
+    std::size_t l = 0;                               // the row of the load, counted from 0
+    double r = 0;                                    // frequency ratio
+    double beta = 0;                                 // friction ratio
+    double mu = 1;                                   // static over kinetic friction
+    PlainRow r_n;                                    // natural frequency ratios, ascending
+    PlainRow R;                                      // modal frequency ratios, Eq. (22)
+    PlainRow zeta;                                   // modal damping ratios
+    PlainMatrix psi;                                 // mode shapes, by rows
+    PlainRow u;                                      // first damping functions of the modes, Eq. (28)
+    PlainRow g;                                      // second damping functions of the modes, Eq. (29)
+    std::vector<Phasor> v;                           // complex response functions of the modes, Eq. (23)
+    std::vector<Phasor> V;                           // complex response functions of the rows, Eq. (33)
+    PlainRow U;                                      // first damping functions of the rows, Eq. (34)
+    PlainRow G;                                      // second damping functions of the rows, Eq. (35)
+    Phasor Y_jj;                                     // (33) with the load on the contact
+    double H_j = 0;                                  // Eq. (64)
+    double sum_of_squares = 0;                       // Eq. (65)
+    std::shared_ptr<const FrictionResponse> coupled; // the response to friction where damping couples the modes
 };
 
-// Modes and sums of a question. Not finite at a pole of a mode without damping. Throws InputError if there is no such mass.
+// Modes and sums of a question. Not finite at a pole of a mode without damping. Throws NoPlainAnswer if there is no such mass.
 [[nodiscard]] PlainModes plain_modes(const ProtocolQuestion& q, const Choices& c);
 
-// A displacement and its rate.
-struct PlainMotion {
-    double x = 0; // displacement, units of P / k_1
-    double v = 0; // its derivative in tau
-};
+// (23).
+[[nodiscard]] Phasor response_of_mode(double R, double zeta);
+
+// The expression of (57) between 0 and pi, of a mode and of the sum over modes; and of a mode as printed, which has no maximum.
+[[nodiscard]] double demand_of_mode(const PlainModes& m, std::size_t i, double tau);
+[[nodiscard]] double plain_demand_at(const PlainModes& m, double tau);
+[[nodiscard]] double printed_demand_of_mode(const PlainModes& m, std::size_t i, double tau);
 
 // Motion of a mass in the sliding regime at any instant, (46), or (41) from (44) and (45). The mass counts
 // from 0; after the half-period the motion is mirrored.
@@ -87,6 +91,12 @@ struct PlainMotion {
 
 // Phase of the mass in contact, (39), not wrapped.
 [[nodiscard]] double plain_phase(const PlainModes& m, const Choices& c);
+
+// V_dk over V_dj by its parts, and those of the motion of the contact: the root of (38), and beta U_dj.
+struct PlainTurn {
+    double cosine, sine, root, drag;
+};
+[[nodiscard]] PlainTurn turn_of(const PlainModes& m, std::size_t k);
 
 // Displacement and velocity of a mass at the maximum of the contact, (44), (45). The mass counts from 0.
 [[nodiscard]] PlainMotion plain_start(const PlainModes& m, const Choices& c, std::size_t k);

@@ -50,8 +50,10 @@ class Chain:
         self.free[:, 2 * N + 2] = 0
         self.force[2 * N + 2] = 0
 
-    def friction(self, law, width, before, free, gain):
-        """Friction over a step, from the velocity of the contact before it and what that would become without friction."""
+    def friction(self, law, width, before, free, gain, held):
+        """Friction over a step, from the velocity of the contact before it and what that would become without friction.
+
+        Without friction and load the step leaves `held` of the velocity."""
         beta = self.beta
         if law == "sgn":
             return -math.copysign(beta, before) if before else 0.0
@@ -61,10 +63,10 @@ class Chain:
                 v = (low + high) / 2
                 low, high = (low, v) if v - free + gain * beta * SMOOTH[law](v / width) > 0 else (v, high)
             return -beta * SMOOTH[law]((low + high) / 2 / width)
-        to_stop = -free / gain
-        if abs(to_stop) <= (self.mu if before == 0 else 1) * beta:
-            return to_stop
-        return -math.copysign(beta, free)
+        to_hold = (held * before - free) / gain  # friction that would keep it at rest
+        if before and (free - gain * math.copysign(beta, before)) * before > 0:  # it goes on in its direction
+            return -math.copysign(beta, before)
+        return -free / gain if abs(to_hold) <= self.mu * beta else math.copysign(beta, to_hold)
 
     def run(self, law, periods, width):
         """Displacements and the velocity of the contact at the steps of the last period."""
@@ -78,7 +80,7 @@ class Chain:
                 x.append(z[:N])
                 velocity.append(z[v])
             free = self.free @ z
-            f = self.friction(law, width, float(z[v]), float(free[v]), gain)
+            f = self.friction(law, width, float(z[v]), float(free[v]), gain, float(self.free[v, v]))
             z = free + f * self.force
             if law == "coulomb" and abs(z[v]) <= 1e-12 * abs(free[v]):  # friction stopped it
                 z[v] = 0.0

@@ -24,7 +24,7 @@ struct Shown {
     double margin = 0;                                 // the largest at which a regime was wrong
 };
 
-void take(Shown& shown, const Json& report, const std::map<std::string, const Vector*>& vectors, const Method& method) {
+void take(Shown& shown, const Json& report, const std::map<std::string, const Vector*>& vectors, const SolverMethod& method) {
     for (const Json& result : report.at("results")) {
         const Vector& v = *vectors.at(result.at("id"));
         if (v.question.quantity == "regime" && result.at("verdict") == "wrong-regime")
@@ -43,7 +43,7 @@ bool allows(double given, double shown) { return shown <= given && given <= 10 *
 
 std::string number(double x) { return number_in_digits(x, 2); }
 
-std::string row_of(const Method& method, const std::string& kind, std::vector<double> errors, bool& good) {
+std::string row_of(const SolverMethod& method, const std::string& kind, std::vector<double> errors, bool& good) {
     std::sort(errors.begin(), errors.end());
     const Tolerance& given = kind == "displacement" ? method.displacement : kind == "phase" ? method.phase : method.duration;
     const bool fits = allows(given.pass, share(errors, 0.5)) && allows(given.loose, share(errors, 0.99));
@@ -67,7 +67,7 @@ int run(const std::string& vectors_folder, const std::string& folder, const std:
     std::map<std::string, Shown> shown;
     for (const std::string& each : reports) {
         const std::size_t mark = each.find('=');
-        const Method& method = method_named(each.substr(0, mark));
+        const SolverMethod& method = method_named(each.substr(0, mark));
         take(shown[std::string(method.name)], report_in(each.substr(mark + 1)), vectors, method);
     }
     bool good = true;
@@ -75,7 +75,7 @@ int run(const std::string& vectors_folder, const std::string& folder, const std:
                        "|---|---|--:|--:|--:|--:|--:|--:|--:|---|\n",
                 margins;
     for (const auto& [name, of_method] : shown) {
-        const Method& method = method_named(name);
+        const SolverMethod& method = method_named(name);
         for (const auto& [kind, errors] : of_method.errors) text += row_of(method, kind, errors, good);
         const bool fits = allows(method.margin, of_method.margin);
         good = good && fits;

@@ -1,8 +1,8 @@
-#include "conformance/plain/closed_form.hpp"
+#include "tests/conformance/systems_in_double.hpp"
 
 #include <algorithm>
 
-#include "conformance/mistakes/mistake_definition.hpp"
+#include "conformance/scene_of.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
@@ -10,14 +10,18 @@
 #include "denhartog/sums/bounded_modes.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
 
-namespace denhartog::conformance {
+namespace denhartog::tests {
 namespace {
+
+using conformance::asks_for;
+using conformance::ProtocolQuestion;
+using conformance::Value;
 
 constexpr int digits_asked = 11;
 
 // What friction does not change, and the motion while the contact slides.
 std::vector<double> of_sums(const ProtocolQuestion& q) {
-    const Scene<double> scene = scene_of(q);
+    const Scene<double> scene = conformance::scene_of(q);
     const System<double>& s = scene.system;
     const std::size_t k = q.mass == 0 ? contact_row(s).index : static_cast<std::size_t>(q.mass - 1);
     const ModalBasis<double> basis = modal_basis(s);
@@ -59,7 +63,7 @@ const Solution& motion_of(const ProtocolQuestion& q, const Scene<double>& scene)
     of_system.id = of_system.quantity = "any";
     of_system.mass = of_system.samples = 0;
     of_system.tau = 0;
-    const std::string system = question_plain(of_system);
+    const std::string system = conformance::question_plain(of_system);
     if (!kept || system != kept_for) {
         kept = solve(scene_source(scene), {Asked::motion, digits_asked, false});
         kept_for = system;
@@ -69,7 +73,7 @@ const Solution& motion_of(const ProtocolQuestion& q, const Scene<double>& scene)
 
 // The steady motion in any regime.
 std::optional<Value> of_motion(const ProtocolQuestion& q) {
-    const Scene<double> scene = scene_of(q);
+    const Scene<double> scene = conformance::scene_of(q);
     const std::string& name = q.quantity;
     if (name == "regime") {
         const Regime regime = solve(scene_source(scene), {Asked::regime, digits_asked, false}).regime.regime;
@@ -95,7 +99,7 @@ std::optional<Value> of_motion(const ProtocolQuestion& q) {
 } // namespace
 
 std::optional<Value> answer_of_system(const ProtocolQuestion& q) {
-    if (q.quantity == "natural_frequency_ratios") return Value{modal_basis(scene_of(q).system).r_n, ""};
+    if (q.quantity == "natural_frequency_ratios") return Value{modal_basis(conformance::scene_of(q).system).r_n, ""};
     if (asks_for(q,
                  {"amplitude", "phase", "regime", "rest_interval", "stops_per_period", "stop_durations", "motion_under_force"}))
         return of_motion(q);
@@ -106,4 +110,4 @@ std::optional<Value> answer_of_system(const ProtocolQuestion& q) {
     return std::nullopt;
 }
 
-} // namespace denhartog::conformance
+} // namespace denhartog::tests

@@ -1,0 +1,13 @@
+// The library in double on systems beyond the paper.
+#pragma once
+
+#include "conformance/question.hpp"
+
+namespace denhartog::tests {
+
+// The answer about a system beyond the paper (a contact between two masses, several loads, a moving base, matrices), by the
+// library in double. None if only a chain has the quantity, or if the motion takes more than one period to repeat. Throws
+// InputError if the question breaks a rule; DomainError and PrecisionError if the library has no answer.
+[[nodiscard]] std::optional<conformance::Value> answer_of_system(const conformance::ProtocolQuestion& q);
+
+} // namespace denhartog::tests
