@@ -17,6 +17,7 @@
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/denhartog.hpp"
 #include "denhartog/model/modal_basis.hpp"
+#include "denhartog/number/effort.hpp"
 #include "denhartog/solve/decision.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
@@ -36,8 +37,8 @@ struct Found {
 
 struct NamedQuestion {
     std::string name;
-    std::function<Found(const Scene<double>&)> ask;
-    std::size_t one_scene_in = 1; // asked of every n-th scene
+    std::function<Found(const Scene<double>&, Effort*)> ask; // spends of a budget, or of one of its own
+    std::size_t one_scene_in = 1;                            // asked of every n-th scene
 };
 
 void need_finite(const std::vector<double>& numbers, const char* what, Faults& faults) {
@@ -45,18 +46,19 @@ void need_finite(const std::vector<double>& numbers, const char* what, Faults& f
         if (!std::isfinite(x)) faults.push_back(std::string(what) + " is not finite");
 }
 
-Faults faults_of_motion(const Scene<double>& scene) {
-    const SceneSource source = scene_source(scene);
+Faults faults_of_motion(const Scene<double>& scene, Effort* effort) {
+    const SceneSource source = with_effort(scene_source(scene), effort);
     const Solution solution = solve(source, {});
     return faults_of_samples(solution, sampled_solution(source, solution, 16).states());
 }
 
-Faults faults_of_map(const Scene<double>& scene) {
+Faults faults_of_map(const Scene<double>& scene, const Effort* effort) {
     Faults faults;
     MapRequest request{{*scene.r / 2, *scene.r, *scene.r * 2}, {*scene.beta / 2, *scene.beta, *scene.beta * 2}, {}};
     std::erase_if(request.r, [](double r) { return !(r > 0) || !std::isfinite(r); });
     std::erase_if(request.beta, [](double beta) { return !std::isfinite(beta); });
     for (std::size_t k = 0; k < number_of_masses(scene.system); ++k) request.masses.push_back(Mass{k});
+    if (effort != nullptr) request.effort = effort->allowed; // of each point
     const std::atomic<bool> stop{false};
     const RegimeMap map = regime_map(scene, request, stop);
     const std::size_t N = number_of_masses(scene.system);
@@ -68,7 +70,7 @@ Faults faults_of_map(const Scene<double>& scene) {
     return faults;
 }
 
-Faults faults_of_curves(const Scene<double>& scene) {
+Faults faults_of_curves(const Scene<double>& scene, const Effort*) {
     Faults faults;
     for (const BoundaryPoint& at : boundary_curves(scene, {*scene.r})) {
         if (!has_numbers(at.status)) continue;
@@ -78,10 +80,10 @@ Faults faults_of_curves(const Scene<double>& scene) {
     return faults;
 }
 
-Faults faults_of_invariant_points(const Scene<double>& scene) {
+Faults faults_of_invariant_points(const Scene<double>& scene, Effort* effort) {
     Faults faults;
     check(scene);
-    for (const InvariantPointsOfMass<double>& of : invariant_points_of(scene.system, 0.1, 10.0)) {
+    for (const InvariantPointsOfMass<double>& of : invariant_points_of(scene.system, 0.1, 10.0, effort)) {
         for (const InvariantPoint<double>& point : of.points)
             if (!(point.r >= 0.1 && point.r <= 10) || !(point.amplitude >= 0) || !std::isfinite(point.amplitude))
                 faults.emplace_back("an invariant point is outside its range, or its amplitude is not finite");
@@ -216,10 +218,13 @@ Found compared_map(const Scene<double>& scene) {
 }
 
 std::vector<NamedQuestion> comparing_questions() {
-    return {{"compare solutions", compared_solutions},
-            {"compare boundaries", compared_boundaries},
-            {"compare quantities", compared_quantities},
-            {"compare map", compared_map}};
+    const auto with_own_effort = [](Found (*compare)(const Scene<double>&)) {
+        return [compare](const Scene<double>& scene, Effort*) { return compare(scene); };
+    };
+    return {{"compare solutions", with_own_effort(compared_solutions)},
+            {"compare boundaries", with_own_effort(compared_boundaries)},
+            {"compare quantities", with_own_effort(compared_quantities)},
+            {"compare map", with_own_effort(compared_map)}};
 }
 
 std::vector<NamedQuestion> all_questions(const AdversarialRun& run) {
@@ -228,10 +233,10 @@ std::vector<NamedQuestion> all_questions(const AdversarialRun& run) {
         for (NamedQuestion& each : comparing_questions()) all.push_back(std::move(each));
     if (!run.questions) return all;
     const auto solve_for = [&all](const std::string& name, Asked asked, std::optional<int> digits, bool contact) {
-        all.push_back({name, [=](const Scene<double>& scene) {
+        all.push_back({name, [=](const Scene<double>& scene, Effort* effort) {
                            Question question{asked, digits};
                            if (contact) question.mass = scene.system.contact;
-                           return faults_of(solve(scene, question));
+                           return faults_of(solve(with_effort(scene_source(scene), effort), question));
                        }});
     };
     const std::array<std::pair<const char*, std::optional<int>>, 3> digits{{{"", {}}, {", 12 digits", 12}, {", 30 digits", 30}}};
@@ -243,32 +248,37 @@ std::vector<NamedQuestion> all_questions(const AdversarialRun& run) {
         solve_for(std::string("solve phase") + words, Asked::phase, wanted, false);
         solve_for(std::string("solve regime") + words, Asked::regime, wanted, false);
         solve_for(std::string("solve the contact's phase") + words, Asked::phase, wanted, true);
-        all.push_back({std::string("boundary") + words,
-                       [wanted](const Scene<double>& scene) { return faults_of(numbers_of(boundary(scene, wanted))); }});
-        all.push_back({std::string("sliding_solution") + words, [wanted](const Scene<double>& scene) {
-                           return faults_of(sliding_answer(scene_source(scene), SlidingQuestion{Asked::motion, wanted}));
+        all.push_back({std::string("boundary") + words, [wanted](const Scene<double>& scene, Effort* effort) {
+                           const SceneSource source = without_friction_ratio(with_effort(scene_source(scene), effort));
+                           return faults_of(numbers_of(*sliding_answer(source, wanted, false).limits));
+                       }});
+        all.push_back({std::string("sliding_solution") + words, [wanted](const Scene<double>& scene, Effort* effort) {
+                           const SceneSource source = with_effort(scene_source(scene), effort);
+                           return faults_of(sliding_answer(source, SlidingQuestion{Asked::motion, wanted}));
                        }});
     }
     for (const int wanted : {6, 12, 15})
-        all.push_back({"quantities, " + std::to_string(wanted) + " digits", [wanted](const Scene<double>& scene) {
+        all.push_back({"quantities, " + std::to_string(wanted) + " digits", [wanted](const Scene<double>& scene, Effort* effort) {
                            const std::array<double, 4> tau{0, 1, pi<double>(), 1000};
-                           return faults_of(numbers_of(quantities(scene_source(scene), tau, wanted).numbers));
+                           const SceneSource source = with_effort(scene_source(scene), effort);
+                           return faults_of(numbers_of(quantities(source, tau, wanted).numbers));
                        }});
-    all.push_back({"functions", [](const Scene<double>& scene) {
-                       return faults_of(numbers_of(quantities(scene_source(scene), {}, 6, PointNumbers::sums).numbers));
+    all.push_back({"functions", [](const Scene<double>& scene, Effort* effort) {
+                       const SceneSource source = with_effort(scene_source(scene), effort);
+                       return faults_of(numbers_of(quantities(source, {}, 6, PointNumbers::sums).numbers));
                    }});
     all.push_back({"motion", faults_of_motion});
     all.push_back({"map", faults_of_map});
     all.push_back({"boundary curves", faults_of_curves});
     all.push_back({"invariant points", faults_of_invariant_points});
-    all.push_back({"the program's text of the scene", [](const Scene<double>& scene) {
+    all.push_back({"the program's text of the scene", [](const Scene<double>& scene, Effort*) {
                        const Scene<double> again = denhartog::scene(json_of(scene));
                        return again.r == scene.r && again.beta == scene.beta ? Faults{} : Faults{"another scene is read"};
                    }});
     if (run.all_motions)
         all.push_back({"solve, all motions",
-                       [](const Scene<double>& scene) {
-                           return faults_of(solve(scene, {Asked::motion, {}, true}));
+                       [](const Scene<double>& scene, Effort* effort) {
+                           return faults_of(solve(with_effort(scene_source(scene), effort), {Asked::motion, {}, true}));
                        },
                        8});
     return all;
@@ -284,9 +294,11 @@ std::string text_or_reason(const Scene<double>& scene) {
 }
 
 // One question, whatever comes of it.
-AskedQuestion asked(const NamedQuestion& question, const Scene<double>& scene) {
+AskedQuestion asked(const NamedQuestion& question, const Scene<double>& scene, std::optional<long> effort) {
     AskedQuestion result;
     result.question = question.name;
+    std::optional<QuestionEffort> allowed;
+    if (effort) allowed.emplace(number_of_masses(scene.system), effort);
     const Work before{eigen_solves(), mode_evaluations(), phases_propagated()};
     const std::clock_t start = std::clock();
     const auto refused = [&](const char* type, const std::exception& e) {
@@ -294,7 +306,7 @@ AskedQuestion asked(const NamedQuestion& question, const Scene<double>& scene) {
         result.text = e.what();
     };
     try {
-        Found found = question.ask(scene);
+        Found found = question.ask(scene, allowed ? &*allowed : nullptr);
         result.faults = std::move(found.faults);
         result.compared = std::move(found.compared);
         result.outcome = "answered";
@@ -309,6 +321,7 @@ AskedQuestion asked(const NamedQuestion& question, const Scene<double>& scene) {
         result.faults = {std::string("an exception of another kind: ") + typeid(e).name()};
     }
     result.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    if (allowed) result.spent = allowed->spent;
     result.eigen_solves = eigen_solves() - before.eigen_solves;
     result.mode_evaluations = mode_evaluations() - before.mode_evaluations;
     result.phases = phases_propagated() - before.phases_propagated;
@@ -324,12 +337,12 @@ struct Place {
 nlohmann::json to_json(const AskedQuestion& a) {
     nlohmann::json all = nlohmann::json::array();
     for (const Contradiction& c : a.compared) all.push_back({c.quantity, c.between, c.ratio, c.difference});
-    return {all,      a.scene,   a.question, a.seconds, a.eigen_solves, a.mode_evaluations,
+    return {all,      a.scene,   a.question, a.seconds, a.spent, a.eigen_solves, a.mode_evaluations,
             a.phases, a.outcome, a.text,     a.faults,  a.json};
 }
 
 AskedQuestion from_json(const nlohmann::json& j) {
-    AskedQuestion a{j[1], j[2], j[3], j[4], j[5], j[6], j[7], j[8], j[9], {}, j[10]};
+    AskedQuestion a{j[1], j[2], j[3], j[4], j[5], j[6], j[7], j[8], j[9], j[10], {}, j[11]};
     for (const nlohmann::json& c : j[0]) a.compared.push_back({c[0], c[1], c[2], c[3]});
     return a;
 }
@@ -348,12 +361,12 @@ void ask_from(Place& place, const AdversarialRun& run, const std::function<void(
             place.scene = n;
             place.question = number;
             begin_question();
-            AskedQuestion result = asked(question, scene);
+            AskedQuestion result = asked(question, scene, run.effort);
             result.scene = n;
             result.json = text_or_reason(scene);
             tell(std::move(result));
         };
-        const auto place_it = [&](const Scene<double>&) {
+        const auto place_it = [&](const Scene<double>&, Effort*) {
             const Scene<double> at = placed(drawn);
             check(at);
             scene = at;
@@ -384,11 +397,13 @@ std::string without_numbers(const std::string& text) {
 constexpr std::size_t most_listed = 50;
 
 Table dear_table(const AdversarialSurvey& survey) {
-    Table table{
-        "The most expensive questions", {"seconds", "question", "eigen-solves", "modes", "phases", "outcome", "scene"}, {}, ""};
+    Table table{"The most expensive questions",
+                {"seconds", "question", "operations", "eigen-solves", "modes", "phases", "outcome", "scene"},
+                {},
+                ""};
     for (const AskedQuestion& a : survey.dearest)
-        table.rows.push_back({digits(a.seconds), a.question, std::to_string(a.eigen_solves), std::to_string(a.mode_evaluations),
-                              std::to_string(a.phases), a.outcome, a.json});
+        table.rows.push_back({digits(a.seconds), a.question, std::to_string(a.spent), std::to_string(a.eigen_solves),
+                              std::to_string(a.mode_evaluations), std::to_string(a.phases), a.outcome, a.json});
     return table;
 }
 
@@ -478,6 +493,8 @@ void AdversarialSurvey::add(AskedQuestion a) {
     }
     a.compared.clear();
     if (std::pair<long, std::string>& most = most_phases[a.question]; a.phases > most.first) most = {a.phases, a.json};
+    if (a.spent > 0)
+        if (std::pair<long, std::string>& most = most_spent[a.question]; a.spent > most.first) most = {a.spent, a.json};
     most_eigen_solves = std::max(most_eigen_solves, a.eigen_solves);
     most_mode_evaluations = std::max(most_mode_evaluations, a.mode_evaluations);
     if (dearest.size() == most_listed && a.seconds <= dearest.back().seconds) return;
@@ -554,7 +571,10 @@ std::vector<Table> tables_of(const AdversarialSurvey& survey) {
     for (const auto& [name, of] : survey.quantities)
         compared.rows.push_back({name, std::to_string(of.count), std::to_string(of.violations), digits(of.worst.ratio),
                                  digits(of.worst.difference), of.json, of.shortest});
-    return {compared, outcomes, listed("Refusals", survey.refusals), listed("Faults", survey.faults), dear_table(survey)};
+    Table spent{"The most operations that a question spent", {"question", "operations", "scene"}, {}, ""};
+    for (const auto& [question, most] : survey.most_spent)
+        spent.rows.push_back({question, std::to_string(most.first), most.second});
+    return {compared, outcomes, listed("Refusals", survey.refusals), listed("Faults", survey.faults), spent, dear_table(survey)};
 }
 
 } // namespace denhartog::tests

@@ -37,6 +37,7 @@ struct AskedQuestion {
     std::size_t scene = 0;               ///< number of the scene
     std::string question;                ///< the question
     double seconds = 0;                  ///< processor time
+    long spent = 0;                      ///< operations, as a budget counts them, where the run allows so many
     long eigen_solves = 0;               ///< counted operations
     long mode_evaluations = 0;           ///< the same
     long phases = 0;                     ///< the same
@@ -68,6 +69,7 @@ struct AdversarialSurvey {
     std::vector<AskedQuestion> dearest;                              ///< the most expensive, descending by processor time
     std::map<std::string, std::pair<long, std::string>> most_phases; ///< by question: the most phases propagated, and the scene
     std::map<std::string, ContradictedQuantity> quantities;          ///< by quantity, or by quantity and questions
+    std::map<std::string, std::pair<long, std::string>> most_spent;  ///< by question: the most operations spent, and the scene
     long most_eigen_solves = 0;                                      ///< of one question
     long most_mode_evaluations = 0;                                  ///< of one question
 
@@ -84,6 +86,7 @@ struct AdversarialRun {
     bool contradictions = true;          ///< whether answers are compared with each other
     bool all_motions = true;        ///< whether `solve` is asked for all motions, which takes seconds where there may be many
     double seconds_a_question = 60; ///< processor time after which one is said not to end, 200 masses or not
+    std::optional<long> effort{};   ///< operations that a question may spend; none: the default of its scene
 };
 
 /// @brief Comparisons with a ratio above 1. @param survey a survey @return how many

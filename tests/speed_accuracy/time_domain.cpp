@@ -26,17 +26,17 @@ using namespace denhartog::tests;
 namespace {
 
 /// Tables of a survey, and whether its gates hold.
-struct Outcome {
+struct RunOutcome {
     std::vector<Table> tables;
     bool good = true;
 };
 
-Outcome regimes(int points) {
+RunOutcome regimes(int points) {
     const RegimeSurvey survey = survey_regimes(points, 10, 1000, 7);
     return {{table_of(survey)}, survey.unexplained.empty()};
 }
 
-Outcome cycles() {
+RunOutcome cycles() {
     std::vector<double> r;
     for (int n = 10; n <= 250; ++n) r.push_back(n / 100.0);
     std::vector<CyclesSurvey> all;
@@ -50,7 +50,7 @@ Outcome cycles() {
     return {{table_of(all, 200)}, unanswered == 0};
 }
 
-Outcome tolerance() {
+RunOutcome tolerance() {
     Table rest{"Paper's algorithm, 200 cycles from rest, against the closed form: largest error of an amplitude, relative",
                {"system", "amplitudes"},
                {},
@@ -62,7 +62,7 @@ Outcome tolerance() {
     phase.note = "";
     for (const Tolerance& t : tolerances())
         for (Table* each : {&rest, &closed, &phase}) each->head.push_back(name(t));
-    Outcome outcome;
+    RunOutcome outcome;
     for (const auto& [group, scenes] : paper_scene_groups()) {
         for (Table* each : {&rest, &closed, &phase}) each->rows.push_back({group, ""});
         for (const Tolerance& t : tolerances()) {
@@ -79,7 +79,7 @@ Outcome tolerance() {
     return outcome;
 }
 
-Outcome stick_slip(int scenes) {
+RunOutcome stick_slip(int scenes) {
     const std::vector<StickSlipScene> sample = stick_slip_scenes(scenes, 24);
     Table table{"Stick-slip: the exact solver against the paper's algorithm, " + std::to_string(scenes) + " scenes",
                 stick_slip_head(),
@@ -112,8 +112,8 @@ bool within_bounds(const std::vector<ZoneErrors>& zones) {
            worst_of(zones, &FunctionErrors::light).error <= most_allowed_with_exact_R;
 }
 
-Outcome mode_functions(int points) {
-    Outcome outcome;
+RunOutcome mode_functions(int points) {
+    RunOutcome outcome;
     for (const auto& [precision, count] :
          {std::pair{Precision::in_float, points}, std::pair{Precision::in_double, points},
           std::pair{Precision::in_long_double, points / 4}, std::pair{Precision::in_50_digits, points / 50}}) {
@@ -142,18 +142,18 @@ bool write_text(const std::string& directory, const std::string& name, const std
     return bool(file);
 }
 
-Outcome bounds(long scenes, std::uint64_t seed) {
+RunOutcome bounds(long scenes, std::uint64_t seed) {
     const BoundsSurvey survey = survey_bounds(scenes, seed);
     return {tables_of(survey), survey.violations() == 0 && survey.largest_median() < 40};
 }
 
-Outcome adversarial(AdversarialRun run) {
+RunOutcome adversarial(AdversarialRun run) {
     const AdversarialSurvey survey = survey_in_children(run);
     return {tables_of(survey), survey.faults.empty() && contradictions_of(survey) == 0};
 }
 
 /// Prints and writes the tables.
-bool publish(const std::string& name, const Outcome& outcome, const std::string& directory) {
+bool publish(const std::string& name, const RunOutcome& outcome, const std::string& directory) {
     std::string text;
     for (const Table& table : outcome.tables) text += markdown(table);
     std::fputs(text.c_str(), stdout);
@@ -173,7 +173,7 @@ int main(int argc, char** argv) {
     long bounded_scenes = 1000000;
     std::uint64_t seed = 1;
     bool good = true;
-    const auto add = [&](const char* name, const char* what, const std::function<Outcome()>& run) {
+    const auto add = [&](const char* name, const char* what, const std::function<RunOutcome()>& run) {
         CLI::App* sub = app.add_subcommand(name, what);
         sub->add_option("--output", directory, "Directory for the tables");
         sub->callback([&good, &directory, name, run] { good = publish(name, run(), directory) && good; });
@@ -213,13 +213,15 @@ int main(int argc, char** argv) {
         sub->add_option("--range", range, "What they are drawn from")->check(CLI::IsMember(ranges));
         sub->add_option("--seconds", run.seconds_a_question, "Processor time that a question may take")
             ->check(CLI::PositiveNumber);
+        sub->add_option("--effort", run.effort, "Operations that a question may spend, if not the default")
+            ->check(CLI::PositiveNumber);
         sub->add_flag("!--without-all", run.all_motions, "Whether all motions are asked for");
     };
     add_adversarial("adversarial", "Every question to scenes from the corners of what a scene may be", true);
     add_adversarial("contradictions", "Answers of few digits beside those of many, number by number", false);
     add("speed", "Time and digits against the paper's algorithm",
         [&] {
-            return Outcome{{exact_solver_speed(repeats), usual_questions_speed(repeats)}, true};
+            return RunOutcome{{exact_solver_speed(repeats), usual_questions_speed(repeats)}, true};
         })
         ->add_option("--repeats", repeats, "Runs of which the median is taken")
         ->check(CLI::PositiveNumber);
@@ -228,7 +230,7 @@ int main(int argc, char** argv) {
             const std::vector<BatchCost> costs = batch_costs(repeats);
             bool written = true;
             if (!directory.empty()) written = write_text(directory, "batch_cost.csv", batch_cost_csv(costs, repeats));
-            return Outcome{{batch_speed(repeats), vector_function_errors(), table_of(costs)}, written};
+            return RunOutcome{{batch_speed(repeats), vector_function_errors(), table_of(costs)}, written};
         })
         ->add_option("--repeats", repeats, "Runs of which the median is taken")
         ->check(CLI::PositiveNumber);

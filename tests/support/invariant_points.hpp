@@ -11,16 +11,17 @@ namespace denhartog::tests {
 /// @param system  the system
 /// @param r_a     least frequency ratio
 /// @param r_b     largest frequency ratio
+/// @param effort  the work allowed; null: the default
 /// @return        the points of each mass; stretches that stay undecided are listed
 [[nodiscard]] inline std::vector<InvariantPointsOfMass<double>> invariant_points_of(const System<double>& system, double r_a,
-                                                                                    double r_b) {
+                                                                                    double r_b, Effort* effort = nullptr) {
     Scene<double> scene;
     scene.system = system;
     scene.r = 1;
     check(scene);
     std::vector<InvariantPointsOfMass<double>> all;
     for (const InvariantPointsOfMass<Certified>& each :
-         invariant_points(scene_source(scene), {number_to_text(r_a), number_to_text(r_b)}, 15)) {
+         invariant_points(with_effort(scene_source(scene), effort), {number_to_text(r_a), number_to_text(r_b)}, 15)) {
         all.push_back({each.mass, {}, {}});
         for (const InvariantPoint<Certified>& p : each.points)
             all.back().points.push_back({p.r.value, p.amplitude.value, p.kind});
