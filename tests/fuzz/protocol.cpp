@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "conformance/grade.hpp"
+#include "conformance/scene_of.hpp"
 #include "conformance/vector.hpp"
 #include "denhartog/scene/json_document.hpp"
 #include "tests/fuzz/answer_claims.hpp"
