@@ -122,7 +122,12 @@ void survey_boundaries(const PointOfC& p, const Truth& truth, SurveyOfBounds& su
     double limit = 0, error = 0;
     if (dh_high_frequency_limit(p.system.get(), p.mu, &limit) != DH_OK) return;
     done(dh_high_frequency_limit_error(p.system.get(), p.mu, &error));
-    survey.take("C: high-frequency limit", limit, error, paper::friction_ratio_limit_at_high_frequency(truth.point.scene.mu));
+    const reference::SceneInBalls& s = truth.point.scene;
+    BallMatrix by_force; // M^-1 w: V_dj and U_dj fall with w^T M^-1 p and w^T M^-1 w
+    REQUIRE(solved(s.M, s.w, by_force));
+    const Complex<Ball> load{(transposed(s.p) * by_force)(0), s.p_i.rows() > 0 ? (transposed(s.p_i) * by_force)(0) : Ball(0)};
+    survey.take("C: high-frequency limit", limit, error,
+                paper::friction_ratio_limit_at_high_frequency(s.mu) * modulus(load) / (transposed(s.w) * by_force)(0));
 }
 
 void survey_sliding(const PointOfC& p, const Truth& truth, SurveyOfBounds& survey) {

@@ -434,12 +434,13 @@ TEST_CASE("the contact may have any direction", "[scene][json][direction][bad-in
     refuses(good(), R"(
         {"contact": {"direction": [0, 2, 0]}}      | direction | two entries at least that are not zero  | 2       | /contact/direction
         {"contact": {"direction": [1, 2]}}         | direction | as many values as there are masses (3)   | 2       | /contact/direction
+        {"contact": {"direction": [1, 2, 3, 4]}}   | direction | as many values as there are masses (3)   | 4       | /contact/direction
         {"contact": {"direction": []}}             | direction | must have at least one value             | []      | /contact/direction
         {"contact": {"direction": [0, 0, 0]}}      | direction | must have an entry that is not zero      | 0 for all | /contact/direction
         {"contact": {"direction": [1, "x", 2]}}    | direction | number                                   | "x"     | /contact/direction/1
-        {"contact": {"direction": [1, 2, 1e-101]}, "stiffness_ratios": [1, 2, 0]} | stiffness_ratios | positive | 0 | /stiffness_ratios/2
-        {"contact": {"direction": [0, 1e-101, 1e-102]}} | direction | from 1e-100 to 1e100                     | 1e-101  | /contact/direction
-        {"contact": {"direction": [0, 2, 1e101]}}  | direction | from 1e-100 to 1e100                     | 1e+101  | /contact/direction
+        {"contact": {"direction": [1, 2, 1e-7]}, "stiffness_ratios": [1, 2, 0]} | stiffness_ratios | positive | 0 | /stiffness_ratios/2
+        {"contact": {"direction": [0, 1e-7, 1e-8]}} | direction | from 1e-6 to 1e6                         | 1e-07   | /contact/direction
+        {"contact": {"direction": [0, 2, 1e7]}}    | direction | from 1e-6 to 1e6                         | 10000000 | /contact/direction
         {"contact": {"direction": [0, "1.00000000000000000000001", 0]}} | direction | two entries at least       | 1       | /contact/direction
         {"contact": {"direction": "up"}}           | direction | must be an array of numbers              | "up"    | /contact/direction
         {"contact": {"direction": null}}           | contact   | must have the key direction              | {}      | /contact

@@ -692,6 +692,26 @@ TEST_CASE("a search that spends its work in exponentials says what is certain", 
     }
 }
 
+TEST_CASE("a contact of any direction that rests for ever is seen to rest, from its start on", "[solve][eq:74]") {
+    int rests = 0;
+    for (const std::vector<double>& w : {std::vector<double>{1.3, -0.3}, {1.3, -0.7}, {3, 1}, {-0.7, 1.9}})
+        for (const double mu : {1.0, 1.5})
+            for (const double r : {0.4, 0.9, 1.3, 2.4}) {
+                Scene<double> scene = chain({1, 1}, {1, 1}, {0.1, 0.1}, 1, 1, mu, r);
+                scene.system.contact_direction = w;
+                scene.system.contact = Mass{std::abs(w[0]) > std::abs(w[1]) ? 0U : 1U};
+                scene.beta = 2;
+                const Solution found = solve(scene_source(scene), {Asked::motion, {}, true});
+                if (found.regime.regime != Regime::permanent_sticking) continue;
+                INFO("mu = " << mu << ", r = " << r << ", w = " << w[0] << ", " << w[1]);
+                ++rests;
+                CHECK(found.not_from_rest.empty());
+                REQUIRE_FALSE(found.motions.empty());
+                CHECK(found.motions[0].regime == Regime::permanent_sticking);
+            }
+    CHECK(rests > 20);
+}
+
 TEST_CASE("a mode too fast to be followed is named with its frequency", "[solve][effort]") {
     Scene<double> scene = with_beta(chain({1, 1e-8}, {1, 1}, {0.02, 0.03}, 1, 2, 1, 0.3), 0.5);
     const auto within_little = [&] {

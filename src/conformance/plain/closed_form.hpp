@@ -1,4 +1,5 @@
-// The answers of the plain closed form to every quantity of the protocol. Nothing here is taken from the library.
+// The answers of the plain closed form to every quantity of the protocol. It shares nothing with the library
+// but the elementary functions.
 #pragma once
 
 #include "conformance/plain/modes.hpp"

@@ -12,14 +12,14 @@ struct PlainMotion {
     double v = 0; // its derivative in tau
 };
 
-// z' = A z of displacements, their rates, cos(tau), sin(tau) and the friction force beta sgn(w x'); or, with the contact held, the
-// same with beta in the last place, which no other entry depends on.
+// A of z' = A z, where z has the displacements, their rates, cos(tau), sin(tau) and the friction force beta sgn(w x'). With the
+// contact held the last entry is beta, and no other entry of z depends on it.
 [[nodiscard]] PlainMatrix equations_of(const PlainSystem& s, bool held);
 
 // Steps in a period that show every oscillation and decay of the modes.
 [[nodiscard]] int steps_of(const PlainSystem& s);
 
-// F of (46) and the functions (34), (35) and (64), between 0 and pi.
+// The motion F that a unit of friction adds in (46), and the functions (34), (35) and (64), between 0 and pi.
 class FrictionResponse {
 public:
     explicit FrictionResponse(const PlainSystem& s);

@@ -50,7 +50,7 @@ struct Choices {
 };
 
 // Modes and sums over modes of a question's system. Rows are those of the masses, and behind them that of a contact between two
-// masses and that of a load which is not one force on one mass.
+// masses (the kit asks about no other direction) and that of a load which is not one force on one mass.
 struct PlainModes {
     std::size_t masses = 0;                          // their number
     std::size_t j = 0;                               // the row of the contact, counted from 0
@@ -92,7 +92,7 @@ struct PlainModes {
 // Phase of the mass in contact, (39), not wrapped.
 [[nodiscard]] double plain_phase(const PlainModes& m, const Choices& c);
 
-// V_dk over V_dj by its parts, and those of the motion of the contact: the root of (38), and beta U_dj.
+// What (44) and (45) need of a mass: V_dk / V_dj as cosine and sine, the root of (38), and beta U_dj.
 struct PlainTurn {
     double cosine, sine, root, drag;
 };

@@ -1,5 +1,5 @@
 /// @file
-/// @brief A scene for both floors: one tenth written as text is the nearest double to the one, and one tenth to the other.
+/// @brief A scene for double and for the reference: `0.1` in its text is the nearest double for the one, exactly 1/10 for the other.
 #pragma once
 
 #include <functional>

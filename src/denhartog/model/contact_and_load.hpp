@@ -6,7 +6,7 @@
 /// vector, and friction then acts on the masses along it. All that the
 /// paper derives from (6) holds of them, with \f$ \mathbf{w}^T\boldsymbol\psi_i \f$ for \f$ \psi_{ji} \f$ and
 /// \f$ \mathbf{p}^T\boldsymbol\psi_i \f$ for \f$ \psi_{li} \f$, which is complex where forces are out of phase. Where w or p is no
-/// unit vector it has a row of its own behind those of the masses, wherever there is a row a mass: first that of w, then that of
+/// unit vector it has a row of its own behind those of the masses, wherever there is a row per mass: first that of w, then that of
 /// p, and of a complex p those of its real and its imaginary part.
 #pragma once
 
@@ -56,7 +56,7 @@ template <class T>
     return w;
 }
 
-/// @brief Adds cx to a sum that may have no terms yet; a factor 1 or -1 rounds nothing, and neither does the first term.
+/// @brief Adds cx to a sum that may have no terms yet. A factor 1 or -1 rounds nothing, and nor does adding the first term.
 template <class Number>
 void add_times(std::optional<Number>& sum, const Number& c, const Number& x) {
     const Number term = c.x == 1 ? x : c.x == -1 ? -x : c * x;

@@ -16,7 +16,8 @@ namespace denhartog {
 // Work allowed and spent.
 //
 // One operation is the evaluation of one mode at one instant in double: an exponential, a sine, a cosine and what goes with
-// them, about a tenth of a microsecond. A search that finds its budget spent ends and gives what is certain until then.
+// them, about a tenth of a microsecond. A search that finds its budget spent ends and gives what is certain until then;
+// `pay` throws.
 struct Effort {
     long allowed = std::numeric_limits<long>::max();  // operations allowed
     long spent = 0;                                   // operations spent
@@ -46,10 +47,10 @@ inline void pay(Effort* effort, long operations) {
 // Operations that products of matrices cost, by the multiplications in them: many are done at a time.
 [[nodiscard]] constexpr long cost_of_products(long multiplications) { return multiplications / 512; }
 
-// Pays half of what products of matrices cost.
+// Pays for products of matrices, half of that: an eigen-solver does many of them at a time.
 inline void pay_for_products(Effort* effort, long multiplications) { pay(effort, cost_of_products(multiplications) / 2); }
 
-// The budget of a question if none is asked for: about two seconds for twelve modes and fewer, half a minute for a hundred. Up
+// The budget of a question if none is asked for: 1e7 operations for twelve modes and fewer, 4.5e8 for a hundred. Up
 // to there it grows as products of matrices do that a motion with stops takes.
 [[nodiscard]] constexpr long default_effort(std::size_t modes) {
     const auto N = static_cast<long>(std::max<std::size_t>(modes, 12)), of_modes = 10'000'000 / 12 * N;
@@ -59,7 +60,8 @@ inline void pay_for_products(Effort* effort, long multiplications) { pay(effort,
 // The budget of one question.
 class QuestionEffort : public Effort {
 public:
-    // The budget is that of the modes if the user chose none; `asked` now and then ends the question once it gives true.
+    // The budget is that of the modes if the user chose none; `asked` is called now and then, and ends the
+    // question once it gives true.
     explicit QuestionEffort(std::size_t modes, std::optional<long> by_user = {}, std::function<bool()> asked = {})
         : asked_(std::move(asked)) {
         allowed = by_user.value_or(default_effort(modes));
@@ -93,7 +95,7 @@ private:
 // scope.
 class SearchEffort : public Effort {
 public:
-    // share: operations, if the user has not chosen the budget of the question
+    // share: operations. If the user has chosen the budget of the question, a search may spend all that is left of it.
     SearchEffort(long share, Effort* question) : question_(question) {
         allowed = share;
         if (question_ == nullptr) return;

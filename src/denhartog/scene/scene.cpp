@@ -130,7 +130,8 @@ void check_load(const System<T>& s, const SceneNames& names) {
             fail(names, "load_phases", "of the force on mass " + number(k) + " " + rule, number_to_text(theta[k]), at(k));
 }
 
-// A direction of the contact; its entries count in squares, which have to be doubles.
+// A direction of the contact. What is zero and what is rounding is told by numbers of the size of displacements: the entries are
+// not far from 1.
 template <class T>
 void check_direction(const System<T>& s, std::size_t N, const SceneNames& names) {
     const std::vector<T>& w = s.contact_direction;
@@ -147,13 +148,15 @@ void check_direction(const System<T>& s, std::size_t N, const SceneNames& names)
         largest = std::max(largest, w[k] < 0 ? T(-w[k]) : w[k]);
     }
     if (largest == 0) wrong("must have an entry that is not zero", "0 for all");
-    if (largest < 1e-100 || largest > 1e100)
-        wrong("must have its largest entry from 1e-100 to 1e100 in size", number_to_text(largest));
+    if (largest < 1e-6 || largest > 1e6)
+        wrong("must have its largest entry from 1e-6 to 1e6 in size; a factor belongs to the friction", number_to_text(largest));
+    if (N == 1) wrong("must be 1 for a single mass; a factor belongs to the friction", number_to_text(w[0]));
     if (std::ranges::count(w, T(0)) + 1 == std::ssize(w))
         wrong("must have two entries at least that are not zero: of one mass contact is the number, and a factor belongs to the "
               "friction",
               number_to_text(*std::ranges::find_if(w, [](const T& x) { return x != 0; })));
-    if (s.base_motion == BaseMotion::wall && evaluation::sum_with_rests<T>(w) == 0)
+    const T sum = evaluation::sum_with_rests<T>(w); // zero as decimal fractions may be rounding as doubles
+    if (s.base_motion == BaseMotion::wall && !((sum < 0 ? T(-sum) : sum) > T(0x1p-48) * largest))
         wrong("must have entries whose sum is not zero where the wall moves: else nothing rubs against it", "0");
 }
 
@@ -197,9 +200,9 @@ void check_system(const System<T>& s, const SceneNames& names) {
         check_symmetric(s.damping_matrix, N, names, "damping_matrix");
     else
         check_damping_ratios(s.damping_ratios, N, names);
+    check_direction(s, N, names);
     if (s.contact.index >= N) fail(names, "contact", mass_rule(N), number(s.contact.index));
     if (s.load_vector.empty() && s.load.index >= N) fail(names, "load", mass_rule(N), number(s.load.index));
-    check_direction(s, N, names);
     if (s.contact_with && s.contact_with->index >= N) fail(names, "contact", mass_rule(N), number(s.contact_with->index), at(1));
     if (s.contact_with && *s.contact_with == s.contact)
         fail(names, "contact", "must be between two masses, not between one and itself", number(s.contact.index), at(1));

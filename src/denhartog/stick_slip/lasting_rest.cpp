@@ -42,6 +42,8 @@ State LastingRest::steady_state(double x_j) const {
         z.x[k] = follows_[k] * x_j + response_->masses[k].X.re;
         z.x_prime[k] = -response_->masses[k].X.im;
     }
+    if (const Contact& contact = system_->stuck.contact; !contact.others.empty())
+        contact.hold(z.x_prime.data()); // to the last bit: it rests
     return z;
 }
 
