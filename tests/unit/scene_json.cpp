@@ -440,7 +440,7 @@ TEST_CASE("the contact may have any direction", "[scene][json][direction][bad-in
         {"contact": {"direction": [1, "x", 2]}}    | direction | number                                   | "x"     | /contact/direction/1
         {"contact": {"direction": [1, 2, 1e-7]}, "stiffness_ratios": [1, 2, 0]} | stiffness_ratios | positive | 0 | /stiffness_ratios/2
         {"contact": {"direction": [0, 1e-7, 1e-8]}} | direction | from 1e-6 to 1e6                         | 1e-07   | /contact/direction
-        {"contact": {"direction": [0, 2, 1e7]}}    | direction | from 1e-6 to 1e6                         | 10000000 | /contact/direction
+        {"contact": {"direction": [0, 2, 1e7]}}    | direction | from 1e-6 to 1e6                         | 1e+07   | /contact/direction
         {"contact": {"direction": [0, "1.00000000000000000000001", 0]}} | direction | two entries at least       | 1       | /contact/direction
         {"contact": {"direction": "up"}}           | direction | must be an array of numbers              | "up"    | /contact/direction
         {"contact": {"direction": null}}           | contact   | must have the key direction              | {}      | /contact
