@@ -41,6 +41,25 @@ inline Handle handle_of(const System<double>& s) {
     return Handle(system);
 }
 
+/// @brief The handle of a scene's system. @param text its JSON @return its handle; throws where there is none
+inline Handle handle_of(const std::string& text) {
+    dh_system* system = nullptr;
+    if (dh_system_from_json(text.data(), text.size(), &system) != DH_OK) throw std::runtime_error(dh_last_message());
+    return Handle(system);
+}
+
+/// @brief A request for a map; r and beta must outlive it. @return the request
+inline dh_map_request map_request(const std::vector<double>& r, const std::vector<double>& beta, double mu) {
+    dh_map_request request{};
+    request.size = sizeof request;
+    request.r_count = r.size();
+    request.r = r.data();
+    request.beta_count = beta.size();
+    request.beta = beta.data();
+    request.mu = mu;
+    return request;
+}
+
 /// @brief The solution at a point. @return its handle; throws where there is none
 inline Answered solved(const dh_system* system, double r, double beta, double mu) {
     dh_solution* solution = nullptr;

@@ -8,34 +8,17 @@
 #include "denhartog/c/denhartog.h"
 #include "denhartog/denhartog.hpp"
 #include "tests/catch.hpp"
+#include "tests/conformance/c_fixtures.hpp"
 
 using namespace denhartog;
+using namespace denhartog::tests;
 
 namespace {
-
-using SystemHandle = std::unique_ptr<dh_system, decltype(&dh_system_destroy)>;
 
 const std::string chain = R"({"mass_ratios": [1, 2.5, 0.75], "stiffness_ratios": [1, 0.625, 1.875],
     "damping_ratios": [0.03, 0.06, 0.09], "contact": 2, "load": 1})";
 
-SystemHandle system_of(const std::string& text) {
-    dh_system* made = nullptr;
-    REQUIRE(dh_system_from_json(text.data(), text.size(), &made) == DH_OK);
-    return {made, dh_system_destroy};
-}
-
 bool same_bytes(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b)); }
-
-dh_map_request request_of(const std::vector<double>& r, const std::vector<double>& beta, double mu) {
-    dh_map_request request{};
-    request.size = sizeof request;
-    request.r_count = r.size();
-    request.r = r.data();
-    request.beta_count = beta.size();
-    request.beta = beta.data();
-    request.mu = mu;
-    return request;
-}
 
 int stop_at_once(size_t, size_t, void* calls) {
     ++*static_cast<int*>(calls);
@@ -45,14 +28,14 @@ int stop_at_once(size_t, size_t, void* calls) {
 } // namespace
 
 TEST_CASE("dh_map writes the bytes of the map, with any steps and on any number of threads", "[c_interface]") {
-    const SystemHandle system = system_of(chain);
+    const Handle system = handle_of(chain);
     const std::vector<double> r{0.25, 0.5, 1.125, 2.5}, beta{0, 0.15625, 0.5, 0.75, 40};
     for (const double mu : {1.0, 1.25}) {
         Scene<double> at = scene(chain);
         at.mu = mu;
         const RegimeMap map = denhartog::map(at, r, beta);
         for (const unsigned threads : {1U, 3U}) {
-            dh_map_request request = request_of(r, beta, mu);
+            dh_map_request request = map_request(r, beta, mu);
             request.threads = threads;
             std::vector<signed char> status(20, 9), regime(40, 9);
             std::vector<int> stops(20, 9), periods(20, 9);
@@ -93,7 +76,7 @@ TEST_CASE("dh_map writes the bytes of the map, with any steps and on any number 
 }
 
 TEST_CASE("dh_solve_points has the numbers of dh_solve", "[c_interface]") {
-    const SystemHandle system = system_of(chain);
+    const Handle system = handle_of(chain);
     const std::vector<double> r{0.5, 1.125, 1.125, 0.3}, beta{0.75, 0.15625, 0.6, 40};
     const size_t masses[] = {3, 2};
     std::vector<signed char> regime(4);
@@ -145,7 +128,7 @@ TEST_CASE("dh_solve_systems has the numbers of dh_solve for the system of each p
     const std::string two =
         R"({"mass_ratios": [1, 1], "stiffness_ratios": [1, 1], "damping_ratios": 0.05, "contact": 2, "load": 1})";
     const std::string one = R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": 0.25, "contact": 1, "load": 1})";
-    const SystemHandle handles[] = {system_of(chain), system_of(two), system_of(one)};
+    const Handle handles[] = {handle_of(chain), handle_of(two), handle_of(one)};
     const dh_system* const systems[] = {handles[0].get(), handles[1].get(), handles[2].get(), handles[1].get(), handles[0].get()};
     const double r[] = {1.125, -1, 0.75, -1, 0.5, -1, 0.75, -1, 1.125}, beta[] = {0.15625, 0.5, 0.25, 40, 0.6};
     const double mu[] = {1, 1.25, 1, 1, 1.375};
@@ -217,7 +200,7 @@ TEST_CASE("dh_solve_systems has the numbers of dh_solve for the system of each p
 }
 
 TEST_CASE("what is wrong with the points of many systems is told by name, and nothing is written", "[c_interface][bad-input]") {
-    const SystemHandle system = system_of(chain);
+    const Handle system = handle_of(chain);
     const dh_system* const systems[] = {system.get(), system.get(), nullptr};
     const double r[] = {0.5, 0.5, 0.5}, beta[] = {0.75, -1, 0.75}, mu[] = {1, 1, 0.5};
     const size_t masses[] = {4};
@@ -269,7 +252,7 @@ TEST_CASE("what is wrong with the points of many systems is told by name, and no
 TEST_CASE("the contact of two masses that rub against each other has its own amplitude in C", "[c_interface]") {
     for (const std::string contact : {"[1, 3]", "2"}) {
         const std::string text = chain.substr(0, chain.find("\"contact\"")) + "\"contact\": " + contact + ", \"load\": 1}";
-        const SystemHandle system = system_of(text);
+        const Handle system = handle_of(text);
         dh_solution* made = nullptr;
         REQUIRE(dh_solve(system.get(), 1.125, 0.0625, 1, 0, &made) == DH_OK);
         const std::unique_ptr<dh_solution, decltype(&dh_solution_destroy)> solution(made, dh_solution_destroy);
@@ -288,10 +271,10 @@ TEST_CASE("the contact of two masses that rub against each other has its own amp
 }
 
 TEST_CASE("a report of progress ends a call, and nothing is written", "[c_interface]") {
-    const SystemHandle system = system_of(chain);
+    const Handle system = handle_of(chain);
     const std::vector<double> r(100, 0.5), beta{0.75};
     int calls = 0;
-    dh_map_request request = request_of(r, beta, 1);
+    dh_map_request request = map_request(r, beta, 1);
     request.progress = stop_at_once;
     request.context = &calls;
     request.threads = 1;
@@ -322,7 +305,7 @@ TEST_CASE("a report of progress ends a call, and nothing is written", "[c_interf
 }
 
 TEST_CASE("what is wrong with arrays of points is told by name", "[c_interface][bad-input]") {
-    const SystemHandle system = system_of(chain);
+    const Handle system = handle_of(chain);
     const std::vector<double> r{0.5, -1}, beta{0.75};
     dh_map_result result{};
     result.size = sizeof result;
@@ -331,10 +314,10 @@ TEST_CASE("what is wrong with arrays of points is told by name", "[c_interface][
         CHECK(status != DH_OK);
         return std::to_string(status) + " " + dh_last_message();
     };
-    CHECK_THAT(fault(request_of(r, beta, 1)), Catch::Contains("3 ") && Catch::Contains("-1"));
-    CHECK_THAT(fault(request_of({}, beta, 1)), Catch::Contains("2 request->r_count"));
-    CHECK_THAT(fault(request_of({0.5}, beta, 0.5)), Catch::Contains("3 mu"));
-    dh_map_request request = request_of(beta, beta, 1);
+    CHECK_THAT(fault(map_request(r, beta, 1)), Catch::Contains("3 ") && Catch::Contains("-1"));
+    CHECK_THAT(fault(map_request({}, beta, 1)), Catch::Contains("2 request->r_count"));
+    CHECK_THAT(fault(map_request({0.5}, beta, 0.5)), Catch::Contains("3 mu"));
+    dh_map_request request = map_request(beta, beta, 1);
     const size_t masses[] = {4};
     request.masses = masses;
     request.mass_count = 1;

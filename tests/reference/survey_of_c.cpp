@@ -15,12 +15,6 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-Handle system_of(const std::string& text) {
-    dh_system* system = nullptr;
-    if (dh_system_from_json(text.data(), text.size(), &system) != DH_OK) throw std::runtime_error(dh_last_message());
-    return Handle(system);
-}
-
 // A call that has to succeed.
 void done(int status) {
     if (status == DH_ERROR_PRECISION) throw PrecisionError(dh_last_message());
@@ -46,7 +40,7 @@ struct PointOfC {
     std::size_t N = 0;
 
     explicit PointOfC(const SurveyedScene& s)
-        : system(system_of(s.text)), r(*s.source->in_double().r), beta(*s.source->in_double().beta),
+        : system(handle_of(s.text)), r(*s.source->in_double().r), beta(*s.source->in_double().beta),
           mu(s.source->in_double().mu) {
         done(dh_system_masses(system.get(), &N, nullptr, nullptr));
     }

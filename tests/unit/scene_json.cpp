@@ -448,6 +448,10 @@ TEST_CASE("the contact may have any direction", "[scene][json][direction][bad-in
         {"contact": [1, 2, 3]}                     | contact   | {"direction": [..]}, a number for each   | [1,2,3] | /contact
         {"contact": {"direction": [1, -2, 1]}, "load": null, "base_motion": "wall"} | direction
                                                    | sum is not zero where the wall moves | 0 | /contact/direction
+        {"contact": {"direction": [0.1, 0.2, -0.3]}, "load": null, "base_motion": "wall"} | direction
+                                                   | sum is not zero where the wall moves | 0 | /contact/direction
+        {"contact": {"direction": [2]}, "mass_ratios": 1, "stiffness_ratios": 1, "damping_ratios": 0.05} | direction
+                                                   | must be 1 for a single mass          | 2 | /contact/direction
     )");
     Scene<double> in_code = read;
     in_code.system.contact_direction[1] = std::numeric_limits<double>::infinity();

@@ -70,9 +70,8 @@ struct PointAnswer {
 
 PointAnswer answer_at(const PreparedSystem& prepared, double r, double beta, const Question& question,
                       const std::vector<Mass>& masses, const Allowance& allowed) {
-    std::optional<QuestionEffort> effort;
-    if (allowed.operations) effort.emplace(0, allowed.operations);
-    const AnswerOrNone found = decide(prepared, {r, beta, nullptr, effort ? &*effort : nullptr}, question);
+    QuestionEffort effort(0, allowed.operations); // where nobody chose it, `decide` raises it to that of the system
+    const AnswerOrNone found = decide(prepared, {r, beta, nullptr, &effort}, question);
     PointAnswer answer{map_point(found), {}};
     const std::vector<MassFromGround>& seen = found.solution.from_ground;
     for (const Mass k : masses) {

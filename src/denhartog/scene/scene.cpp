@@ -150,10 +150,10 @@ void check_direction(const System<T>& s, std::size_t N, const SceneNames& names)
     if (largest == 0) wrong("must have an entry that is not zero", "0 for all");
     if (largest < 1e-6 || largest > 1e6)
         wrong("must have its largest entry from 1e-6 to 1e6 in size; a factor belongs to the friction", number_to_text(largest));
-    if (N == 1) wrong("must be 1 for a single mass; a factor belongs to the friction", number_to_text(w[0]));
     if (std::ranges::count(w, T(0)) + 1 == std::ssize(w))
-        wrong("must have two entries at least that are not zero: of one mass contact is the number, and a factor belongs to the "
-              "friction",
+        wrong((N == 1 ? "must be 1 for a single mass"
+                      : "must have two entries at least that are not zero: of one mass contact is the number") +
+                  std::string(", and a factor belongs to the friction"),
               number_to_text(*std::ranges::find_if(w, [](const T& x) { return x != 0; })));
     const T sum = evaluation::sum_with_rests<T>(w); // zero as decimal fractions may be rounding as doubles
     if (s.base_motion == BaseMotion::wall && !((sum < 0 ? T(-sum) : sum) > T(0x1p-48) * largest))
