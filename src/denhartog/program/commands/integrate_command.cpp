@@ -148,8 +148,9 @@ void report_end(const std::string& reason, const SceneText& part, ExitStatus& st
 std::string sampled(const SampledSolution& motion, const std::optional<MotionUnits>& units, const std::vector<int>& directions,
                     const std::string& output) {
     if (motion.tau.empty()) return "";
-    if (output.empty()) return motion_csv(motion, units, directions);
-    write_file(output, as_npy(output) ? motion_npy(motion, units, directions) : motion_csv(motion, units, directions));
+    const ResultTable table = motion_table(motion, units, directions);
+    if (output.empty()) return csv(table);
+    write_file(output, as_npy(output) ? npy(table) : csv(table));
     return "";
 }
 

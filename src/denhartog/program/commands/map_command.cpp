@@ -126,22 +126,25 @@ GivenAxis columns_of(const MapOptions& options) {
                 : InputError("r", "must be given as FROM:TO:COUNT (or frequency_hz in its place)", "");
 }
 
-void answer_boundaries(const MapOptions& options, const MapAxis& axis, const Scene<double>& scene, bool units, bool npy) {
-    for (const auto& [name, given] : {std::pair("force", !options.force.empty()), std::pair("unbalance", !options.unbalance.empty()),
-                                      std::pair("phases", options.phases), std::pair("from-ground", options.from_ground)})
+ResultTable boundaries(const MapOptions& options, const MapAxis& axis, const Scene<double>& scene, bool units) {
+    for (const auto& [name, given] :
+         {std::pair("force", !options.force.empty()), std::pair("unbalance", !options.unbalance.empty()),
+          std::pair("phases", options.phases), std::pair("from-ground", options.from_ground)})
         if (given) throw InputError(name, "must not be given together with boundaries", "");
     const std::vector<BoundaryPoint> curves =
         units ? curves_in_units(scene, frequencies_in_units(scene, axis.name, axis.values)) : boundary_curves(scene, axis.values);
-    write_output(options.output, npy ? curves_npy(axis, curves) : curves_csv(axis, curves));
+    return curves_table(axis, curves);
 }
 
 void answer(const MapOptions& options, ExitStatus& status) {
-    const bool npy = as_npy(options.output);
+    const auto write = [&, as_npy = as_npy(options.output)](const ResultTable& table) {
+        write_output(options.output, as_npy ? npy(table) : csv(table));
+    };
     const GivenAxis columns = columns_of(options);
     const bool units = columns.text != &options.r;
     MapGrid grid{{columns.name, grid_values(columns.name, *columns.text)}, {}, {}};
     const Scene<double> scene = scene_of(options.scene, options.damping, grid.frequency);
-    if (options.boundaries) return answer_boundaries(options, grid.frequency, scene, units, npy);
+    if (options.boundaries) return write(boundaries(options, grid.frequency, scene, units));
     const std::vector<GivenAxis> ways{
         {"friction", &options.friction}, {"force", &options.force}, {"unbalance", &options.unbalance}};
     const GivenAxis in_ratio{"beta", &options.beta};
@@ -171,7 +174,7 @@ void answer(const MapOptions& options, ExitStatus& status) {
         request.beta = grid.rows.values;
         map = regime_map(scene, request, stop, progress);
     }
-    if (map.complete) return write_output(options.output, npy ? map_npy(grid, map) : map_csv(grid, map));
+    if (map.complete) return write(map_table(grid, map));
     status.signal = interruptible.caught();
     report("interrupted: nothing is written");
 }

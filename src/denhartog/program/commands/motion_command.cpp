@@ -39,7 +39,7 @@ std::string sampled(const SceneText& part, const MotionOptions& options, Effort*
                 ", Eq. (69), for the motion to be known",
             number_to_text(*scene.beta), "/beta");
     if (found.method.proved) report("computed by the reference: " + in_words(found.method.why));
-    return motion_csv(motion, units);
+    return csv(motion_table(motion, units));
 }
 
 void answer(const MotionOptions& options) {

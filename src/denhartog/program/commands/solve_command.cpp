@@ -85,8 +85,8 @@ std::string solved(const SceneText& part, const SolveOptions& options, Effort* e
     if (options.samples > 0 && !solution.not_from_rest.empty())
         report("the start from rest is not known to lead to this motion: " + in_words(solution.not_from_rest));
     if (options.samples > 0)
-        return motion_csv(sampled_solution(source, solution, static_cast<std::size_t>(options.samples)),
-                          motion_units(source->in_double(), options.units));
+        return csv(motion_table(sampled_solution(source, solution, static_cast<std::size_t>(options.samples)),
+                                motion_units(source->in_double(), options.units)));
     Json answer = solution_json(solution, NumberWriter{options.digits});
     add_damping(answer, source);
     add_dimensional(answer, source, solution, NumberWriter{options.digits});

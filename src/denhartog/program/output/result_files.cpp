@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
@@ -12,11 +13,6 @@
 
 namespace denhartog::program {
 namespace {
-
-// A field of a record: its name, and its type without byte order, `f8`, `i4` or `i1`.
-struct NpyField {
-    std::string name, type;
-};
 
 // Appends a number to the records, least significant byte first.
 template <class T>
@@ -30,12 +26,12 @@ void append(std::string& records, T x) {
 
 // The beginning of an array of records in NumPy's file format, version 1.0: magic string, version, length and a dictionary padded to a
 // multiple of 64 bytes. The last of the axes runs fastest.
-std::string npy_header(const std::vector<NpyField>& fields, const std::vector<std::size_t>& shape) {
+std::string npy_header(const ResultTable& table) {
     std::string dictionary = "{'descr': [";
-    for (const NpyField& field : fields)
-        dictionary += "('" + field.name + "', '" + (field.type.back() == '1' ? "|" : "<") + field.type + "'), ";
+    for (const Column& c : table.columns)
+        dictionary += "('" + c.name + "', '" + (c.type.back() == '1' ? "|" : "<") + c.type + "'), ";
     dictionary += "], 'fortran_order': False, 'shape': (";
-    for (const std::size_t length : shape) dictionary += std::to_string(length) + ", ";
+    for (const std::size_t length : table.shape) dictionary += std::to_string(length) + ", ";
     dictionary += "), }";
     const std::size_t before = 10; // magic string, version, length
     dictionary.append(63 - (before + dictionary.size()) % 64, ' ');
@@ -46,98 +42,128 @@ std::string npy_header(const std::vector<NpyField>& fields, const std::vector<st
     return header + dictionary;
 }
 
-std::string csv_cell(double x) { return std::isnan(x) ? "nan" : number_to_text(x == 0 ? 0.0 : x); }
+std::size_t rows_of(const ResultTable& table) {
+    std::size_t rows = 1;
+    for (const std::size_t length : table.shape) rows *= length;
+    return rows;
+}
 
-std::string csv_cell(std::int32_t n, bool known) { return known ? std::to_string(n) : "nan"; }
+std::string csv_cell(const Column& c, double x) {
+    if (c.type == "f8") return std::isnan(x) ? "nan" : number_to_text(x == 0 ? 0.0 : x);
+    if (x == -1) return c.unknown;
+    return c.words.empty() ? std::to_string(static_cast<int>(x)) : c.words.at(static_cast<std::size_t>(x));
+}
 
-double number(double x, bool known) { return known ? x : std::nan(""); }
+// What takes a value for each of many rows.
+Column column(std::string name, std::string type, std::size_t rows, const std::function<double(std::size_t)>& value) {
+    Column c{std::move(name), std::move(type), std::vector<double>(rows)};
+    for (std::size_t n = 0; n < rows; ++n) c.values[n] = value(n);
+    return c;
+}
+
+Column status_column(std::size_t rows, const std::function<PointStatus(std::size_t)>& status) {
+    Column c = column("status", "i1", rows, [&](std::size_t n) { return static_cast<int>(status(n)); });
+    for (int n = 0; n <= static_cast<int>(PointStatus::failed); ++n) c.words.push_back(name(static_cast<PointStatus>(n)));
+    return c;
+}
 
 } // namespace
 
-std::string map_csv(const MapGrid& grid, const RegimeMap& map) {
-    const std::vector<double>&columns = grid.frequency.values, &rows = grid.rows.values;
-    std::string csv = grid.frequency.name + "," + grid.rows.name + ",regime,stops_per_period,periods";
-    for (const Mass k : grid.masses) csv += ",amplitude_" + std::to_string(k.index + 1);
-    if (!map.phases.empty())
-        for (const Mass k : grid.masses) csv += ",phase_" + std::to_string(k.index + 1);
-    csv += ",status\n";
-    const std::size_t masses = grid.masses.size();
-    std::vector<std::string> beta, regimes, statuses;
-    for (const double each : rows) beta.push_back("," + csv_cell(each) + ",");
-    for (const Regime each : {Regime::continuous, Regime::stick_slip, Regime::permanent_sticking})
-        regimes.push_back(denhartog::name(each) + ",");
-    for (int n = 0; n <= static_cast<int>(PointStatus::failed); ++n)
-        statuses.push_back("," + denhartog::name(static_cast<PointStatus>(n)) + "\n");
-    const std::string none = ",";
-    for (std::size_t m = 0, point = 0; m < columns.size(); ++m) {
-        const std::string r = csv_cell(columns[m]);
-        for (std::size_t n = 0; n < rows.size(); ++n, ++point) {
-            const MapPoint& p = map.points[point];
-            const bool known = has_numbers(p.status);
-            csv.append(r).append(beta[n]).append(known ? regimes[static_cast<std::size_t>(p.regime)] : none);
-            csv.append(csv_cell(p.stops, known)).append(none).append(csv_cell(p.periods, known));
-            for (std::size_t k = 0; k < masses; ++k) csv.append(none).append(csv_cell(map.amplitudes[point * masses + k]));
-            for (std::size_t k = 0; k < masses && !map.phases.empty(); ++k)
-                csv.append(none).append(csv_cell(map.phases[point * masses + k]));
-            csv.append(statuses[static_cast<std::size_t>(p.status)]);
+std::string csv(const ResultTable& table) {
+    std::string text;
+    std::vector<std::vector<std::string>> axes; // the cells of columns that repeat: each number is made text once
+    const std::size_t rows = rows_of(table);
+    for (const Column& c : table.columns) {
+        text += (text.empty() ? "" : ",") + c.name;
+        axes.emplace_back();
+        for (std::size_t n = 0; n < c.values.size() && c.values.size() < rows; ++n)
+            axes.back().push_back(csv_cell(c, c.values[n]));
+    }
+    text += '\n';
+    for (std::size_t n = 0; n < rows; ++n)
+        for (std::size_t k = 0; k < axes.size(); ++k) {
+            const Column& c = table.columns[k];
+            const std::size_t place = n / c.each % c.values.size();
+            text.append(axes[k].empty() ? csv_cell(c, c.values[place]) : axes[k][place]).append(k + 1 < axes.size() ? "," : "\n");
         }
-    }
-    return csv;
+    return text;
 }
 
-std::string map_npy(const MapGrid& grid, const RegimeMap& map) {
-    const std::vector<double>&columns = grid.frequency.values, &rows = grid.rows.values;
-    std::vector<NpyField> fields{
-        {grid.frequency.name, "f8"}, {grid.rows.name, "f8"}, {"regime", "i1"}, {"stops_per_period", "i4"}, {"periods", "i4"}};
-    for (const Mass k : grid.masses) fields.push_back({"amplitude_" + std::to_string(k.index + 1), "f8"});
-    if (!map.phases.empty())
-        for (const Mass k : grid.masses) fields.push_back({"phase_" + std::to_string(k.index + 1), "f8"});
-    fields.push_back({"status", "i1"});
-    std::string bytes = npy_header(fields, {columns.size(), rows.size()});
-    const std::size_t masses = grid.masses.size();
-    for (std::size_t point = 0; point < map.points.size(); ++point) {
-        const MapPoint& p = map.points[point];
-        const bool known = has_numbers(p.status);
-        append(bytes, columns[point / rows.size()]);
-        append(bytes, rows[point % rows.size()]);
-        append(bytes, static_cast<std::int8_t>(known ? static_cast<int>(p.regime) : -1));
-        append(bytes, known ? p.stops : std::int32_t(-1));
-        append(bytes, known ? p.periods : std::int32_t(-1));
-        for (std::size_t k = 0; k < masses; ++k) append(bytes, map.amplitudes[point * masses + k]);
-        for (std::size_t k = 0; k < masses && !map.phases.empty(); ++k) append(bytes, map.phases[point * masses + k]);
-        append(bytes, static_cast<std::int8_t>(p.status));
-    }
+std::string npy(const ResultTable& table) {
+    std::string bytes = npy_header(table);
+    for (std::size_t n = 0; n < rows_of(table); ++n)
+        for (const Column& c : table.columns) {
+            const double x = c.values[n / c.each % c.values.size()];
+            if (c.type == "f8")
+                append(bytes, x);
+            else if (c.type == "i4")
+                append(bytes, static_cast<std::int32_t>(x));
+            else
+                append(bytes, static_cast<std::int8_t>(x));
+        }
     return bytes;
 }
 
-std::string curves_csv(const MapAxis& axis, const std::vector<BoundaryPoint>& curves) {
-    const std::vector<double>& r = axis.values;
-    std::string csv = axis.name + ",exact,paper,approximate,sticking,status\n";
-    for (std::size_t n = 0; n < r.size(); ++n) {
-        const BoundaryPoint& b = curves[n];
-        const bool known = has_numbers(b.status);
-        csv += csv_cell(r[n]);
-        for (const double limit : {b.exact, b.paper, b.approximate, b.sticking.value_or(std::nan(""))})
-            csv += "," + csv_cell(number(limit, known));
-        csv += "," + denhartog::name(b.status) + "\n";
-    }
-    return csv;
+ResultTable map_table(const MapGrid& grid, const RegimeMap& map) {
+    const std::size_t columns = grid.frequency.values.size(), rows = grid.rows.values.size(), masses = grid.masses.size();
+    ResultTable table{{{grid.frequency.name, "f8", grid.frequency.values, rows}, {grid.rows.name, "f8", grid.rows.values}},
+                      {columns, rows}};
+    const auto add = [&](const std::string& name, const char* type, const auto& value) -> Column& {
+        return table.columns.emplace_back(column(name, type, map.points.size(), value));
+    };
+    const auto add_known = [&](const std::string& name, const char* type, const auto& value) -> Column& {
+        return add(name, type, [&](std::size_t n) { return has_numbers(map.points[n].status) ? value(map.points[n]) : -1; });
+    };
+    Column& regime = add_known("regime", "i1", [](const MapPoint& p) { return static_cast<int>(p.regime); });
+    regime.unknown = "";
+    for (const Regime each : {Regime::continuous, Regime::stick_slip, Regime::permanent_sticking})
+        regime.words.push_back(name(each));
+    add_known("stops_per_period", "i4", [](const MapPoint& p) { return p.stops; }).unknown = "nan";
+    add_known("periods", "i4", [](const MapPoint& p) { return p.periods; }).unknown = "nan";
+    const auto add_masses = [&](const std::string& name, const std::vector<double>& numbers) {
+        for (std::size_t k = 0; k < masses && !numbers.empty(); ++k)
+            add(name + std::to_string(grid.masses[k].index + 1), "f8", [&](std::size_t n) { return numbers[n * masses + k]; });
+    };
+    add_masses("amplitude_", map.amplitudes);
+    add_masses("phase_", map.phases);
+    table.columns.push_back(status_column(map.points.size(), [&](std::size_t n) { return map.points[n].status; }));
+    return table;
 }
 
-std::string curves_npy(const MapAxis& axis, const std::vector<BoundaryPoint>& curves) {
-    const std::vector<double>& r = axis.values;
-    std::string bytes = npy_header(
-        {{axis.name, "f8"}, {"exact", "f8"}, {"paper", "f8"}, {"approximate", "f8"}, {"sticking", "f8"}, {"status", "i1"}},
-        {r.size()});
-    for (std::size_t n = 0; n < r.size(); ++n) {
-        const BoundaryPoint& b = curves[n];
-        const bool known = has_numbers(b.status);
-        append(bytes, r[n]);
-        for (const double limit : {b.exact, b.paper, b.approximate, b.sticking.value_or(std::nan(""))})
-            append(bytes, number(limit, known));
-        append(bytes, static_cast<std::int8_t>(b.status));
-    }
-    return bytes;
+ResultTable curves_table(const MapAxis& axis, const std::vector<BoundaryPoint>& curves) {
+    ResultTable table{{{axis.name, "f8", axis.values}}, {curves.size()}};
+    const auto add = [&](const char* name, const auto& limit) {
+        table.columns.push_back(column(name, "f8", curves.size(), [&](std::size_t n) {
+            return has_numbers(curves[n].status) ? limit(curves[n]) : std::nan("");
+        }));
+    };
+    add("exact", [](const BoundaryPoint& b) { return b.exact; });
+    add("paper", [](const BoundaryPoint& b) { return b.paper; });
+    add("approximate", [](const BoundaryPoint& b) { return b.approximate; });
+    add("sticking", [](const BoundaryPoint& b) { return b.sticking.value_or(std::nan("")); });
+    table.columns.push_back(status_column(curves.size(), [&](std::size_t n) { return curves[n].status; }));
+    return table;
+}
+
+ResultTable motion_table(const SampledSolution& motion, const std::optional<MotionUnits>& units,
+                         const std::vector<int>& directions) {
+    const double time = units ? 1 / units->omega : 1, length = units ? units->length : 1;
+    const double velocity = units ? units->length * units->omega : 1;
+    const std::size_t instants = motion.tau.size(), N = motion.x.size() / instants;
+    ResultTable table{{}, {instants}};
+    const auto add = [&](const std::string& name, double unit, const std::vector<double>& numbers, std::size_t first,
+                         std::size_t step) {
+        table.columns.push_back(column(name, "f8", instants, [&](std::size_t n) {
+            const double x = unit * numbers[n * step + first];
+            if (!std::isfinite(x)) throw PrecisionError("the motion holds a number beyond the range of a double");
+            return x == 0 ? 0.0 : x;
+        }));
+    };
+    add(units ? "t" : "tau", time, motion.tau, 0, 1);
+    for (std::size_t k = 0; k < N; ++k) add("x_" + std::to_string(k + 1), length, motion.x, k, N);
+    for (std::size_t k = 0; k < N; ++k) add("v_" + std::to_string(k + 1), velocity, motion.x_prime, k, N);
+    if (!directions.empty()) table.columns.push_back({"direction", "i1", {directions.begin(), directions.end()}});
+    return table;
 }
 
 void add_units_option(CLI::App& command, std::string& units) {
@@ -163,64 +189,6 @@ bool as_npy(const std::string& output) {
     if (output.empty() || output.ends_with(".csv")) return false;
     if (output.ends_with(".npy")) return true;
     throw InputError("output", "must end in .csv or .npy", output);
-}
-
-namespace {
-
-// The columns of a motion, and what each instant has in them.
-struct MotionTable {
-    std::vector<std::string> names;
-    std::vector<double> numbers; // row by row
-};
-
-MotionTable motion_table(const SampledSolution& motion, const std::optional<MotionUnits>& units) {
-    const double time = units ? 1 / units->omega : 1, length = units ? units->length : 1;
-    const double velocity = units ? units->length * units->omega : 1;
-    MotionTable table{{units ? "t" : "tau"}, {}};
-    const std::size_t N = motion.x.size() / motion.tau.size();
-    for (const char* letter : {"x", "v"})
-        for (std::size_t k = 1; k <= N; ++k) table.names.push_back(std::string(letter) + "_" + std::to_string(k));
-    const auto put = [&](double x) {
-        if (!std::isfinite(x)) throw PrecisionError("the motion holds a number beyond the range of a double");
-        table.numbers.push_back(x == 0 ? 0.0 : x);
-    };
-    for (std::size_t n = 0; n < motion.tau.size(); ++n) {
-        put(time * motion.tau[n]);
-        for (std::size_t k = 0; k < N; ++k) put(length * motion.x[n * N + k]);
-        for (std::size_t k = 0; k < N; ++k) put(velocity * motion.x_prime[n * N + k]);
-    }
-    return table;
-}
-
-} // namespace
-
-std::string motion_csv(const SampledSolution& motion, const std::optional<MotionUnits>& units,
-                       const std::vector<int>& directions) {
-    const MotionTable table = motion_table(motion, units);
-    std::string csv;
-    for (const std::string& name : table.names) csv += (csv.empty() ? "" : ",") + name;
-    csv += directions.empty() ? "\n" : ",direction\n";
-    const std::size_t columns = table.names.size();
-    for (std::size_t n = 0; n < motion.tau.size(); ++n) {
-        for (std::size_t c = 0; c < columns; ++c) csv += (c == 0 ? "" : ",") + number_to_text(table.numbers[n * columns + c]);
-        csv += directions.empty() ? "\n" : "," + std::to_string(directions[n]) + "\n";
-    }
-    return csv;
-}
-
-std::string motion_npy(const SampledSolution& motion, const std::optional<MotionUnits>& units,
-                       const std::vector<int>& directions) {
-    const MotionTable table = motion_table(motion, units);
-    std::vector<NpyField> fields;
-    for (const std::string& name : table.names) fields.push_back({name, "f8"});
-    if (!directions.empty()) fields.push_back({"direction", "i1"});
-    std::string bytes = npy_header(fields, {motion.tau.size()});
-    const std::size_t columns = table.names.size();
-    for (std::size_t n = 0; n < motion.tau.size(); ++n) {
-        for (std::size_t c = 0; c < columns; ++c) append(bytes, table.numbers[n * columns + c]);
-        if (!directions.empty()) append(bytes, static_cast<std::int8_t>(directions[n]));
-    }
-    return bytes;
 }
 
 } // namespace denhartog::program
