@@ -1,4 +1,4 @@
-// What an implementation under test answers, from the lines that it writes, or from a file.
+// Answers of an implementation under test, read from the lines that it writes, or from a file.
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>

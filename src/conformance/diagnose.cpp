@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t least_explained = 3;
 
-// What an answer says about a mistake.
+// Evidence of an answer for or against a mistake.
 enum class Says { nothing, agrees, contradicts };
 
 // Whether the mistake's answer would be judged wrong, and the answer of a program that makes it as well.

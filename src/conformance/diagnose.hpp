@@ -1,5 +1,5 @@
 /// @file
-/// @brief What is wrong with an implementation: the known mistakes whose answers it gives, and what its other wrong answers have
+/// @brief Diagnosis of an implementation: the known mistakes whose answers it gives, and what its other wrong answers have
 /// in common.
 ///
 /// A mistake is a signature. It explains a wrong answer that agrees with the answer of the mistake, to the mistake's own
@@ -35,14 +35,14 @@ namespace denhartog::conformance {
 [[nodiscard]] std::vector<Mistake> fitted_to(std::span<const Judged> judged,
                                              std::vector<Mistake> known = {mistakes().begin(), mistakes().end()});
 
-/// @brief What a mistake must reach to be named. docs/diagnosis.md shows what happens without each threshold.
+/// @brief Thresholds that a mistake must reach to be named. docs/diagnosis.md shows what happens without each threshold.
 struct Thresholds {
-    double consistency = 0.95;  ///< explained answers over the sum of those and the ones that contradict it
-    double of_solvers = 0.9;    ///< the same for a mistake of solvers, whose answers agree with it in a few digits only
-    double of_its_own = 0.5;    ///< explained answers over all answers that it would have made wrong
-    double of_the_wrong = 0.7;  ///< explained answers over the wrong ones to the quantities of its core, or that it explains
-    double agreement = 0;       ///< the agreement asked of a mistake is at least this, which the program's method can reach
-    std::size_t words = 17;     ///< words and counts, if it explains nothing else: 2^-17 times the mistakes is below 1/1000
+    double consistency = 0.95; ///< explained answers over the sum of those and the ones that contradict it
+    double of_solvers = 0.9;   ///< the same for a mistake of solvers, whose answers agree with it in a few digits only
+    double of_its_own = 0.5;   ///< explained answers over all answers that it would have made wrong
+    double of_the_wrong = 0.7; ///< explained answers over the wrong ones to the quantities of its core, or that it explains
+    double agreement = 0;      ///< the agreement asked of a mistake is at least this, which the program's method can reach
+    std::size_t words = 17;    ///< words and counts, if it explains nothing else: 2^-17 times the mistakes is below 1/1000
 };
 
 /// @brief A known mistake that was found, or a guess, which has a name and a sentence alone and does not say where to look.

@@ -45,7 +45,8 @@ Verdict verdict_of(double error, const Tolerance& allowed) {
     return Verdict::wrong;
 }
 
-// What one computes who forgets the boundary; none where the quantity is not of the steady motion.
+// Value of the closed form beyond the boundary, as it is computed by whoever forgets it; none where the quantity is not of the
+// steady motion.
 std::optional<Value> closed_form_beyond_boundary(const ProtocolQuestion& q) {
     if (!asks_for(q, {"amplitude", "phase", "amplitude_monoharmonic", "phase_monoharmonic", "initial_displacement",
                       "initial_velocity", "displacement", "motion_under_force"}))

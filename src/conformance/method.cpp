@@ -10,8 +10,8 @@
 namespace denhartog::conformance {
 namespace {
 
-// What solvers of each method reach at everyday settings: half of their answers are within the first number, 99 of 100 within the
-// second; ten times as much is the third. `./verify chart` measures that anew and compares (docs/solvers.md).
+// Errors of the solvers of each method at everyday settings: half of their answers are within the first number, 99 of 100 within
+// the second; ten times as much is the third. `./verify chart` measures that anew and compares (docs/solvers.md).
 constexpr SolverMethod all_methods[] = {
     {"closed-form", "the closed form in double: the vectors' own tolerances", {}, {}, {}},
     {"event-driven",

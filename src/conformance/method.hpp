@@ -32,7 +32,7 @@ struct SolverMethod {
 /// @brief Widens the tolerances of a vector to what a method can do. @param v the vector @param method the method
 void widen(Vector& v, const SolverMethod& method);
 
-/// @brief What tolerances of a method hold for a question. @param q the question @return `displacement`, `phase` or `duration`;
+/// @brief Kind of tolerance that holds for a question. @param q the question @return `displacement`, `phase` or `duration`;
 /// empty where the vector's own hold
 [[nodiscard]] std::string kind_of(const ProtocolQuestion& q);
 

@@ -92,7 +92,7 @@ nlohmann::ordered_json matrix_json(const std::vector<double>& matrix) {
     return rows;
 }
 
-// What a system is made of, each as ratios or as a matrix in their place.
+// Parts of a system, each as ratios or as a matrix in their place.
 struct PartOfSystem {
     const char* ratios_key;
     std::vector<double> ProtocolQuestion::*ratios;
@@ -153,7 +153,7 @@ void add_numbers(std::ostringstream& line, const std::vector<double>& list) {
     for (const double x : list) line << ' ' << number_to_text(x);
 }
 
-// What the plain dialect says of a scene beyond the paper, behind all that it says of one of the paper.
+// Words of the plain dialect for a scene beyond the paper, behind all those for one of the paper.
 void add_tags(std::ostringstream& line, const ProtocolQuestion& q) {
     if (q.contact_with != 0) line << " contact_with " << q.contact_with;
     if (!q.base_motion.empty()) line << " base_motion " << q.base_motion;

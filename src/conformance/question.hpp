@@ -1,5 +1,5 @@
 /// @file
-/// @brief What an implementation under test is asked, and what it answers; docs/protocol.md has the same for readers.
+/// @brief Questions to an implementation under test, and its answers; docs/protocol.md describes them for readers.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@
 
 namespace denhartog::conformance {
 
-/// @brief How many numbers the answer to a quantity has.
+/// @brief Count of the numbers in an answer to a quantity.
 enum class Shape {
     number,    ///< one
     complex,   ///< real and imaginary part
@@ -83,7 +83,7 @@ struct ProtocolQuestion {
 /// @brief Number of masses of a question's scene. @param q the question @return N
 [[nodiscard]] std::size_t masses_of(const ProtocolQuestion& q);
 
-/// @brief What a question's scene has that the paper does not treat, by the names of flags, e.g. `contact-between-masses`.
+/// @brief Features of a question's scene that the paper does not treat, by the names of flags, e.g. `contact-between-masses`.
 /// @param q  the question
 /// @return   the names; none for a scene of the paper
 [[nodiscard]] std::vector<std::string> beyond_the_paper(const ProtocolQuestion& q);

@@ -41,7 +41,7 @@ void check_decimal(const std::string& text) {
     if (fault == NumberFault::no_number || fault == NumberFault::too_long) throw InputError("value", number_rule(fault), text);
 }
 
-// What stands in reports as it is.
+// Members that stand in reports as they are.
 void check_text(const std::string& name, const std::string& text) {
     if (text != legible(text)) throw InputError(name, "must be a short text without control characters", text);
 }
@@ -68,7 +68,7 @@ void check_regime(const std::string& name, const std::string& word) {
     if (!is_regime(word)) throw InputError(name, "must be a regime", word);
 }
 
-// What answers are judged by must be there for each of their numbers.
+// Scale, condition and tolerance must be there for each number of an answer.
 void check_numbers(const Vector& v) {
     const std::string count = std::to_string(v.value.size());
     if (v.nearest.size() != v.value.size())

@@ -11,7 +11,7 @@
 namespace denhartog::conformance {
 namespace {
 
-// What is known of each verdict, in the order of the enumeration.
+// Name and rank of each verdict, in the order of the enumeration.
 struct OfVerdict {
     std::string_view name;
     int badness;

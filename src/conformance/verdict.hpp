@@ -17,7 +17,7 @@
 
 namespace denhartog::conformance {
 
-/// @brief What an answer is.
+/// @brief Verdict on an answer.
 enum class Verdict : std::uint8_t {
     pass,         ///< right to the digits that the question allows in double
     pass_loose,   ///< right to fewer digits, which is still as good as a careful user needs
@@ -49,7 +49,7 @@ inline constexpr std::size_t number_of_verdicts = 12;
 /// @return true for `inaccurate`, `as-printed`, `wrong` and `wrong-regime`
 [[nodiscard]] bool is_wrong_value(Verdict verdict);
 
-/// @brief How bad a verdict is, to compare two runs. @param verdict the verdict @return 0 for the best; equal numbers are equally
+/// @brief Rank of a verdict, to compare two runs. @param verdict the verdict @return 0 for the best; equal numbers are equally
 /// bad
 [[nodiscard]] int badness(Verdict verdict);
 

@@ -22,7 +22,7 @@
 
 #include "mex.h"
 
-// What a call holds. An error leaves a call by a jump, and so does an allocation that fails: release() comes first,
+// Memory that a call holds. An error leaves a call by a jump, and so does an allocation that fails: release() comes first,
 // or at the latest with the next call.
 static dh_system* held_system = NULL;
 static dh_solution* held_solution = NULL;
@@ -334,7 +334,7 @@ static mxArray* find(const mxArray* const* arguments) {
     return result;
 }
 
-/// What the motion at a point dissipates, with the bounds of the errors.
+/// Energy that the motion at a point dissipates, with the bounds of the errors.
 static mxArray* energies(size_t N, const mxArray* const* arguments) {
     const double r = number(arguments[0], "r must be one number"), beta = number(arguments[1], "beta must be one number");
     const double mu = number(arguments[2], "mu must be one number"), digits = number(arguments[3], "digits must be one number");

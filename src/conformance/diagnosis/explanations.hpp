@@ -1,4 +1,4 @@
-// What the diagnosis finds of mistakes with a number of their own, and says of wrong answers that no known mistake explains.
+// Explanations by mistakes with a number of their own, and properties of wrong answers that no known mistake explains.
 #pragma once
 
 #include <algorithm>

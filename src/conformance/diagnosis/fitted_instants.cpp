@@ -77,7 +77,7 @@ std::optional<double> most_common(std::vector<double> numbers) {
     return most > 1 ? std::optional(numbers[best]) : std::nullopt;
 }
 
-// What the steps of a grid go with from scene to scene.
+// Quantity to which the steps of a grid are in proportion from scene to scene.
 struct GridMeasure {
     const char* told;
     double (*of)(const PlainModes&);
@@ -105,12 +105,12 @@ Instants instants_of(const Grid& grid, const PlainModes& m) {
     return {first, before_end, static_cast<std::size_t>(std::min(steps, 4096.0)) + 1};
 }
 
-// What is done with the load condition (67).
+// Treatment of the load condition (67).
 enum class LoadCondition : std::uint8_t { asked, beyond_68, left_out };
 
 constexpr std::array load_conditions{LoadCondition::asked, LoadCondition::beyond_68, LoadCondition::left_out};
 
-// How a maximum is sought, with or without the print of (57).
+// Search for a maximum, by (57) as printed or as corrected.
 struct WayOfSearch {
     Grid grid;
     bool as_printed = false, of_each_mode = false;
@@ -133,7 +133,7 @@ Choices choices_of(const WayOfSearch& search, const PlainModes& m) {
 
 using ByLoadCondition = std::array<std::size_t, load_conditions.size()>;
 
-// How many answers a search explains, by what is done with the load condition (67): the maxima are the same.
+// Number of answers that a search explains, for each treatment of the load condition (67), which leaves the maxima alone.
 ByLoadCondition agreeing(std::span<const Observed> all, const WayOfSearch& search) {
     ByLoadCondition count{};
     for (const Observed& one : all) {

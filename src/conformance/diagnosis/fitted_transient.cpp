@@ -13,7 +13,7 @@ namespace {
 constexpr int most_periods = 200;
 constexpr std::size_t most_probed = 9, first_probed = 3;
 
-// How far a wrong answer is from what the periods from rest show, a period each; infinite where it is not of a period.
+// Distance of a wrong answer from the motion from rest, for each of its periods; infinite for an answer that is not of a period.
 std::vector<double> distances(const Judged& one) {
     const Quantity& asked = quantity(one.vector->question.quantity);
     const double from_truth = difference(asked, one.given.numbers, one.vector->nearest).size;

@@ -18,7 +18,7 @@ constexpr double least_lift = 1.25;
 constexpr std::size_t most_told = 3;
 constexpr std::size_t least_wrong = 3;
 
-// What a question has, in words; a property stands with its opposite.
+// Properties of a question in words, each with its opposite.
 std::set<std::string> properties(const Vector& v) {
     const ProtocolQuestion& q = v.question;
     std::set<std::string> all;
@@ -65,7 +65,7 @@ bool is_too_small(const Judged& one) {
     return one.error && std::abs(one.given.numbers[one.worst]) < std::abs(one.vector->nearest[one.worst]);
 }
 
-// What can be seen from the answers: that they are all too small or too large, or have few digits, as all answers have then.
+// Properties of the answers: that they are all too small or too large, or have few digits, as all answers have then.
 void add_of_answers(std::vector<InCommon>& found, std::span<const Judged* const> wrong, const std::set<std::string>& quantities,
                     std::span<const Judged> judged) {
     const std::size_t numbers = count_of(wrong, [](const Judged* one) { return one->error.has_value(); });

@@ -20,7 +20,7 @@ inline constexpr double nearer_than_truth = 0.1;
 
 struct Choices;
 
-/// @brief What a program answers that makes a mistake, and what the mistake changes in a program that is right otherwise. Only
+/// @brief A mistake: the answers of a program that makes it, and its change of a program that is right otherwise. Only
 /// mistakes that are given by such changes can be made together.
 struct Answering {
     /// The answer of a program that makes this mistake alone; none if the mistake does not touch the question, or if its answer

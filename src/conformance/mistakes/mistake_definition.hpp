@@ -20,7 +20,7 @@ using Names = std::vector<std::string_view>;
 [[nodiscard]] Answering by_formulas(Names touched, std::function<void(Choices&)> choose);
 [[nodiscard]] Answering by_formulas_of(Names touched, std::function<void(Choices&, const ProtocolQuestion&)> choose);
 
-// The same mistake, made only where no mode is overdamped.
+// A mistake that is made only if no mode is overdamped.
 [[nodiscard]] Answering where_modes_vibrate(Answering mistake);
 
 // The right answer to some quantities, changed.
@@ -31,7 +31,7 @@ using Names = std::vector<std::string_view>;
 
 // Mistakes in reading a question.
 [[nodiscard]] std::vector<Mistake> mistakes_of_input();
-// The same of what only systems beyond the paper have.
+// A mistake in what only systems beyond the paper have.
 [[nodiscard]] std::vector<Mistake> mistakes_of_systems();
 // Formulas as the paper prints them, if the derivation refutes them.
 [[nodiscard]] std::vector<Mistake> mistakes_of_print();
@@ -41,6 +41,5 @@ using Names = std::vector<std::string_view>;
 [[nodiscard]] std::vector<Mistake> mistakes_of_output();
 // Mistakes that solvers of the motion make.
 [[nodiscard]] std::vector<Mistake> mistakes_of_integrators();
-
 
 } // namespace denhartog::conformance

@@ -14,7 +14,7 @@ std::function<bool(const ProtocolQuestion&)> about(Names touched) {
     };
 }
 
-// What a mistake alone answers follows from what it changes.
+// The answers of a mistake alone follow from its change.
 Answering of_changes(Answering mistake) {
     mistake.alone = [parts = mistake](const ProtocolQuestion& q) {
         const Answering* const only = &parts;

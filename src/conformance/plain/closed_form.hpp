@@ -25,7 +25,7 @@ namespace denhartog::conformance {
 // are used as they stand even if the scene breaks a rule of friction. None if the answer is not finite, or if the question has none.
 [[nodiscard]] std::optional<Value> plain_answer(const ProtocolQuestion& q);
 
-// The same with a variation, for scenes of the paper.
+// The answer under a variation, for scenes of the paper.
 [[nodiscard]] std::optional<Value> plain_answer(const ProtocolQuestion& q, const Choices& c);
 
 // An answer; none where it has a number that is not finite, or where NoPlainAnswer is thrown.

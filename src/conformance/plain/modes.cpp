@@ -88,7 +88,7 @@ Phasor response_to_harmonic(int n, double R, double zeta) {
     return {stiffness / size, -damping / size};
 }
 
-// What (28), (29) and the braces of (40) become where friction is a square wave cut off after some harmonics.
+// (28), (29) and the braces of (40) for friction as a square wave that is cut off after some harmonics.
 DampingFunctionsOfMode truncated_functions(int highest, double R, double zeta) {
     DampingFunctionsOfMode f{0, 0};
     for (int n = 1; n <= highest; n += 2) {
@@ -156,7 +156,7 @@ void sum_modes(PlainModes& m) {
     m.H_j = sum(m.j, m.j, [&](std::size_t i) { return (m.g[i] + 2 * m.zeta[i] * m.R[i] * m.u[i]) / (m.R[i] * m.R[i]); });
 }
 
-// The same where damping couples the modes. Rows are then those of the masses themselves, without modes.
+// The sums for damping that couples the modes: rows are then those of the masses, without modes.
 void sum_without_modes(PlainModes& m, const PlainSystem& s) {
     m.coupled = std::make_shared<FrictionResponse>(s);
     const std::vector<Phasor> X = plain_response(s, s.p), Y = plain_response(s, s.w);

@@ -92,7 +92,7 @@ struct PlainModes {
 // Phase of the mass in contact, (39), not wrapped.
 [[nodiscard]] double plain_phase(const PlainModes& m, const Choices& c);
 
-// What (44) and (45) need of a mass: V_dk / V_dj as cosine and sine, the root of (38), and beta U_dj.
+// Terms of (44) and (45) for a mass: V_dk / V_dj as cosine and sine, the root of (38), and beta U_dj.
 struct PlainTurn {
     double cosine, sine, root, drag;
 };

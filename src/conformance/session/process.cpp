@@ -20,7 +20,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// How long one wait in the system lasts at most: interruptions and the program's end are looked for in between.
+// Longest wait in the system: interruptions and the program's end are looked for in between.
 constexpr int slice_milliseconds = 20;
 
 // Below this share of the processor a program counts as waiting.
@@ -48,13 +48,13 @@ std::string end_of(int status) {
     return "it ended with status " + std::to_string(WEXITSTATUS(status));
 }
 
-// What a process group has used and whether it can run.
+// Processor time of a process group, and whether it can run.
 struct GroupActivity {
     double processor_seconds = 0; // user and system time of its processes, and of their children that have ended
     bool stopped = false;         // one of them is stopped by a signal
 };
 
-// What a process group does, from /proc; none where there is none.
+// State of a process group, from /proc; none if there is no such group.
 std::optional<GroupActivity> group_activity(pid_t group) {
     std::error_code fault;
     std::optional<GroupActivity> activity;
@@ -134,7 +134,7 @@ bool Process::set_aside() {
 }
 
 Reply Process::ask(std::string_view line, double seconds) {
-    // What comes before the first line is sent is read as the reply to it: whether it comes before or after is chance.
+    // Output before the first line is sent is read as the reply to it: whether it comes before or after is chance.
     if (asked && !set_aside()) return {"", Verdict::crash, "it wrote more than a megabyte without being asked"};
     asked = true;
     const std::string text = std::string(line) + '\n';

@@ -28,7 +28,7 @@ struct Reply {
     std::string told;               // what happened then, as a phrase: `it ended with status 1`
 };
 
-// What a program wrote that it was not asked for.
+// Output of a program that it was not asked for.
 struct Unasked {
     std::size_t lines = 0; // number of lines, a piece without an end counted as one
     std::string first;     // the first of them
@@ -71,7 +71,7 @@ public:
     // status 0; else what it did, as a phrase.
     [[nodiscard]] std::string finish(double seconds);
 
-    // What the program wrote without being asked so far.
+    // Output of the program so far that it was not asked for.
     [[nodiscard]] const Unasked& unasked() const { return extra; }
 
 private:

@@ -48,7 +48,7 @@ public:
         if (broken > most_restarts) ++given_up;
     }
 
-    // What came of it, when `jobs` processes have worked.
+    // Results of the run, when `jobs` processes have worked.
     Conversation all(std::size_t jobs) {
         const bool all_given_up = given_up == jobs;
         conversation.broken = all_given_up || std::ranges::all_of(conversation.exchanges, [](const Exchange& exchange) {

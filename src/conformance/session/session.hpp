@@ -19,13 +19,13 @@ struct BrokenProgram : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// How often a program that breaks is started again without an answer in between, before the rest is skipped.
+// Number of times that a program which breaks is started again without an answer in between, before the rest is skipped.
 inline constexpr int most_restarts = 5;
 
 // The handshake may take this many times as long as an answer: interpreters start slowly.
 inline constexpr double patience_at_start = 3;
 
-// How a program is run.
+// Settings of a run.
 struct RunSettings {
     std::vector<std::string> command; // the program and its arguments
     double seconds = 10;              // time for an answer
@@ -49,7 +49,7 @@ struct Partner {
 // The answer in a line of a program.
 [[nodiscard]] Answer answer_in(const Partner& partner, std::string_view line, std::string_view id);
 
-// What came of a question.
+// Result of a question.
 struct Exchange {
     Answer answer = Skipped{"it was not asked"}; // the answer
     std::optional<Verdict> trouble;              // `crash`, `timeout` or `stall` in place of an answer
@@ -83,7 +83,7 @@ struct SmokeCheck {
     bool of_input = false; // whether the fault is one of checking input, and the protocol is kept
 };
 
-// What a look at the protocol found.
+// Findings of a look at the protocol.
 struct Smoke {
     std::string name;               // of the program
     std::string dialect;            // `json` or `plain`

@@ -57,7 +57,7 @@ bool becomes(int end, int standard) {
     return end == standard ? ::fcntl(end, F_SETFD, 0) == 0 : ::dup2(end, standard) == standard;
 }
 
-// What the child does: only calls that are allowed after a fork among threads. A group of its own, no signal blocked, none
+// Work of the child: only calls that are allowed after a fork among threads. A group of its own, no signal blocked, none
 // ignored that a program expects to end it. The number of the fault goes to the runner if it does not become the program.
 [[noreturn]] void become(char* const* arguments, pid_t runner, int input, int output, int faults) {
     die_with(runner);

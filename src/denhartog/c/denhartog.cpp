@@ -65,7 +65,7 @@ int boundaries(const dh_system* system, double r, double mu, ValueOrError part, 
     });
 }
 
-// What a mass does while the contact slides throughout, or the bounds of the errors.
+// Motion of a mass while the contact slides throughout, or the bounds of its errors.
 int sliding_motion(const dh_system* system, double r, double beta, double mu, size_t mass, ValueOrError part,
                    dh_sliding_mass* result, const char* name) noexcept {
     return guarded([&] {

@@ -51,7 +51,7 @@ extern "C" {
 #define DH_NOEXCEPT
 #endif
 
-/// @brief How a call ended.
+/// @brief Status of a call.
 enum dh_status {
     DH_OK = 0,              ///< done
     DH_ERROR_NULL = 1,      ///< a pointer that is needed is null
@@ -63,7 +63,7 @@ enum dh_status {
     DH_ERROR_INTERNAL = 7   ///< anything else: a defect of the library
 };
 
-/// @brief How the contact moves in the steady state.
+/// @brief Regime: the motion of the contact in the steady state.
 enum dh_regime {
     DH_CONTINUOUS = 0,        ///< it slides throughout, except at its two turning points in each period
     DH_STICK_SLIP = 1,        ///< it moves, and rests for a part of every period
@@ -86,7 +86,7 @@ typedef struct dh_boundary {
     int sticking_exists; ///< 0 if no friction holds the contact, because the system with a held contact resonates
 } dh_boundary;
 
-/// @brief What a mass does while the contact slides throughout, by the closed form. tau = 0 is the maximum of the contact.
+/// @brief Motion of a mass while the contact slides throughout, by the closed form. tau = 0 is the maximum of the contact.
 typedef struct dh_sliding_mass {
     size_t size;                   ///< sizeof(dh_sliding_mass), set by the caller
     double initial_displacement;   ///< x_k at tau = 0, Eq. (44) as corrected
@@ -114,7 +114,7 @@ typedef struct dh_summary {
     double relative_error;    ///< the largest error of the amplitudes, relative, and of the phases, before rounding to double
 } dh_summary;
 
-/// @brief What a mass does in a steady motion, in any regime.
+/// @brief Motion of a mass in the steady state, in any regime.
 typedef struct dh_mass {
     size_t size;        ///< sizeof(dh_mass), set by the caller
     double amplitude;   ///< largest displacement; in permanent sticking with the contact at zero
@@ -124,8 +124,8 @@ typedef struct dh_mass {
     int moves;          ///< 0 where the mass does not move and has no phase
 } dh_mass;
 
-/// @brief What a steady motion dissipates in a period of the force, and the forces that it hands over. Where the contact does not move
-/// the members from `equivalent_damping` on are 0.
+/// @brief Energy that a steady motion dissipates in a period of the force, and the forces that it hands over. Where the contact
+/// does not move the members from `equivalent_damping` on are 0.
 typedef struct dh_energies {
     size_t size;                        ///< sizeof(dh_energies), set by the caller
     double contact;                     ///< energy that friction dissipates, units of P^2 / k_1
@@ -151,7 +151,7 @@ DH_EXPORT int dh_abi_version(void) DH_NOEXCEPT;
 /// @brief A status in words. @param status what a function returned @return a text, valid for ever
 DH_EXPORT const char* dh_status_text(int status) DH_NOEXCEPT;
 
-/// @brief What the last fault of the calling thread was: quantity, rule and value.
+/// @brief Last fault of the calling thread: quantity, rule and value.
 /// @return a text, empty before any fault; it is valid until this thread's next fault
 DH_EXPORT const char* dh_last_message(void) DH_NOEXCEPT;
 
@@ -218,7 +218,7 @@ DH_EXPORT int dh_mode_shapes(const dh_system* system, double r, size_t count, do
 /// @return                as dh_mode_shapes()
 DH_EXPORT int dh_mode_shape_errors(const dh_system* system, double r, size_t count, double* psi_error) DH_NOEXCEPT;
 
-/// @brief What each mode contributes: (22), (23), (28), (29); to at least 6 digits.
+/// @brief Contribution of each mode: (22), (23), (28), (29); to at least 6 digits.
 /// @param system  a system
 /// @param r       frequency ratio, Eq. (10), positive
 /// @param count   N
@@ -282,7 +282,7 @@ DH_EXPORT int dh_boundaries(const dh_system* system, double r, double mu, dh_bou
 /// @return             as dh_boundaries()
 DH_EXPORT int dh_boundary_errors(const dh_system* system, double r, double mu, dh_boundary* errors) DH_NOEXCEPT;
 
-/// @brief The same friction ratios with a proof: the reference computes them in ball arithmetic, see dh_solve_proved().
+/// @brief Friction ratios of dh_boundaries() with a proof: the reference computes them in ball arithmetic, see dh_solve_proved().
 ///
 /// `sticking_exists` is 0 also where it is not proved that some friction holds the contact.
 /// @param system,r,mu  as for dh_boundaries()
@@ -308,7 +308,7 @@ DH_EXPORT int dh_high_frequency_limit(const dh_system* system, double mu, double
 /// @return           as dh_high_frequency_limit()
 DH_EXPORT int dh_high_frequency_limit_error(const dh_system* system, double mu, double* error) DH_NOEXCEPT;
 
-/// @brief What a mass does while the contact slides throughout: (38), (39), (44), (45), (47), (52), (53) as corrected; to
+/// @brief Motion of a mass while the contact slides throughout: (38), (39), (44), (45), (47), (52), (53) as corrected; to
 /// 10 digits of its amplitude.
 /// @param system  a system
 /// @param r       frequency ratio, Eq. (10), positive
@@ -379,8 +379,8 @@ DH_EXPORT int dh_solve(const dh_system* system, double r, double beta, double mu
 
 /// @brief The steady motion at a point, every number and every bound of its error proved: by the reference, in ball arithmetic.
 ///
-/// What is proved are the numbers of dh_solution_summary(), dh_solution_mass(), dh_solution_contact(), dh_solution_stops() and
-/// dh_solution_stop_errors(), and that the samples of dh_solution_motion() have the digits that stand there. If several motions
+/// A proof covers the numbers of dh_solution_summary(), dh_solution_mass(), dh_solution_contact(), dh_solution_stops() and
+/// dh_solution_stop_errors(), and the digits of the samples of dh_solution_motion(). If several motions
 /// may be steady, as with mu above 1, the motion is proved, but that a start from rest leads to it is found in double; see
 /// docs/promises.md.
 /// @param system,r,beta,mu  as for dh_solve()
@@ -413,8 +413,8 @@ DH_EXPORT int dh_solution_is_proved(const dh_solution* solution, int* proved) DH
 /// @return           #DH_OK, #DH_ERROR_NULL
 DH_EXPORT int dh_solution_is_from_rest(const dh_solution* solution, int* from_rest) DH_NOEXCEPT;
 
-/// @brief What a solution depends on too much, in words: a mode next to its resonance and with next to no damping, whose amplitude a
-/// unit in the last place of a number of the system changes by more than a thousandth.
+/// @brief Warning, in words, of an input on which a solution depends too much: a mode next to its resonance and with next to no
+/// damping, whose amplitude a unit in the last place of a number of the system changes by more than a thousandth.
 /// @param solution  a solution
 /// @param room      bytes that `text` has room for; 512 suffice
 /// @param text      receives a sentence with an ending zero; an empty text where there is nothing to say
@@ -440,8 +440,8 @@ DH_EXPORT int dh_solution_mass(const dh_solution* solution, size_t mass, dh_mass
 DH_EXPORT int dh_solution_from_ground(const dh_solution* solution, size_t mass, dh_mass* result, double* transmissibility,
                                       double* transmissibility_error) DH_NOEXCEPT;
 
-/// @brief What the motion dissipates in a period of the force, friction as an equivalent dashpot, and the forces on wall and base. The
-/// reference proves every number, in every regime; of a motion that is longer than a period the energies are means.
+/// @brief Energy that the motion dissipates in a period of the force, friction as an equivalent dashpot, and the forces on wall
+/// and base. The reference proves every number, in every regime; of a motion that is longer than a period the energies are means.
 /// @param solution  a solution
 /// @param digits    significant digits, 1 to 15; 0 for 6. Energies have them beside the largest work that the load could do
 /// @param energies  receives the numbers; the caller has set its size
@@ -492,7 +492,7 @@ DH_EXPORT int dh_solution_stop_errors(const dh_solution* solution, size_t count,
 DH_EXPORT int dh_solution_motion(const dh_solution* solution, size_t samples, size_t count, double* x,
                                  double* x_prime) DH_NOEXCEPT;
 
-/// @brief How a point of dh_map(), dh_solve_points() or dh_solve_systems() ended.
+/// @brief Status of a point of dh_map(), dh_solve_points() or dh_solve_systems().
 enum dh_point_status {
     DH_POINT_ANSWERED = 0,    ///< all numbers are there
     DH_POINT_ON_BOUNDARY = 1, ///< all are there; beta equals a boundary to rounding, so that the neighbouring regime is possible
@@ -625,7 +625,7 @@ typedef struct dh_systems_request {
 /// @return         as dh_map()
 DH_EXPORT int dh_solve_systems(const dh_systems_request* request, const dh_points* points) DH_NOEXCEPT;
 
-/// @brief What a place is that dh_find() found.
+/// @brief Kind of a place that dh_find() found.
 enum dh_place_kind {
     DH_CROSSING = 0,       ///< the amplitude is certainly below the value at one end, and above it at the other
     DH_JUMP = 1,           ///< the same at neighbouring doubles or nearly so, and it does not come near the value
@@ -660,9 +660,9 @@ typedef struct dh_places {
     size_t unanswered; ///< receives at how many values of the number no steady motion was certain
 } dh_places;
 
-/// @brief What a number of a scene has to be so that an amplitude is as wanted: what `denhartog find` finds.
+/// @brief Values of a number of a scene for which an amplitude is as wanted, as `denhartog find` finds them.
 ///
-/// What lies between two samples and shows at neither is not found. The limit of dh_set_effort() is not used.
+/// A solution between two samples that shows at neither is not found. The limit of dh_set_effort() is not used.
 /// @param request  the question; the caller has set its size
 /// @param places   where the places go, written when all are there; the caller has set size, room and arrays
 /// @return         #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE if there is too little room, #DH_ERROR_INPUT, #DH_ERROR_PRECISION,
@@ -677,7 +677,7 @@ DH_EXPORT int dh_find(const dh_find_request* request, dh_places* places) DH_NOEX
 /// @return         #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_PRECISION, #DH_ERROR_MEMORY
 DH_EXPORT int dh_place_of_rest(const dh_system* system, size_t count, double* x, double* x_error) DH_NOEXCEPT;
 
-/// @brief What the other masses do while the contact rests for good.
+/// @brief Motion of the other masses while the contact rests for good.
 enum dh_others {
     DH_COME_TO_REST = 0, ///< they tend to their places of rest
     DH_VIBRATE = 1,      ///< they vibrate about them for ever: nothing damps them

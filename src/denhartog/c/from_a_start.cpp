@@ -39,7 +39,7 @@ void hand_out_both(const std::vector<TwoOutputs>& columns) {
     }
 }
 
-// What each of several has, with its bound.
+// A number of each of several, with its bound.
 template <class Each, class Part>
 Numbers numbers_of(const std::vector<Each>& all, const Part& part) {
     Numbers numbers;

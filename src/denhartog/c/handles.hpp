@@ -1,4 +1,4 @@
-// What every function of the C interface runs in, where exceptions become codes, and what its handles hold.
+// Frame of every function of the C interface, in which exceptions become codes, and contents of its handles.
 #pragma once
 
 #include <algorithm>
@@ -58,7 +58,7 @@ inline int fault(dh_status status, const char* text) noexcept {
     return status;
 }
 
-// What the questions of a thread may cost, as dh_set_effort() was told.
+// Work that the questions of a thread may cost, set by dh_set_effort().
 struct Allowance {
     std::optional<long> operations;   // none for the default
     dh_cancelled cancelled = nullptr; // null where nobody cancels
@@ -178,7 +178,7 @@ inline constexpr int digits_of_formulas = 10;
 // Which part of a number is handed out.
 enum class ValueOrError : std::uint8_t { value, error };
 
-// The same of an array that has numbers, or the bounds of their errors.
+// An array that holds numbers, or the bounds of their errors.
 inline void need(const void* pointer, ValueOrError part, const std::string& name) {
     need(pointer, (part == ValueOrError::value ? name : name + "_error").c_str());
 }
@@ -243,7 +243,7 @@ void hand_out(Struct from, Struct* to) noexcept {
     *to = from;
 }
 
-// What the functions hand out a part of. Each throws where the function has the status of a fault.
+// Records of which the functions hand out a part. Each throws if the function has the status of a fault.
 [[nodiscard]] Numbers shapes_at(const dh_system* system, double r); // psi_ki, mass after mass
 [[nodiscard]] Numbers frequency_ratios_at(const dh_system* system, double r);
 [[nodiscard]] Quantities<Bounded<double>> sums_at(const dh_system* system, double r);

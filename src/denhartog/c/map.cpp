@@ -25,7 +25,7 @@ constexpr std::size_t most_points_of_a_call = std::size_t(1) << 40;
 
 unsigned threads_of(unsigned asked) { return asked != 0 ? asked : std::max(1U, std::thread::hardware_concurrency()); }
 
-// What the function of the caller says of progress: once it asks for the end, it is not called again.
+// Report of progress to the caller's function: once it asks for the end, it is not called again.
 class Report {
 public:
     Report(dh_progress report, void* context, std::size_t all) : report_(report), context_(context), all_(all) {}
@@ -53,7 +53,7 @@ std::vector<Mass> masses_from(std::size_t count, const size_t* masses, std::size
     return list;
 }
 
-// What is common to a point of a map and one by itself; arrays that were not asked for are null.
+// Arrays that a map and points by themselves both have; those that were not asked for are null.
 void write_point(const MapPoint& p, std::ptrdiff_t at, signed char* status, signed char* regime, int* stops, int* periods) {
     const bool known = has_numbers(p.status);
     if (status != nullptr) status[at] = static_cast<signed char>(p.status);
@@ -97,13 +97,13 @@ void write_masses(const PointAnswer& answer, std::size_t masses, std::ptrdiff_t 
     }
 }
 
-// What a point has in an array with a step.
+// Place of a point in an array with a step.
 template <class Each>
 const Each& element(const Each* numbers, std::ptrdiff_t step, std::size_t n) {
     return numbers[static_cast<std::ptrdiff_t>(n) * step];
 }
 
-// What a request for points by themselves must hold, whatever systems they are of.
+// Rules of a request for points by themselves, whatever systems they are of.
 template <class Request>
 void check_points(const Request& request) {
     need_length(request.count, most_points_of_a_call, "request->count");

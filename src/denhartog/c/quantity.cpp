@@ -9,7 +9,7 @@ using namespace denhartog::c_interface;
 
 namespace {
 
-// What a quantity is asked of.
+// Place at which a quantity is asked for.
 struct AtPoint {
     const dh_system* system;
     double r, beta, mu;

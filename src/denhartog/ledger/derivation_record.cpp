@@ -40,7 +40,7 @@ std::string plain_in_latex(const std::string& text) {
     return plain;
 }
 
-/// What a step does: its words plain, the formulas between dollar signs as they are.
+/// A step in words: the words plain, the formulas between dollar signs as they are.
 std::string typeset_text(const Json& step) {
     const std::string text = step.value("text_latex", "");
     if (text.empty()) return plain_in_latex(step.at("text").get<std::string>());

@@ -68,13 +68,13 @@ using Json = nlohmann::ordered_json;
     return entry;
 }
 
-// How a claim bears on its equations, to stand after its verdict. Empty where its kind is not known.
+// Bearing of a claim on its equations, to stand after its verdict. Empty where its kind is not known.
 [[nodiscard]] inline std::string with_kind(const Json& claim) {
     const std::string kind = claim.value("kind", "");
     return kind.empty() ? "" : ", " + kind;
 }
 
-// What the kernel of a proof assistant says of a claim or an equation, by its key `kernel`.
+// Verdict of the proof assistant's kernel on a claim or an equation, by its key `kernel`.
 [[nodiscard]] inline std::string kernel_words(const Json& kernel) {
     const std::string status = kernel.is_object() ? kernel.value("status", "not_run") : "not_run";
     const std::string why = kernel.is_object() ? kernel.value("reason", kernel.value("message", "")) : "";
@@ -94,7 +94,8 @@ inline void fill_used_by(Json& entries) {
     }
 }
 
-// What a scene shows of a printed equation: system, point, quantity, both values and the loss, in a sentence without a full stop.
+// Evidence of a scene against a printed equation: system, point, quantity, both values and the loss, in a sentence without a full
+// stop.
 template <class Object>
 [[nodiscard]] std::string scene_sentence(const Object& scene) {
     const auto text = [&scene](const char* key) { return scene.at(key).template get<std::string>(); };

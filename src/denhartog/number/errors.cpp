@@ -1,4 +1,4 @@
-// How does a refused input read? "QUANTITY RULE, but is VALUE (at PLACE)", with text from outside made legible.
+// The text of a refused input: "QUANTITY RULE, but is VALUE (at PLACE)", with text from outside made legible.
 #include "denhartog/number/errors.hpp"
 
 #include <new>

@@ -1,4 +1,4 @@
-// How is text from outside shown in a message? Read `legible` first: it cuts long text and escapes the characters that a
+// Text from outside as a message shows it. Read `legible` first: it cuts long text and escapes the characters that a
 // terminal would obey, which `is_obeyed` decides.
 #include "denhartog/number/legible.hpp"
 

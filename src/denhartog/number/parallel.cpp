@@ -1,4 +1,4 @@
-// How are independent pieces of work shared among threads? Each thread takes the next piece from a counter, until none is left,
+// Independent pieces of work, shared among threads. Each thread takes the next piece from a counter, until none is left,
 // a piece returns false, or one has thrown.
 #include "denhartog/number/parallel.hpp"
 

@@ -14,7 +14,7 @@
 
 namespace denhartog {
 
-/// @brief What (6) is made of, from ratios or from matrices that a user knows.
+/// @brief Matrices and vectors of (6), from ratios or from matrices that a user knows.
 struct ContactProblem {
     NonDimensionalMatrices matrices;         ///< M, C, K of (6); symmetric, M positive definite
     Mass contact;                            ///< the mass in contact, j
@@ -92,7 +92,7 @@ public:
         return at;
     }
 
-    /// @brief What rounding can change of the load. @param y the state @return an absolute error, in units of P
+    /// @brief Error of the load by rounding. @param y the state @return an absolute error, in units of P
     [[nodiscard]] double load_error(std::span<const double> y) const;
 
     /// @brief The load's part from displacements and velocities. @param y a state or its derivative @return its linear function

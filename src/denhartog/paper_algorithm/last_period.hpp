@@ -1,4 +1,4 @@
-// What the paper reads off the last period of an integration, step by step: amplitudes, phases, samples.
+// Results that the paper reads off the last period of an integration, step by step: amplitudes, phases, samples.
 #pragma once
 
 #include <functional>

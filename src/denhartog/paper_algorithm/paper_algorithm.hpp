@@ -37,7 +37,7 @@ struct PaperSettings {
     long most_phases_per_cycle = 10'000; ///< phases in a period after which the contact is said to chatter
 };
 
-/// @brief How an integration ended.
+/// @brief End of an integration.
 enum class IntegrationStatus : std::uint8_t {
     complete,   ///< the final time was reached
     chattering, ///< more phases in a period than allowed, or phases of no length without end
@@ -45,13 +45,13 @@ enum class IntegrationStatus : std::uint8_t {
     overflow    ///< a displacement is no longer a finite number
 };
 
-/// @brief What a mass does over the last period.
+/// @brief Motion of a mass over the last period.
 struct PaperMassMotion {
     double amplitude = 0;        ///< largest |x_k|, in units of P / k_1
     std::optional<double> phase; ///< instant of the largest x_k as a lag in (-pi, pi]; none where the contact stops, or x_k rests
 };
 
-/// @brief What the contact does over one period.
+/// @brief Motion of the contact over one period.
 struct ContactPeriod {
     double amplitude = 0; ///< largest |x_j|
     int stops = 0;        ///< stops that end within it
@@ -101,7 +101,7 @@ void check(const PaperSettings& settings, std::size_t N);
 /// @throws          InputError where problem or settings break a rule
 [[nodiscard]] PaperMotion paper_algorithm(const ContactProblem& problem, const PaperSettings& settings = {});
 
-/// @brief The same at the point of a scene.
+/// @brief Integration at the point of a scene.
 /// @eq{6,74,75}
 /// @param scene     the scene, with r and beta
 /// @param settings  tolerances, number of periods, start

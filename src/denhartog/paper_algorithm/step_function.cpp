@@ -9,7 +9,7 @@
 namespace denhartog {
 namespace {
 
-// How a function leaves the zero that it has at an instant, to rounding.
+// Sign with which a function leaves the zero that it has at an instant, to rounding.
 struct Leaving {
     int order;   // of the zero; 0 where there is none
     double rate; // the first coefficient of its series that is not zero; 0 where there is none

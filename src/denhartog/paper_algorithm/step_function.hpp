@@ -20,7 +20,7 @@ struct StepFunction {
     [[nodiscard]] Jet operator()(double theta) const;
 };
 
-// What Runge-Kutta's dense output knows of a quantity over a step: it is of fifth degree in theta.
+// A quantity over a step by Runge-Kutta's dense output, of fifth degree in theta.
 struct StepValues {
     double f_0;          // at the start
     double h_f_prime_0;  // its derivative there with respect to theta

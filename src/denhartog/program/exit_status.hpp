@@ -8,7 +8,7 @@
 
 namespace denhartog::program {
 
-// What went wrong so far.
+// Faults so far.
 struct ExitStatus {
     bool bad_input = false;      // a scene, an option or a file: status 2
     bool digits_missing = false; // an answer not to the digits asked for: status 3

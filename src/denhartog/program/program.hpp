@@ -5,7 +5,7 @@
 
 namespace denhartog::program {
 
-// What `--version` says of the build.
+// Build, as `--version` shows it.
 struct Build {
     std::string commit; // empty where none is known
     std::string compiler;

@@ -16,7 +16,7 @@ using nlohmann::json;
 /// A scene is an object of arrays of arrays of numbers.
 constexpr std::size_t deepest = 3;
 
-/// What the parser found wrong, without its own positions.
+/// Complaint of the parser, without its own positions.
 std::string complaint(std::string_view message) {
     const std::size_t reason = message.find(" - ");
     if (reason == message.npos) return std::string(message);

@@ -22,7 +22,7 @@ namespace {
                      names.places ? std::string("/").append(quantity).append(within) : "");
 }
 
-/// What a number breaks: it must be finite, and keep the rule of its own; null where it does.
+/// Rule that a number breaks: it must be finite, and keep the rule of its own; null if it breaks none.
 template <class T>
 const char* broken_rule(const T& x, bool kept = true, const char* rule = nullptr) {
     using std::isfinite;

@@ -30,7 +30,7 @@ struct Mode {
     bool operator==(const Mode&) const = default;
 };
 
-/// @brief What of the surroundings moves harmonically, in place of a load.
+/// @brief Part of the surroundings that moves harmonically, in place of a load.
 enum class BaseMotion : std::uint8_t {
     none,      ///< nothing: a load is given
     with_wall, ///< base and wall together; displacements are relative to them
@@ -79,7 +79,7 @@ template <class T>
     return false;
 }
 
-/// @brief What a scene in physical units was divided by, in its own units.
+/// @brief Units by which a scene in physical units was divided.
 struct Units {
     double mass = 1;                      ///< m_1
     double stiffness = 1;                 ///< k_1

@@ -103,7 +103,7 @@ std::optional<T> read_friction(const json& object, Scene<T>& scene) {
     return coefficient * read_not_negative<T>(item(object, "normal_force"));
 }
 
-/// What damping in dimensional units is divided by.
+/// Reads a dimensional scene. Gives the unit by which its damping is divided.
 template <class T>
 T read_dimensional(const json& object, Scene<T>& scene) {
     require(object, "masses");

@@ -86,7 +86,7 @@ constexpr auto ratio_keys = std::to_array<std::pair<const char*, const char*>>({
                                                                                 {"r", "frequency"},
                                                                                 {"beta", "friction"}});
 
-/// How many letters have to be added, left out or changed to make one word of another.
+/// Number of letters to be added, left out or changed to make one word of another.
 std::size_t letters_apart(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t(0));

@@ -29,7 +29,7 @@ inline constexpr double largest_damping_tolerance = 2;
 // are named), or has keys of both ratios and physical units.
 bool check_keys(const nlohmann::json& object);
 
-// What the author of a scene calls its quantities, and whether messages point into a JSON text.
+// Names that the author of a scene gives its quantities, and whether messages point into a JSON text.
 struct SceneNames {
     bool dimensional = false; // `masses` in place of `mass_ratios`, and so on
     bool one_zeta = false;    // one damping ratio was given for all modes

@@ -25,9 +25,9 @@ void add_boundary_command(CLI::App& app, ExitStatus& status);
 void add_map_command(CLI::App& app, ExitStatus& status);
 // The motion from a start over a number of periods, by the paper's algorithm or exactly.
 void add_integrate_command(CLI::App& app, ExitStatus& status);
-// What a number of a scene has to be so that an amplitude is as wanted.
+// Values of a number of a scene for which an amplitude is as wanted.
 void add_find_command(CLI::App& app, ExitStatus& status);
-// What the response is made of, (22), (23), (28), (29), (33)-(35), (56), (64).
+// Parts of the response, (22), (23), (28), (29), (33)-(35), (56), (64).
 void add_functions_command(CLI::App& app, ExitStatus& status);
 // The ledger of all numbered equations.
 void add_equations_command(CLI::App& app);

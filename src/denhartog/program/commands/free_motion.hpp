@@ -21,8 +21,8 @@ struct UnloadedScene {
 // The scene, where its force is 0; none of any other, nor where the text is no scene. Throws InputError where a base moves.
 [[nodiscard]] std::optional<UnloadedScene> unloaded_scene(const SceneText& part);
 
-// How its motion comes to rest, or what it does over some periods, and its history where it has one, in the units of the scene; and
-// the same for reading.
+// Its way to rest, or its motion over some periods, and its history if there is one, in the units of the scene; as JSON, and as a
+// table.
 [[nodiscard]] Json free_motion_json(const UnloadedScene& unloaded, const SceneSource& source, const State& start,
                                     const std::optional<int>& periods, const std::optional<MotionHistory>& history);
 [[nodiscard]] std::string free_motion_table(const Json& answer);

@@ -124,7 +124,7 @@ State start_from(const std::string& text, std::size_t N) {
     return {{numbers.begin(), middle}, {middle, numbers.end()}};
 }
 
-// What is asked of the history; InputError where it cannot be.
+// Settings of the history; InputError if they break a rule.
 HistorySettings history_settings(const IntegrateOptions& options, const State& start) {
     HistorySettings settings;
     settings.cycles = options.settings.cycles;

@@ -41,7 +41,8 @@ void show_equations(const LedgerOptions& options) {
                                              : ledger::card(entries.front()));
 }
 
-// How near a claim is to the equation asked for: its own first, then those that decide it with others, steps and forms last.
+// Rank of a claim by its distance from the equation asked for: its own first, then those that decide it with others, steps and
+// forms last.
 int distance_of(const ledger::Json& claim, const std::string& equation) {
     const std::string id = claim.at("claim"), kind = claim.value("kind", "");
     const bool own = id.starts_with(equation + "/"),

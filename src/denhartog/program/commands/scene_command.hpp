@@ -1,4 +1,4 @@
-// What the subcommands that answer scenes share: options, the walk over the scenes, errors in their place.
+// Common parts of the subcommands that answer scenes: options, the walk over the scenes, errors in their place.
 #pragma once
 
 #include <functional>
@@ -56,7 +56,7 @@ void add_effort_and_damping(CLI::App& command, SceneOptions& options);
 void answer_scenes(const SceneOptions& options, const std::function<std::string(const SceneText&, Effort*)>& answer,
                    ExitStatus& status);
 
-// What is asked for; where a formula has a pole, that is a fault of the scene's r.
+// The answer of `ask`; a pole of a formula is a fault of the scene's r.
 template <class Ask>
 auto off_poles(const Ask& ask) {
     try {

@@ -119,7 +119,7 @@ void add_show(CLI::App& conform) {
     command->callback([options, id] { show(*options, *id); });
 }
 
-// What follows `--` is the program under test, whatever it looks like.
+// The words behind `--` are the program under test, whatever they look like.
 void take_program(ConformOptions& options, const std::vector<std::string>& arguments) {
     const auto mark = std::find(arguments.begin(), arguments.end(), "--");
     if (mark == arguments.end()) throw InputError("PROGRAM", "must follow after --", options.command.front());

@@ -25,7 +25,7 @@ struct SelectionOptions {
     bool skip_must_fail = false;     // without the questions that have to be rejected
 };
 
-// How a program is run and what is left of it.
+// Options of a run and of its records.
 struct ConformOptions : SelectionOptions {
     std::vector<std::string> command; // program and arguments
     std::string answers;              // file of answers, in place of a program
@@ -47,7 +47,7 @@ void add_selection_options(CLI::App& command, SelectionOptions& options);
 void add_program_options(CLI::App& command, ConformOptions& options);
 void add_report_options(CLI::App& command, ConformOptions& options);
 
-// How the program is run. Throws InputError where a number breaks its rule.
+// Settings of the run. Throws InputError where a number breaks its rule.
 [[nodiscard]] conformance::RunSettings run_settings(const ConformOptions& options);
 
 // The quantities that must not be skipped. Throws InputError for a name that is none.

@@ -44,7 +44,7 @@ struct Comparison {
 // The text of a file of verdicts: those of a run, and the earlier ones of vectors that were not asked.
 [[nodiscard]] std::string tracked_text(Verdicts before, std::span<const conformance::Judged> judged);
 
-// What was found about an implementation.
+// Findings about an implementation.
 struct ConformReport {
     std::string subject;                     // the name that the program gives itself, or the file of answers
     std::string command;                     // as a shell takes it; empty for a file
@@ -78,16 +78,16 @@ struct ConformReport {
 // One answer for people: verdict and reason, answer and truth, in decimal and hexadecimal, error and condition, each line indented.
 [[nodiscard]] std::string answer_text(const conformance::Judged& one, const std::string& indent);
 
-// What the matter is with wrong answers.
+// Explanation of wrong answers.
 [[nodiscard]] std::string diagnosis_text(const conformance::Diagnosis& d);
 
-// What is concluded, as a sentence: whether it conforms, and how many answers of other tiers are wrong.
+// Conclusion as a sentence: whether it conforms, and how many answers of other tiers are wrong.
 [[nodiscard]] std::string conclusion(const ConformReport& report);
 
 // Answers with the verb that follows: `1 answer is`, `7 answers are`.
 [[nodiscard]] std::string answers_are(std::size_t count);
 
-// How many answers contradict an explanation, as a clause.
+// Number of answers that contradict an explanation, as a clause.
 [[nodiscard]] std::string contradicted_by(std::size_t answers);
 
 // Verdicts and digits by tier and group, as cells; `none` stands for a count of zero.

@@ -29,7 +29,7 @@ std::string time_text(double seconds) {
     return whole < 120 ? std::to_string(whole) + " s" : std::to_string((whole + 30) / 60) + " min";
 }
 
-// How many questions are done and how long the rest may take, on a terminal, at every percent.
+// Progress on a terminal, at every percent: questions done, and time left.
 void show_answered(std::size_t done, std::size_t all) {
     static const auto start = std::chrono::steady_clock::now();
     static const bool on_terminal = ::isatty(STDERR_FILENO) != 0;
@@ -49,7 +49,7 @@ std::string text_in_format(const ConformReport& report, const std::string& forma
     return report_text(report);
 }
 
-// What is to be known before a long run: that its results can be kept.
+// Check before a long run that its results can be kept.
 std::optional<Verdicts> earlier_verdicts(const ConformOptions& options) {
     if (!options.output.empty()) check_writable(options.output);
     if (options.track.empty()) return std::nullopt;

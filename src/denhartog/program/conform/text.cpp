@@ -41,7 +41,7 @@ std::string numbers_text(const Judged& one, const std::string& indent) {
                 v.reject.empty() ? value_text(truth_of(v)) : "to be rejected: " + v.reject, "\n");
 }
 
-// What several answers share: the reason where there is one, and what their scenes are.
+// Common parts of several answers: the reason, if there is one, and their scenes.
 std::string group_of(const Judged& one) {
     const std::string reason = one.reason.find("finite") != std::string::npos ? "not finite" : std::string(name(one.verdict));
     return reason + (is_overdamped(one.vector->question) ? ", overdamped" : "") +
@@ -94,7 +94,7 @@ std::string finding_text(const conformance::Finding& f, std::size_t number, std:
                 value_text(truth_of(*f.example->vector)), "\n");
 }
 
-// What is right along the chain of quantities, and the first that is wrong.
+// Right links of the chain of quantities, and the first that is wrong.
 std::string chain_text(const std::vector<conformance::Link>& chain) {
     std::string right;
     for (const conformance::Link& link : chain) {

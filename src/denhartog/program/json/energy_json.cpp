@@ -8,12 +8,12 @@
 namespace denhartog::program {
 namespace {
 
-// What units there are of energy, force, damping and length.
+// Units of energy, force, damping and length.
 struct UnitsOfEnergy {
     double energy = 1, force = 1, damping = 1, length = 1;
 };
 
-// The same members in any units; in others than the answer's own the numbers are converted in double.
+// The members in any units; in others than the answer's own the numbers are converted in double.
 Json energies_json(const Energies& e, const UnitsOfEnergy& in, const NumberWriter& write) {
     Json all;
     const auto add = [&](const std::string& key, const Certified& x, double unit = 1) {

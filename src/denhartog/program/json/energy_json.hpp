@@ -1,4 +1,4 @@
-// What a motion dissipates, as JSON and as a table.
+// Energy that a motion dissipates, as JSON and as a table.
 #pragma once
 
 #include "denhartog/answer/energy.hpp"

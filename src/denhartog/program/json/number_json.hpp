@@ -22,7 +22,7 @@ struct NumberWriter {
     [[nodiscard]] Json operator()(const Certified& x) const;
     // A bound of an error, rounded up where it is text.
     [[nodiscard]] Json bound(double e) const;
-    // The same, null where it is infinite and so nothing is known.
+    // A bound, null if it is infinite, as nothing is then known.
     [[nodiscard]] Json bound_or_null(double e) const;
 };
 

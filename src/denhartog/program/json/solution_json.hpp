@@ -1,5 +1,5 @@
 // Answers as JSON objects, the keys in the order of the documentation, and as tables.
-// What means nothing in a regime, or was not asked for, is absent.
+// Members that mean nothing in a regime, or were not asked for, are absent.
 #pragma once
 
 #include "denhartog/answer/scene_source.hpp"
@@ -8,7 +8,7 @@
 
 namespace denhartog::program {
 
-/// @brief What displacements are relative to; null where they are absolute.
+/// @brief Frame to which displacements are relative; null if they are absolute.
 [[nodiscard]] inline const char* frame_of(const System<double>& system) {
     if (system.base_motion == BaseMotion::with_wall) return "base and wall";
     return system.base_motion == BaseMotion::wall ? "wall" : nullptr;
@@ -32,7 +32,7 @@ template <class S>
 [[nodiscard]] Json solution_json(const Solution& solution, const NumberWriter& write);
 [[nodiscard]] std::string solution_table(const Json& answer);
 
-// How an answer was computed, as a line: model, precision, whether it is proved, and why.
+// Method of an answer, as a line: model, precision, whether it is proved, and why.
 [[nodiscard]] std::string method_in_words(const Json& method);
 
 // Where the contact is, in words, from the object `contact` of an answer; a line without its end.
@@ -48,10 +48,10 @@ void add_damping(Json& answer, const SceneSource& source);
 void add_place_of_rest(Json& answer, const SceneSource& source);
 [[nodiscard]] std::string place_of_rest_lines(const Json& answer);
 
-// What the ratios of a scene in physical units are in these: frequency, force, friction.
+// Ratios of a scene in physical units, turned back into these: frequency, force, friction.
 [[nodiscard]] Json units_json(const Units& units, double r, const std::optional<double>& beta, double mu);
 
-// What displacements and phases of an answer are in, behind the contact in words.
+// Units of displacements and phases of an answer, behind the contact in words.
 [[nodiscard]] std::string units_in_words(const Json& answer);
 
 // Adds `dimensional` to the answer to a scene in physical units: frequencies, forces, displacements and times in these units, in

@@ -54,7 +54,7 @@ std::string csv_cell(const Column& c, double x) {
     return c.words.empty() ? std::to_string(static_cast<int>(x)) : c.words.at(static_cast<std::size_t>(x));
 }
 
-// What takes a value for each of many rows.
+// A column with a value for each row.
 Column column(std::string name, std::string type, std::size_t rows, const std::function<double(std::size_t)>& value) {
     Column c{std::move(name), std::move(type), std::vector<double>(rows)};
     for (std::size_t n = 0; n < rows; ++n) c.values[n] = value(n);

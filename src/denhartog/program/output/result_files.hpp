@@ -20,7 +20,7 @@ struct MapAxis {
     std::vector<double> values;
 };
 
-// What a file of a map says of its grid.
+// Grid of a map, as its file names it.
 struct MapGrid {
     MapAxis frequency, rows;
     std::vector<Mass> masses; // whose amplitudes the map has
@@ -59,7 +59,7 @@ struct ResultTable {
 inline constexpr const char* in_ratios = "ratios"; // displacements in units of P / k_1, times in radians of the force
 inline constexpr const char* in_scene = "scene";   // the units that the scene was given in
 
-// What the numbers of a motion are multiplied by.
+// Factors of the numbers of a motion.
 struct MotionUnits {
     double omega;  // angular frequency of the force
     double length; // P / k_1
