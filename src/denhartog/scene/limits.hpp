@@ -13,8 +13,7 @@ namespace denhartog {
 
 /// @brief The largest number of masses of a system.
 ///
-/// The eigenproblem is dense: its time grows as N^3, its memory as N^2. At 1000 masses one boundary takes about a second and 60
-/// megabytes in double. A motion with stops takes far longer.
+/// The eigenproblem is dense: its time grows as N^3, its memory as N^2. A motion with stops takes far longer than a boundary.
 inline constexpr std::size_t most_masses = 1000;
 
 /// @brief The largest number of instants at which a motion is given.
