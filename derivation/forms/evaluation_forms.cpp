@@ -171,6 +171,21 @@ const Register claims_of_evaluation_forms([] {
                  return std::vector<ex>{as_rounded.b.expression() + as_rounded.re_2.expression() - as_rounded.im_2.expression()};
              },
          .special_case = true}, // an operation may be exchanged there and the rest stays: it matters to roundings alone
+        {.id = "evaluation/sum-with-rests",
+         .equations = {"6"},
+         .role = Role::shipped,
+         .title = "The sum of a row of (6), each addition with any rounding, what it took given back",
+         .kernel =
+             [=] {
+                 const evaluation::SumWithRest<Symbolic> s =
+                     evaluation::with_term<Symbolic>({as_rounded.b, as_rounded.re_2}, as_rounded.im_2, as_rounded.all);
+                 return Values{s.sum + s.rest};
+             },
+         .derived =
+             [=] {
+                 return std::vector<ex>{as_rounded.b.expression() + as_rounded.re_2.expression() + as_rounded.im_2.expression()};
+             },
+         .special_case = true}, // as with the rest of a sum
         {.id = "evaluation/root-with-rests",
          .equations = {"36", "38"},
          .role = Role::shipped,

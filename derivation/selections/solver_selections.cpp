@@ -59,7 +59,7 @@ std::vector<Placed> array_of_mode(const Placed& R, const Placed& zeta) {
     const Placed angle = pi<Placed>() * ((half.w - half.late) * x), s = sin(angle), c = cos(angle);
     const evaluation::Exponential<Placed> e{decay, decay, evaluation::exp_minus_one(Placed(-delta))};
     const evaluation::HalfAngleProducts<Placed> h{s * c, c * c};
-    if (!evaluation::of_large_ratio(R)) { // the other form of (29), in any block
+    if (!evaluation::is_large_ratio(R)) { // the other form of (29), in any block
         const evaluation::ModeFunctions<Placed> f = evaluation::array_mode_functions<false>(R, m, x, e, h, Placed(0));
         return {f.v.re, f.v.im, f.u, f.g};
     }

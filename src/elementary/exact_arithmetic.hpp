@@ -62,8 +62,8 @@ inline constexpr bool has_fused_product = false;
 }
 /// @brief A sum. @param a a number @param b a number @return both parts, exact
 [[nodiscard, gnu::always_inline]] inline Parts exact_sum(double a, double b) {
-    const double sum = a + b, of_b = sum - a;
-    return {sum, (a - (sum - of_b)) + (b - of_b)};
+    const double sum = a + b, b_part = sum - a;
+    return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 /// @brief A product, after Dekker. @param a a number @param b a number @param a_1 its first half @param b_1 that of the other
 /// @return both parts

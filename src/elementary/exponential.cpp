@@ -54,10 +54,10 @@ double rounded(const Parts& parts) { return parts.high + parts.low; }
     return {head.high, head.low + ((k * ln_2_low + at.low) + series)};
 }
 
-constexpr std::uint64_t least_normal = 0x0010000000000000U, of_infinity = 0x7ff0000000000000U;
+constexpr std::uint64_t least_normal = 0x0010000000000000U, infinity_bits = 0x7ff0000000000000U;
 
 // Whether the bits are those of a positive normal number.
-bool is_normal(std::uint64_t bits) { return bits - least_normal < of_infinity - least_normal; }
+bool is_normal(std::uint64_t bits) { return bits - least_normal < infinity_bits - least_normal; }
 
 // log(x) where x is no positive normal number.
 [[gnu::noinline]] Parts logarithm_far_out(double x) {

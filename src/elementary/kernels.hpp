@@ -131,11 +131,11 @@ struct ReducedAngle {
 [[nodiscard, gnu::always_inline]] inline Parts sine(const ReducedAngle& a) {
     const Direction& at = circle[a.n & 127U];
     const double d = a.d, z = d * d, along = at.whole * d;
-    const double of_sine = d * z * (-1.0 / 6 + z * (1.0 / 120 - z * (1.0 / 5040)));
-    const double of_cosine = z * (-0.5 + z * ((1.0 / 24 - z * (1.0 / 720)) + z * z * (1.0 / 40320)));
+    const double sine_part = d * z * (-1.0 / 6 + z * (1.0 / 120 - z * (1.0 / 5040)));
+    const double cosine_part = z * (-0.5 + z * ((1.0 / 24 - z * (1.0 / 720)) + z * z * (1.0 / 40320)));
     const Parts head = ordered_sum(at.sine, along);
-    const double first = at.cosine_less_whole * d + at.sine * of_cosine + (at.rest + at.whole * a.d_low);
-    return {head.high, head.low + (first + (at.whole + at.cosine_less_whole) * of_sine)};
+    const double first = at.cosine_less_whole * d + at.sine * cosine_part + (at.rest + at.whole * a.d_low);
+    return {head.high, head.low + (first + (at.whole + at.cosine_less_whole) * sine_part)};
 }
 
 /// @brief The cosine: the sine a quarter turn on. @param a a reduced angle @return both parts

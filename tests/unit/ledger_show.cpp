@@ -44,7 +44,7 @@ TEST_CASE("the ledger is looked for where the caller says, then the environment,
     CHECK(ledger::read_ledger({option, environment, built, none}).entries[0].at("equation") == "1");
     CHECK(ledger::read_ledger({"", environment, built, none}).entries[0].at("equation") == "2");
     CHECK(ledger::read_ledger({"", "", built, none}).entries[0].at("equation") == "3");
-    CHECK(ledger::read_ledger({"", "", built, none}).of_a_run);
+    CHECK(ledger::read_ledger({"", "", built, none}).from_a_run);
     CHECK_THROWS_AS(ledger::read_ledger({none, environment, built, none}), InputError);
     CHECK_THROWS_AS(ledger::read_ledger({"", none, built, none}), InputError);
     CHECK_THROWS_AS(ledger::read_ledger({"", "", none, none}), InputError);
@@ -53,7 +53,7 @@ TEST_CASE("the ledger is looked for where the caller says, then the environment,
 TEST_CASE("without a run the rows are shown with every verdict unknown", "[ledger]") {
     const ledger::Ledger found =
         ledger::read_ledger({"", "", "/no/such/ledger.json", (tests::project() / "docs/ledger/equations.json").string()});
-    CHECK_FALSE(found.of_a_run);
+    CHECK_FALSE(found.from_a_run);
     REQUIRE(found.entries.size() == 103);
     for (const Json& entry : found.entries) {
         CHECK(entry.at("printed") == "unknown");

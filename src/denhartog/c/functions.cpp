@@ -35,13 +35,13 @@ int modal_functions(const dh_system* system, double r, size_t count, ValueOrErro
         const Numbers ratios = frequency_ratios_at(system, r);
         if (v == nullptr && u == nullptr && g == nullptr) return hand_out(part, {{ratios, R}}); // there is no pole
         check_uncoupled(*system->modes);
-        Numbers of_v, of_u, of_g;
+        Numbers v_values, u_values, g_values;
         for (const auto& f : certain_mode_functions(paid(at_frequency(system->prepared.source, r)), system->modes)) {
-            of_v.insert(of_v.end(), {f.v.re, f.v.im});
-            of_u.push_back(f.u);
-            of_g.push_back(f.g);
+            v_values.insert(v_values.end(), {f.v.re, f.v.im});
+            u_values.push_back(f.u);
+            g_values.push_back(f.g);
         }
-        hand_out(part, {{ratios, R}, {of_v, v}, {of_u, u}, {of_g, g}});
+        hand_out(part, {{ratios, R}, {v_values, v}, {u_values, u}, {g_values, g}});
     });
 }
 
@@ -52,9 +52,9 @@ int sums(const dh_system* system, double r, size_t count, ValueOrError part, dou
         need(V, part, "V");
         need_count(count, N);
         const Quantities<Bounded<double>> q = sums_at(system, r);
-        Numbers of_V;
-        for (const Complex<Bounded<double>>& each : q.V) of_V.insert(of_V.end(), {each.re, each.im});
-        hand_out(part, {{of_V, V}, {q.U, U}, {q.G, G}, {{q.H_j}, H_j}, {{q.S}, S_j}});
+        Numbers V_values;
+        for (const Complex<Bounded<double>>& each : q.V) V_values.insert(V_values.end(), {each.re, each.im});
+        hand_out(part, {{V_values, V}, {q.U, U}, {q.G, G}, {{q.H_j}, H_j}, {{q.S}, S_j}});
     });
 }
 

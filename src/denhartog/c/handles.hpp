@@ -68,8 +68,8 @@ struct Allowance {
 
 // That of the calling thread, to be read or set.
 inline Allowance& allowance() noexcept {
-    static thread_local Allowance of_thread;
-    return of_thread;
+    static thread_local Allowance kept;
+    return kept;
 }
 
 // Runs the body of a function that asks many questions, each with an effort of its own. Gives DH_OK, or

@@ -239,15 +239,15 @@ int dh_solve_systems(const dh_systems_request* given, const dh_points* points) n
         const auto [least, largest] = numbers_of_masses(*request);
         for (std::size_t n = 0; n < request->count; ++n)
             check_base(element(request->systems, request->system_step, n), request->from_ground);
-        const std::vector<Mass> of_largest =
+        const std::vector<Mass> largest_masses =
             masses_from(request->mass_count, request->masses, request->masses != nullptr ? least : largest);
         const Question question = question_of(*points, request->digits, request->from_ground,
-                                              request->masses != nullptr ? of_largest : std::vector<Mass>());
+                                              request->masses != nullptr ? largest_masses : std::vector<Mass>());
         const Allowance allowed = allowance();
-        solve_all(*request, *points, of_largest.size(), [&](std::size_t n) {
+        solve_all(*request, *points, largest_masses.size(), [&](std::size_t n) {
             const PreparedSystem& prepared = element(request->systems, request->system_step, n)->prepared;
             const double mu = element(request->mu, request->mu_step, n);
-            std::vector<Mass> masses = of_largest;
+            std::vector<Mass> masses = largest_masses;
             if (request->masses == nullptr) masses.resize(number_of_masses(prepared.scene().system));
             const auto ask = [&](const PreparedSystem& at_mu) {
                 return answer_at(at_mu, element(request->r, request->r_step, n), element(request->beta, request->beta_step, n),

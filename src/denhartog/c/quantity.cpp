@@ -96,7 +96,7 @@ Numbers motion_under_force(const AtPoint& a) {
 
 struct Named {
     std::string_view name;
-    bool of_mass;
+    bool has_mass;
     Numbers (*numbers)(const AtPoint&);
 };
 
@@ -150,7 +150,7 @@ int named_quantity(const dh_system* system, const char* name, double r, double b
         check_static_friction(mu);
         const auto* quantity = std::ranges::find(named, std::string_view(name), &Named::name);
         if (quantity == std::end(named)) throw DomainError("there is no quantity of this name");
-        const Mass k = quantity->of_mass ? mass_from(mass, N, "mass") : Mass{};
+        const Mass k = quantity->has_mass ? mass_from(mass, N, "mass") : Mass{};
         const Numbers numbers = quantity->numbers({system, r, beta, mu, k, tau, size, N, part});
         if (numbers.size() > size)
             throw CallError(DH_ERROR_SIZE,

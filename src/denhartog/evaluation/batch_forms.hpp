@@ -127,7 +127,7 @@ template <class T>
 
 /// @brief Whether (29) is taken in its second form. @param R modal frequency ratio, Eq. (22) @return whether R is 5/4 and more
 template <class T>
-[[nodiscard, gnu::always_inline]] inline bool of_large_ratio(const T& R) {
+[[nodiscard, gnu::always_inline]] inline bool is_large_ratio(const T& R) {
     return 4 * R >= 5;
 }
 
@@ -151,8 +151,9 @@ template <bool large_ratios, class T>
     const Complex<T> v = array_response(R, m);
     if constexpr (large_ratios) {
         const T q = 2 * pi<T>() * x;
-        const T of_large = array_second_damping_function_of_large_ratio(T(m.two_pi_zeta * x), T(q * q), series, e, inverse);
-        return {v, u, of_large_ratio(R) ? of_large : g};
+        const T g_of_large_ratio =
+            array_second_damping_function_of_large_ratio(T(m.two_pi_zeta * x), T(q * q), series, e, inverse);
+        return {v, u, is_large_ratio(R) ? g_of_large_ratio : g};
     } else {
         return {v, u, g};
     }

@@ -29,8 +29,26 @@ template <class T>
 /// @return the rest, exact in binary floating-point types
 template <class T>
 [[nodiscard]] T sum_error(const T& x, const T& y, const T& sum) {
-    const T of_y = sum - x;
-    return (x - (sum - of_y)) + (y - of_y);
+    const T y_part = sum - x;
+    return (x - (sum - y_part)) + (y - y_part);
+}
+
+/// @brief A sum so far, and what its roundings took.
+template <class T>
+struct SumWithRest {
+    T sum;  ///< as it was rounded
+    T rest; ///< what is to be added to it
+};
+
+/// @brief A sum with one term more: nothing is lost, whatever the rounding.
+/// @eq{6}  @derivation{forms/evaluation_forms}  @domain{any numbers}
+/// @param s     the sum so far
+/// @param term  the term
+/// @param next  their sum as rounded
+/// @return      the sum with the term; in exact arithmetic sum and rest together are those of `s` and the term
+template <class T>
+[[nodiscard]] SumWithRest<T> with_term(const SumWithRest<T>& s, const T& term, const T& next) {
+    return {next, s.rest + sum_error(s.sum, term, next)};
 }
 
 /// @brief A sum with what its roundings took: as good as one that is rounded once.
@@ -38,13 +56,9 @@ template <class T>
 /// @return       the sum; as it is where it is beyond the range
 template <class T, class Terms>
 [[nodiscard]] T sum_with_rests(const Terms& terms) {
-    T sum(0), rests(0);
-    for (const T& term : terms) {
-        const T next = sum + term;
-        rests = rests + sum_error(sum, term, next);
-        sum = next;
-    }
-    return rests - rests == 0 ? T(sum + rests) : sum;
+    SumWithRest<T> s{T(0), T(0)};
+    for (const T& term : terms) s = with_term(s, term, T(s.sum + term));
+    return s.rest - s.rest == 0 ? T(s.sum + s.rest) : s.sum;
 }
 
 /// @brief Parts of the root, each number as it was rounded.

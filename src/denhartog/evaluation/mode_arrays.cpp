@@ -78,7 +78,7 @@ template <bool large_ratios>
 
 [[gnu::always_inline]] inline std::int64_t number_of_large(const double* R, std::size_t n) {
     std::int64_t large = 0;
-    for (std::size_t i = 0; i < n; ++i) large += of_large_ratio(R[i]) ? 1 : 0;
+    for (std::size_t i = 0; i < n; ++i) large += is_large_ratio(R[i]) ? 1 : 0;
     return large;
 }
 

@@ -75,8 +75,8 @@ Ledger read_ledger(const Places& places) {
     Ledger found;
     found.file = !places.option.empty() ? places.option : places.environment;
     if (found.file.empty() && std::filesystem::exists(places.built)) found.file = places.built;
-    found.of_a_run = !found.file.empty();
-    if (found.of_a_run) {
+    found.from_a_run = !found.file.empty();
+    if (found.from_a_run) {
         found.entries = read_array(found.file, "the ledger");
     } else {
         found.file = places.rows;

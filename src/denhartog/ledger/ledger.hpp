@@ -16,10 +16,10 @@ struct Places {
 };
 
 // A ledger that was read.
-struct Ledger {           // NOLINT(bugprone-exception-escape): a JSON value moves without throwing
-    Json entries;         // one object an equation
-    bool of_a_run = true; // false: the hand-written rows alone, every verdict unknown
-    std::string file;     // where it comes from
+struct Ledger {             // NOLINT(bugprone-exception-escape): a JSON value moves without throwing
+    Json entries;           // one object an equation
+    bool from_a_run = true; // false: the hand-written rows alone, every verdict unknown
+    std::string file;       // where it comes from
 };
 
 // Reads a file that holds a JSON array. Throws InputError where it cannot be read, is no JSON, or is no array of objects.

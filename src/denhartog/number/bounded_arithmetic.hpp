@@ -57,8 +57,8 @@ struct Bounded {
     [[nodiscard]] friend Bounded operator-(const Bounded& a) { return {T(-a.x), a.e}; }
     /// @brief Sum: the errors add up, and its rounding is known.
     [[nodiscard, gnu::always_inline]] friend Bounded operator+(const Bounded& a, const Bounded& b) {
-        const T sum = a.x + b.x, of_b = sum - a.x;
-        return of(sum, a.e + b.e, std::abs((a.x - (sum - of_b)) + (b.x - of_b)));
+        const T sum = a.x + b.x, b_part = sum - a.x;
+        return of(sum, a.e + b.e, std::abs((a.x - (sum - b_part)) + (b.x - b_part)));
     }
     /// @brief Difference, bounded as a sum is.
     [[nodiscard, gnu::always_inline]] friend Bounded operator-(const Bounded& a, const Bounded& b) { return a + -b; }

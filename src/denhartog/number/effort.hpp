@@ -53,8 +53,8 @@ inline void pay_for_products(Effort* effort, long multiplications) { pay(effort,
 // The budget of a question if none is asked for: 1e7 operations for twelve modes and fewer, 4.5e8 for a hundred. Up
 // to there it grows as products of matrices do that a motion with stops takes.
 [[nodiscard]] constexpr long default_effort(std::size_t modes) {
-    const auto N = static_cast<long>(std::max<std::size_t>(modes, 12)), of_modes = 10'000'000 / 12 * N;
-    return std::max(of_modes, std::min(of_modes * (8 + N) / 20, 450'000'000L)) + 4 * (N * N * N - 12 * 12 * 12);
+    const auto N = static_cast<long>(std::max<std::size_t>(modes, 12)), operations = 10'000'000 / 12 * N;
+    return std::max(operations, std::min(operations * (8 + N) / 20, 450'000'000L)) + 4 * (N * N * N - 12 * 12 * 12);
 }
 
 // The budget of one question.

@@ -67,9 +67,9 @@ std::string legible(std::string_view text, std::size_t most) {
     std::string whole;
     for (const std::string& each : all) whole += each;
     if (whole.size() <= most) return whole;
-    const std::size_t room = most - dots.size(), of_head = room - room / 3;
+    const std::size_t room = most - dots.size(), head_room = room - room / 3;
     std::string head, tail;
-    for (auto each = all.begin(); head.size() + each->size() <= of_head; ++each) head += *each;
+    for (auto each = all.begin(); head.size() + each->size() <= head_room; ++each) head += *each;
     for (auto each = all.rbegin(); head.size() + tail.size() + each->size() <= room; ++each) tail.insert(0, *each);
     return head.append(dots).append(tail);
 }

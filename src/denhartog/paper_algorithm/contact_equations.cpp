@@ -76,53 +76,53 @@ ContactEquations::ContactEquations(const ContactProblem& p) : beta(p.beta), mu(p
     places.contact = p.contact, places.load = p.load, places.contact_with = p.contact_with, places.load_vector = p.load_vector;
     places.load_phases = p.load_phases, places.contact_direction = p.contact_direction;
     out_of_phase_ = !p.load_phases.empty();
-    const std::vector<double> of_w = contact_vector(places);
-    contact = contact_of(of_w, M);
-    std::vector<double> of_p, of_sine;
+    const std::vector<double> w_entries = contact_vector(places);
+    contact = contact_of(w_entries, M);
+    std::vector<double> p_re, p_im;
     for (const Complex<double>& each : complex_load(places)) {
-        of_p.push_back(each.re);
-        of_sine.push_back(each.im);
+        p_re.push_back(each.re);
+        p_im.push_back(each.im);
     }
-    const Eigen::Map<const Eigen::VectorXd> w(of_w.data(), rows), load(of_p.data(), rows), ahead(of_sine.data(), rows);
+    const Eigen::Map<const Eigen::VectorXd> w(w_entries.data(), rows), load(p_re.data(), rows), ahead(p_im.data(), rows);
     const Eigen::LLT<Matrix<double>> factor(M);
     if (factor.info() != Eigen::Success) throw InputError("M", "must be positive definite", "");
     const Matrix<double> inverse = factor.solve(Matrix<double>::Identity(rows, rows));
     N = static_cast<std::size_t>(rows);
-    const Eigen::VectorXd of_contact = inverse * w;
-    compliance = contact.of(of_contact);
+    const Eigen::VectorXd contact_acceleration = inverse * w;
+    compliance = contact.of(contact_acceleration);
 
     Matrix<double> forces(rows, 2 * rows); // by springs and dampers, per unit of y
     forces << -K, -C;
     const Matrix<double> accelerations = inverse * forces;
     // With the contact held, the reaction takes its acceleration away.
-    const Matrix<double> held = of_contact / compliance;
+    const Matrix<double> held = contact_acceleration / compliance;
     Matrix<double> held_accelerations = accelerations - held * contact.row_of(accelerations);
     contact.hold(held_accelerations);
-    const auto held_force = [&](const Matrix<double>& of_force) {
-        Matrix<double> held_load = of_force - held * contact.row_of(of_force);
+    const auto held_force = [&](const Matrix<double>& acceleration) {
+        Matrix<double> held_load = acceleration - held * contact.row_of(acceleration);
         contact.hold(held_load);
         return held_load;
     };
-    const Matrix<double> of_load = inverse * load, of_ahead = inverse * ahead;
+    const Matrix<double> load_acceleration = inverse * load, ahead_acceleration = inverse * ahead;
     if (!p.static_load.empty()) {
-        const Matrix<double> of_static = inverse * Eigen::Map<const Eigen::VectorXd>(p.static_load.data(), rows);
-        sliding_static_ = of_static;
-        sticking_static_ = held_force(of_static);
-        static_load = contact.of(of_static.col(0)) / compliance;
+        const Matrix<double> static_acceleration = inverse * Eigen::Map<const Eigen::VectorXd>(p.static_load.data(), rows);
+        sliding_static_ = static_acceleration;
+        sticking_static_ = held_force(static_acceleration);
+        static_load = contact.of(static_acceleration.col(0)) / compliance;
     }
     // The contact's row with the accelerations of the others eliminated; for a diagonal M it is row j itself.
-    const Matrix<double> row = of_contact.transpose() / compliance * forces;
+    const Matrix<double> row = contact_acceleration.transpose() / compliance * forces;
     contact_row_ = -row;
     sliding_ = accelerations;
     sticking_ = held_accelerations;
-    sliding_load_ = of_load;
-    sticking_load_ = held_force(of_load);
-    sliding_ahead_ = of_ahead;
-    sticking_ahead_ = held_force(of_ahead);
-    contact_column_ = of_contact;
+    sliding_load_ = load_acceleration;
+    sticking_load_ = held_force(load_acceleration);
+    sliding_ahead_ = ahead_acceleration;
+    sticking_ahead_ = held_force(ahead_acceleration);
+    contact_column_ = contact_acceleration;
     friction_.resize(rows);
     const auto a = static_cast<Eigen::Index>(contact.a);
-    harmonic_load = {of_contact.dot(load) / compliance, of_contact.dot(ahead) / compliance};
+    harmonic_load = {contact_acceleration.dot(load) / compliance, contact_acceleration.dot(ahead) / compliance};
     direct_load_ = {contact.over(load(a)), contact.over(ahead(a))};
     inertial_load_ = {harmonic_load.re - direct_load_.re, harmonic_load.im - direct_load_.im};
     if (!(sliding_.allFinite() && sticking_.allFinite() && sliding_load_.allFinite() && contact_row_.allFinite()))

@@ -167,9 +167,9 @@ std::string freed(const UnloadedScene& unloaded, const SceneText& part, const In
     for (double& v : start.x_prime) v /= unloaded.omega;
     std::optional<MotionHistory> history;
     if (!options.history.empty() || options.settings.samples > 0) {
-        IntegrateOptions of_history = options;
-        if (options.history.empty()) of_history.history = "all";
-        HistorySettings settings = history_settings(of_history, start);
+        IntegrateOptions history_options = options;
+        if (options.history.empty()) history_options.history = "all";
+        HistorySettings settings = history_settings(history_options, start);
         settings.without_load = true;
         settings.period = unloaded.period;
         if (!options.cycles_given) settings.cycles = periods_to_rest(unloaded, source, start);

@@ -35,7 +35,7 @@ void show_equations(const LedgerOptions& options) {
         {options.file, from_environment("DENHARTOG_LEDGER"), derivation_file("ledger.json"), equations_file()});
     const ledger::Json entries = ledger::entries_of(found.entries, equation);
     if (!equation.empty() && entries.empty()) throw InputError("the ledger", "must have the equation", equation, found.file);
-    if (!found.of_a_run) report("no derivation has been run here, so every verdict is unknown; run ./verify paper");
+    if (!found.from_a_run) report("no derivation has been run here, so every verdict is unknown; run ./verify paper");
     write_standard_output(options.json       ? entries.dump(2) + "\n"
                           : equation.empty() ? ledger::table(entries)
                                              : ledger::card(entries.front()));

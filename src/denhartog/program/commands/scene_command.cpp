@@ -27,8 +27,8 @@ InputError with_place(const InputError& e, const SceneText& part) {
     std::string key = e.quantity;
     if (key == "r") {
         const Json scene = Json::parse(part.text, nullptr, false);
-        for (const char* of_masses : {"frequency", "frequency_hz"})
-            if (scene.contains(of_masses)) key = of_masses;
+        for (const char* dimensional_key : {"frequency", "frequency_hz"})
+            if (scene.contains(dimensional_key)) key = dimensional_key;
     }
     return InputError(key, e.rule, e.value, "/" + key);
 }

@@ -66,11 +66,11 @@ std::string digits_text(const ConformReport& report) {
 std::string worst_text(const ConformReport& report) {
     const std::vector<const Judged*> worst = conformance::worst_first(report.judged);
     if (worst.empty()) return "";
-    std::map<std::string, std::size_t> groups, of_quantity;
+    std::map<std::string, std::size_t> groups, told_by_quantity;
     std::vector<const Judged*> told;
     for (const Judged* one : worst) {
         ++groups[group_of(*one)];
-        const bool more = told.size() < worst_told && of_quantity[one->vector->question.quantity]++ < most_of_a_quantity;
+        const bool more = told.size() < worst_told && told_by_quantity[one->vector->question.quantity]++ < most_of_a_quantity;
         if (report.verbose || worst.size() <= worst_told || more) told.push_back(one);
     }
     std::string text =

@@ -221,12 +221,12 @@ Json solution_json(const Solution& s, const NumberWriter& write) {
 
 std::string contact_in_words(const Json& contact) {
     if (contact.contains("mass")) return "contact: mass " + cell(contact, "mass");
-    const bool of_two = contact.contains("between");
-    const Json& w = contact.at(of_two ? "between" : "direction");
-    std::string text = "contact: " + std::string(of_two ? "between masses " : "along the direction ");
-    for (std::size_t k = 0; k < w.size(); ++k) text += (k == 0 ? "" : of_two ? " and " : ", ") + in_table(w[k]);
+    const bool between_two = contact.contains("between");
+    const Json& w = contact.at(between_two ? "between" : "direction");
+    std::string text = "contact: " + std::string(between_two ? "between masses " : "along the direction ");
+    for (std::size_t k = 0; k < w.size(); ++k) text += (k == 0 ? "" : between_two ? " and " : ", ") + in_table(w[k]);
     if (contact.contains("amplitude"))
-        text += (of_two ? ", which slide on each other by " : ", which slides by ") + cell(contact, "amplitude");
+        text += (between_two ? ", which slide on each other by " : ", which slides by ") + cell(contact, "amplitude");
     return text + (contact.contains("phase") ? ", phase " + cell(contact, "phase") : "");
 }
 
