@@ -13,6 +13,7 @@
 ///     place_of_rest        scene
 ///     free_decay           scene, r, beta, mu, x, v, until
 ///     history              scene, r, beta, mu, x, v, cycles, last, samples, load
+///     quantity             scene, r, beta, mu, name, mass, tau, samples
 ///     find                 scene, vary, between, so_that, samples
 ///
 /// Each but `version` returns a struct. Regimes and states of points are the numbers of the C interface.
@@ -463,6 +464,28 @@ static mxArray* history(size_t N, const mxArray* const* arguments) {
     return result;
 }
 
+static mxArray* quantity(size_t N, const mxArray* const* arguments) {
+    const double r = number(arguments[0], "r must be one number"), beta = number(arguments[1], "beta must be one number");
+    const double mu = number(arguments[2], "mu must be one number"), mass = number(arguments[4], "mass must be one number"),
+                 tau = number(arguments[5], "tau must be one number"), samples = number(arguments[6], "samples must be one number");
+    char name[64] = "";
+    size_t count, k, room;
+    mxArray* result = empty_struct();
+    if (!mxIsChar(arguments[3]) || mxGetString(arguments[3], name, sizeof name) != 0)
+        fail("denhartog:input", "name must be the name of a quantity");
+    if (!whole_number(mass, 0, (double)N)) fail("denhartog:input", "mass must be a whole number from 1 to N");
+    if (!whole_number(samples, 1, DH_MOST_SAMPLES)) fail("denhartog:size", "samples must be a whole number from 1 to 10000000");
+    room = strcmp(name, "motion_under_force") == 0 ? (size_t)samples : 1000 + 2 * N;
+    double* found[2] = {(double*)mxCalloc(room, sizeof(double)), (double*)mxCalloc(room, sizeof(double))};
+    need(dh_quantity(held_system, name, r, beta, mu, (size_t)mass, tau, room, found[0], &count));
+    need(dh_quantity_errors(held_system, name, r, beta, mu, (size_t)mass, tau, room, found[1], &count));
+    for (k = 0; k < 2; ++k) {
+        memcpy(doubles(result, k == 0 ? "values" : "errors", 1, count), found[k], count * sizeof(double));
+        mxFree(found[k]);
+    }
+    return result;
+}
+
 typedef struct Command {
     const char* name;
     int arguments; // after the command
@@ -478,6 +501,7 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
                                        {"place_of_rest", 1, place_of_rest},
                                        {"free_decay", 7, free_decay},
                                        {"history", 10, history},
+                                       {"quantity", 8, quantity},
                                        {"map", 7, map}};
     char name[32] = "";
     size_t n;
@@ -501,5 +525,5 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
             return;
         }
     fail("denhartog:input", "the first argument must be version, natural_frequencies, boundary, solve, motion, energies, "
-                            "place_of_rest, free_decay, history, map or find, and as many arguments must follow as it takes");
+                            "place_of_rest, free_decay, history, quantity, map or find, and as many arguments must follow as it takes");
 }

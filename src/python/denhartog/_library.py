@@ -80,6 +80,7 @@ _FUNCTIONS = {  # by their arguments
     "pddpp": "dh_boundaries_proved",
     "pdnppppp": "dh_sums dh_sum_errors",
     "pdddip": "dh_solve dh_solve_proved",
+    "ppdddndnpp": "dh_quantity dh_quantity_errors",
     "dpp": "dh_set_effort",
 }
 

@@ -381,8 +381,7 @@ class System:
             from_ground: bool = False) -> Map:
         """Regimes, stops and amplitudes over a grid: what ``denhartog map`` computes, to 6 digits of every amplitude.
 
-        A point costs a few nanoseconds where the contact slides or rests and ``masses=system.contact``, some ten microseconds
-        where it sticks and slips.
+        A point costs least where the contact slides or rests and ``masses=system.contact``, and far more where it sticks and slips.
 
         Parameters
         ----------
@@ -461,6 +460,45 @@ class System:
     def motion(self, r: float, beta: float, samples: int = 400, mu: Optional[float] = None) -> Motion:
         """The steady motion at a point over its period: tau (samples,), x and x_prime (samples, N). See `Solution.motion`."""
         return self.solve(r, beta, mu=mu).motion(samples)
+
+    def quantity(self, name: str, r: float, beta: float = 0.0, mass: int = 1, tau: float = 0.0, samples: int = 400,
+                 mu: Optional[float] = None) -> tuple[np.ndarray, np.ndarray]:
+        """Any quantity of the conformance kit by its name, and the bounds of its errors.
+
+        Each call solves for the motion anew if the quantity needs it; for many numbers of a point ask `solve` once.
+
+        Parameters
+        ----------
+        name : str
+            As on the page of the protocol, such as ``"first_damping_function"`` or ``"stop_durations"``.
+        r, beta, mu
+            As of `solve`.
+        mass : int
+            From 1; of no meaning for a quantity of no mass.
+        tau : float
+            Instant, for ``"displacement"`` alone.
+        samples : int
+            Instants in the period, for ``"motion_under_force"`` alone.
+
+        Returns
+        -------
+        tuple of ndarrays
+            The numbers in the units of the protocol, and as many bounds; regimes as numbers, 0 to 2 in their order.
+
+        Raises
+        ------
+        DomainError
+            There is no quantity of this name, or none at this point, such as the phase of a mass at rest.
+        """
+        room = samples if name == "motion_under_force" else max(2 * self.N, 1000)
+        if mass < 0 or samples < 1:
+            raise InputError.of("mass", "must not be negative, and samples be at least 1", (mass, samples))
+        count, parts = c_size_t(), np.empty((2, room))
+        for function, part in zip(("dh_quantity", "dh_quantity_errors"), parts):
+            _library.call(function, self._handle, name.encode(), float(r), float(beta), self._static(mu), mass, float(tau), room,
+                          part.ctypes, byref(count))
+        values, errors = parts[:, :count.value].copy()
+        return values, errors
 
     def functions(self, r: ArrayLike) -> Functions:
         """The sums over the modes V, U, G of each mass, H_j and S_j, to 10 digits: see `Functions`.

@@ -251,6 +251,23 @@ class AgainstTheProgram(unittest.TestCase):
                       lambda: system.history(1, 0.1, 0)):
             self.assertRaises(denhartog.InputError, wrong)
 
+    def test_any_quantity_has_its_name(self):
+        system, r, beta = System(**CHAIN), 1.125, 0.15625
+        motion, functions = system.solve(r, beta, digits=12), system.functions(r)
+        for k in (1, 2, 3):
+            for name, true in (("amplitude", motion.amplitude[k - 1]), ("phase", motion.phase[k - 1]),
+                               ("first_damping_function", functions.U[k - 1])):
+                (value,), (error,) = system.quantity(name, r, beta, mass=k)
+                self.assertLess(abs(value - true), error + 1e-10)
+                self.assertLess(error, 1e-8)
+        x, errors = system.quantity("motion_under_force", r, beta, mass=2, samples=8)
+        np.testing.assert_allclose(x, motion.motion(8).x[:, 1], atol=1e-9)
+        self.assertEqual(errors.shape, (8,))
+        self.assertEqual(system.quantity("regime", r, 100)[0][0], 2)
+        self.assertRaises(denhartog.DomainError, system.quantity, "speed", r)
+        for wrong in (dict(mass=4), dict(mass=-1), dict(samples=0), dict(mu=0.5)):
+            self.assertRaises(denhartog.InputError, system.quantity, "amplitude", r, beta, **wrong)
+
     def test_absolute_displacements_are_those_of_the_program(self):
         for name in ("example_dimensional", "example_quarter_car", "example_isolator"):
             with self.subTest(name):
