@@ -329,21 +329,27 @@ Proof.
   - apply (Rmult_lt_reg_r n); [exact Hn|]. replace (v / n * n) with v by (field; lra). exact H.
 Qed.
 
+Lemma limit_of_root b V Uj D : 0 < D -> 0 < b ->
+  ((0 < V /\ Rabs (b * Uj) <= V) /\ b * D < sqrt (V ^ 2 - (b * Uj) ^ 2) <-> 0 < V /\ b < sqrt (V ^ 2 / (Uj ^ 2 + D ^ 2))).
+Proof.
+  intros HD Hb. assert (P : 0 < Uj ^ 2 + D ^ 2) by nra.
+  assert (Q : 0 <= V ^ 2 / (Uj ^ 2 + D ^ 2)) by (apply Rmult_le_pos; [nra | apply Rlt_le, Rinv_0_lt_compat, P]).
+  assert (RS : Rabs (b * Uj) <= V -> sqrt (V ^ 2 - (b * Uj) ^ 2) ^ 2 = V ^ 2 - (b * Uj) ^ 2).
+  { intros H. rewrite <- (Rsqr_pow2 (sqrt _)), Rsqr_sqrt; [reflexivity|]. pose proof (Rabs_pos (b * Uj)).
+    rewrite <- (pow2_abs (b * Uj)). nra. }
+  rewrite (below_sqrt b _ Hb Q), (below_quotient b _ _ P). pose proof (sqrt_pos (V ^ 2 - (b * Uj) ^ 2)) as R0.
+  set (r := sqrt (V ^ 2 - (b * Uj) ^ 2)) in *. split.
+  - intros [[HV H] HR]. split; [exact HV|]. specialize (RS H).
+    assert (b * D * (b * D) < r * r) by (apply Rmult_le_0_lt_compat; nra). nra.
+  - intros [HV HL]. pose proof (pow2_ge_0 (b * D)) as BD. assert (H : Rabs (b * Uj) <= V).
+    { apply Rsqr_incr_0_var; [|lra]. rewrite <- Rsqr_abs. unfold Rsqr. nra. }
+    split; [split; assumption|]. specialize (RS H).
+    apply Rnot_le_lt. intros L. assert (r * r <= b * D * (b * D)) by (apply Rmult_le_compat; lra). nra.
+Qed.
 Lemma limit_of_beta s D : 0 < D -> 0 < friction s ->
   (responds s /\ friction s * D < root s <->
    0 < V_abs s (contact s) /\ friction s < sqrt (V_abs s (contact s) ^ 2 / (U s (contact s) ^ 2 + D ^ 2))).
-Proof.
-  intros HD Hb. set (b := friction s) in *. set (V := V_abs s (contact s)). set (Uj := U s (contact s)).
-  assert (P : 0 < Uj ^ 2 + D ^ 2) by nra.
-  assert (Q : 0 <= V ^ 2 / (Uj ^ 2 + D ^ 2)) by (apply Rmult_le_pos; [nra | apply Rlt_le, Rinv_0_lt_compat, P]).
-  rewrite (below_sqrt b _ Hb Q), (below_quotient b _ _ P). split.
-  - intros [H HR]. split; [apply H|]. pose proof (root_sq s H) as RS. pose proof (root_pos s). fold b V Uj in RS.
-    assert (b * D * (b * D) < root s * root s) by (apply Rmult_le_0_lt_compat; nra). nra.
-  - intros [HV HL]. pose proof (pow2_ge_0 (b * D)) as BD. assert (H : responds s).
-    { split; [exact HV|]. fold b V Uj. apply Rsqr_incr_0_var; [|lra]. rewrite <- Rsqr_abs. unfold Rsqr. nra. }
-    split; [exact H|]. pose proof (root_sq s H) as RS. pose proof (root_pos s). fold b V Uj in RS.
-    apply Rnot_le_lt. intros L. assert (root s * root s <= b * D * (b * D)) by (apply Rmult_le_compat; lra). nra.
-Qed.
+Proof. exact (limit_of_root (friction s) (V_abs s (contact s)) (U s (contact s)) D). Qed.
 
 Theorem as_a_limit_of_beta : forall s, Statements.as_a_limit_of_beta s.
 Proof. intros s D HD Hb. apply limit_of_beta; assumption. Qed.

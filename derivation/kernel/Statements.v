@@ -559,6 +559,77 @@ Definition displacements_are_attracted : Prop := is_scene -> (forall i, (i < N)%
   Rabs (y k (t + 2 * PI * INR n) - z k t) < eps.
 End All_masses.
 
+(* ---- Forces on all masses, each with a phase of its own ------------------------------------------------------------ *)
+
+Section Under_forces.
+Variable s : scene.
+(* Mass a bears p a * cos (t + phi) - q a * sin (t + phi), the real part of (p a + i q a) exp(i (t + phi)); `loaded s` does not count. *)
+Variables p q : nat -> R.
+Local Notation N := (masses s).
+Local Notation M := (mass s).
+Local Notation C := (damping s).
+Local Notation K := (stiffness s).
+Local Notation psi := (shape s).
+Local Notation R_ := (ratio s).
+Local Notation zeta := (damping_ratio s).
+Local Notation j := (contact s).
+Local Notation beta := (friction s).
+
+Definition forces_at (phi t : R) a := p a * cos (t + phi) - q a * sin (t + phi).
+Definition load_on_mode (f : nat -> R) i := Sum N (fun a => psi a i * f a).
+(* (33): the load on a mode is complex. (34), (35) do not depend on the load. *)
+Definition V_re_under k := Sum N (fun i => psi k i * R_ i ^ 2 *
+  (load_on_mode p i * v_re (R_ i) (zeta i) - load_on_mode q i * v_im (R_ i) (zeta i))).
+Definition V_im_under k := Sum N (fun i => psi k i * R_ i ^ 2 *
+  (load_on_mode p i * v_im (R_ i) (zeta i) + load_on_mode q i * v_re (R_ i) (zeta i))).
+Definition V_abs_under k := sqrt (V_re_under k ^ 2 + V_im_under k ^ 2).
+(* The paper's load is one of them. *)
+Definition one_force_is_among_them : Prop := is_scene s -> p = (fun a => delta a (loaded s)) -> q = (fun _ => 0) -> forall k,
+  V_re_under k = V_re s k /\ V_im_under k = V_im s k.
+
+(* (38), its root and its phase, and (46) with its rate *)
+Definition root_under := sqrt (V_abs_under j ^ 2 - (beta * U s j) ^ 2).
+Definition X_j_under := - beta * G s j + root_under.
+Definition responds_under := 0 < V_abs_under j /\ Rabs (beta * U s j) <= V_abs_under j.
+Definition is_phase_under (phi : R) := V_re_under j * cos phi - V_im_under j * sin phi = root_under /\
+  V_re_under j * sin phi + V_im_under j * cos phi = - (beta * U s j).
+Definition friction_velocity k t := Sum N (fun i => psi k i * psi j i * R_ i ^ 2 * braces_prime (R_ i) (zeta i) t).
+Definition x_under (phi : R) k t := V_re_under k * cos (t + phi) - V_im_under k * sin (t + phi) + beta * friction_motion s k t.
+Definition x_prime_under (phi : R) k t :=
+  - (V_re_under k * sin (t + phi) + V_im_under k * cos (t + phi)) + beta * friction_velocity k t.
+(* (12), (25), (30) under these forces *)
+Definition half_period_motion_under (phi : R) (y y1 y2 : nat -> R -> R) := forall t, 0 < t < PI -> forall a, (a < N)%nat ->
+  is_derive (y a) t (y1 a t) /\ is_derive (y1 a) t (y2 a t) /\
+  Sum N (fun b => M a b * y2 b t + C a b * y1 b t + K a b * y b t) = delta a j * beta + forces_at phi t a.
+Definition steady_half_period_under (phi : R) (y y1 y2 : nat -> R -> R) :=
+  (forall a, (a < N)%nat -> continuous_on_half_period (y a) (y1 a)) /\ half_period_motion_under phi y y1 y2 /\
+  (forall k, (k < N)%nat -> mirrored (y k) (y1 k)) /\ y1 j 0 = 0.
+(* (38), (41), (46): the closed form solves (12), mirrors itself, and its contact starts from rest at X_j; there is no other. *)
+Definition steady_motion_under_forces : Prop := is_scene s -> responds_under -> forall phi, is_phase_under phi -> exists x2,
+  steady_half_period_under phi (x_under phi) (x_prime_under phi) x2 /\ x_under phi j 0 = X_j_under.
+Definition no_other_motion_under_forces : Prop := is_scene s -> responds_under -> forall phi y y1 y2,
+  steady_half_period_under phi y y1 y2 -> 0 <= y j 0 + beta * G s j ->
+  is_phase_under phi /\ y j 0 = X_j_under /\
+  forall k t, (k < N)%nat -> 0 <= t <= PI -> y k t = x_under phi k t /\ y1 k t = x_prime_under phi k t.
+
+(* (54a); the friction that would hold the contact at its turning point, (75) for any M; (69). The demand is that of one force. *)
+Definition slides_under (phi : R) := forall t, 0 < t < PI -> x_prime_under phi j t < 0.
+Definition holding_friction_under (phi : R) := Sum N (fun a => Sum N (fun i => psi j i * psi a i) *
+  (Sum N (fun b => C a b * x_prime_under phi b 0 + K a b * x_under phi b 0) - forces_at phi 0 a)) / mobility s.
+Definition limit_69_under (mu S : R) := sqrt (V_abs_under j ^ 2 / (U s j ^ 2 + Rmax S (H_j s + mu * mobility s) ^ 2)).
+Definition slides_iff_under_forces : Prop := is_scene s -> forall phi, is_phase_under phi ->
+  (slides_under phi <-> forall t, 0 < t < PI -> beta * demand s t < X_j_under + beta * G s j).
+Definition eq_66_under_forces : Prop := is_scene s -> forall phi, is_phase_under phi ->
+  holding_friction_under phi = (X_j_under + beta * G s j - beta * H_j s) / mobility s.
+Definition eq_69_under_forces : Prop := forall mu S, is_scene s -> 1 <= mu -> 0 < beta -> 0 < V_abs_under j ->
+  supremum_of_demand s S ->
+  ((exists phi, is_phase_under phi /\ slides_under phi /\ mu * beta < Rabs (holding_friction_under phi)) <->
+   beta < limit_69_under mu S).
+(* For mu = 1 the closed form that slides is a steady motion of Coulomb's contact; `one_steady_motion` says that there is no other. *)
+Definition closed_form_is_steady_under_forces : Prop := is_scene s -> forall phi, is_phase_under phi -> slides_under phi ->
+  steady_under s (fun a t => forces_at phi t a) (2 * PI) (continued (x_under phi)) (continued (x_prime_under phi)).
+End Under_forces.
+
 (* ---- Two scenes for examples -------------------------------------------------------------------------------------- *)
 
 (* One mass, with any R_i, zeta_i and beta *)
