@@ -836,6 +836,33 @@ Definition eq_79 : Prop :=
 Definition eq_84 : Prop := forall beta,
   filterlim (fun zeta => (X_j (single_mass 1 zeta beta) - (1 / (2 * zeta) - second_function_at_resonance zeta * beta)) / zeta)
     (at_right 0) (locally (3 * beta / (2 * PI) - beta ^ 2 / PI ^ 2)).
+(* What (83) and (85) leave out at a given damping, for the mass in contact, where mode m is at its resonance: the other modes, U_j, the
+   error of (79), and the terms of (67) besides G_j *)
+Section At_a_resonance.
+Variable s : scene.
+Variable m : nat.
+Local Notation N := (masses s).
+Local Notation psi := (shape s).
+Local Notation R_ := (ratio s).
+Local Notation zeta := (damping_ratio s).
+Local Notation j := (contact s).
+Local Notation l := (loaded s).
+Local Notation beta := (friction s).
+Definition without_m (f : nat -> R) i := if Nat.eqb i m then 0 else f i.
+Definition V_of_others := Sum N (without_m (fun i => Rabs (psi j i * psi l i) * R_ i ^ 2 * v_abs (R_ i) (zeta i))).
+Definition G_of_others := Sum N (without_m (fun i => psi j i ^ 2 * R_ i ^ 2 * Rabs (g (R_ i) (zeta i)))).
+Definition H_of_others := Sum N (without_m (fun i => psi j i ^ 2 * Rabs (g (R_ i) (zeta i) + 2 * zeta i * R_ i * u (R_ i) (zeta i)))).
+Definition error_79 := Rabs (g 1 (zeta m) - second_function_at_resonance (zeta m)).
+Definition X_83 := Rabs (psi j m * psi l m) / (2 * zeta m) - psi j m ^ 2 * second_function_at_resonance (zeta m) * beta.
+Definition eq_83_error : Prop := is_scene s -> responds s -> 0 <= beta -> (m < N)%nat -> R_ m = 1 -> 0 < zeta m ->
+  Rabs (X_j s - X_83) <= V_of_others + beta * (G_of_others + psi j m ^ 2 * error_79) + (beta * U s j) ^ 2 / V_abs s j.
+Definition beta_85 := Rabs (psi l m / psi j m) * ((cosh (zeta m * PI) - 1) / (2 * zeta m * sinh (zeta m * PI))).
+Definition eq_85_error : Prop := forall mu, is_scene s -> (m < N)%nat -> R_ m = 1 -> 0 < zeta m -> psi j m <> 0 -> 1 <= mu ->
+  let D := H_j s + mu * mobility s in
+  Rabs (sqrt (V_abs s j ^ 2 / (U s j ^ 2 + D ^ 2)) - beta_85) <=
+  (V_of_others + beta_85 * (Rabs (U s j) + H_of_others + psi j m ^ 2 * (error_79 + 2 * zeta m * Rabs (u 1 (zeta m)))
+    + mu * mobility s)) / sqrt (U s j ^ 2 + D ^ 2).
+End At_a_resonance.
 (* A scene with damping ratios c i zeta, by (19) *)
 Definition lightly_damped (s : scene) (c : nat -> R) (zeta : R) : scene :=
   Scene (masses s) (mass s) (fun a b => Sum (masses s) (fun i => 2 * (c i * zeta) / ratio s i *
