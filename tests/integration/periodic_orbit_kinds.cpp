@@ -7,9 +7,8 @@
 
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/orbit/approach.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/orbit/floquet.hpp"
-#include "denhartog/orbit/orbit_record.hpp"
 #include "denhartog/scene/scene_json.hpp"
 #include "tests/integration/orbit_scenes.hpp"
 
@@ -112,7 +111,7 @@ TEST_CASE("the bounds of multipliers take in that the instants of events are off
         REQUIRE(map.apply(near, 1, true));
         const double apart = map.norm(difference(near, orbit.start));
         const auto known_within = [&](double energy) {
-            ErrorsOfOrbit errors{0, displacement_of_energy(map) * energy, {}};
+            ErrorsOfOrbit errors{0, map.displacement_of_energy() * energy, {}};
             for (const auto& shape : p.system.basis.phi.rowwise()) errors.velocity.push_back(shape.norm() * energy);
             return squared(multipliers_of_orbit(map, errors));
         };

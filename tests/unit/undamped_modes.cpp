@@ -3,7 +3,6 @@
 
 #include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/stick_slip/at_maximum_of_force.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
 #include "denhartog/sums/coupled_sums.hpp"

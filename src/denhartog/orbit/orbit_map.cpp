@@ -1,24 +1,21 @@
 // Which state follows half a period later, seen in a mirror? A state that this map returns is a steady motion with the symmetry
-// (25). `apply` follows the motion; the rest bounds what rounding makes of the image and of its derivative.
+// (25). `OrbitMap::apply` follows the motion, `Shooting::fixed_point` looks for such a state; the rest bounds what rounding makes of
+// the image and of its derivative.
 #include "denhartog/orbit/orbit_map.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "denhartog/stick_slip/contact_phases.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
 #include "elementary/elementary.hpp"
 
 namespace denhartog {
 
 Column difference(const State& a, const State& b) {
-    const auto N = static_cast<Eigen::Index>(a.x.size());
-    Column d(2 * N);
-    for (Eigen::Index k = 0; k < N; ++k) {
-        const auto n = static_cast<std::size_t>(k);
-        d(k) = a.x[n] - b.x[n];
-        d(N + k) = a.x_prime[n] - b.x_prime[n];
-    }
+    Column d(2 * static_cast<Eigen::Index>(a.x.size()));
+    d << column(a.x) - column(b.x), column(a.x_prime) - column(b.x_prime);
     return d;
 }
 
@@ -51,17 +48,13 @@ bool OrbitMap::apply(const State& z, int half_periods, bool with_jacobian) {
     in_energy_.resize(0, 0);
     motion_ = &solver_->run(z, 0, h_ * pi<double>(), with_jacobian);
     if (motion_->status != MotionStatus::complete) return false;
-    const bool turned = h_ % 2 != 0;
-    for (Eigen::Index k = 0; k < N; ++k) {
-        const auto n = static_cast<std::size_t>(k);
-        image_.x[n] = turned ? -motion_->end.x[n] : motion_->end.x[n];
-        image_.x_prime[n] = turned ? -motion_->end.x_prime[n] : motion_->end.x_prime[n];
-        difference_(k) = image_.x[n] - z.x[n];
-        difference_(N + k) = image_.x_prime[n] - z.x_prime[n];
-    }
+    const double side = h_ % 2 != 0 ? -1 : 1;
+    column(image_.x) = side * column(motion_->end.x);
+    column(image_.x_prime) = side * column(motion_->end.x_prime);
+    difference_ = denhartog::difference(image_, z);
     if (!with_jacobian) return true;
     const Column energies = largest_energies();
-    const double units = std::numeric_limits<double>::epsilon() * static_cast<int>(motion_->phases.size());
+    const double units = eps * static_cast<int>(motion_->phases.size());
     const double rounding_of_coupled = rounding_of_coupled_modes() * energies.sum();
     rounding_ = (errors_between_modes(units, false) * energies).array() + rounding_of_coupled;
     of_modes_ = (errors_between_modes(units, true) * energies).array() + rounding_of_coupled;
@@ -94,6 +87,21 @@ const Matrix<double>& OrbitMap::energy_jacobian() const {
     return in_energy_;
 }
 
+double OrbitMap::displacement_of_energy() const {
+    const ContactSystem& s = solver_->system();
+    const auto reach = [&](const auto& row) { // of a displacement, squared
+        double sum = 0;
+        for (Eigen::Index i = 0; i < N; ++i) {
+            const double each = row(i) * solver_->excitation().r / s.basis.r_n[static_cast<std::size_t>(i)];
+            sum += each * each;
+        }
+        return sum;
+    };
+    double largest = reach(s.contact_shape);
+    for (Eigen::Index k = 0; k < N; ++k) largest = std::max(largest, reach(s.basis.phi.row(k)));
+    return sqrt(largest);
+}
+
 // The largest size of each mode over the motion, in energy; between the starts of phases friction may shift it.
 Column OrbitMap::largest_energies() const {
     const ContactSystem& s = solver_->system();
@@ -119,7 +127,7 @@ Column OrbitMap::largest_energies() const {
 // way to the modes, where large dashpots nearly cancel, is a force on each mode over the whole stretch.
 Matrix<double> OrbitMap::errors_between_modes(double units, bool of_modes) const {
     const ContactSystem& s = solver_->system();
-    const double r = solver_->excitation().r, length = h_ * pi<double>(), eps = std::numeric_limits<double>::epsilon();
+    const double r = solver_->excitation().r, length = h_ * pi<double>();
     Matrix<double> E = Matrix<double>::Zero(N, N);
     for (std::size_t i = 0; i < s.basis.r_n.size(); ++i) {
         const double r_i = s.basis.r_n[i];
@@ -149,21 +157,17 @@ double OrbitMap::rounding_of_coupled_modes() const {
     if (!basis.coupled()) return 0;
     const double rate = 1 + (basis.r_n.back() + largest_row_sum(basis.D)) / solver_->excitation().r;
     const double steps = static_cast<int>(motion_->phases.size()) + h_ * pi<double>() * rate;
-    return 4 * static_cast<int>(2 * N + 2) * std::numeric_limits<double>::epsilon() * steps;
+    return 4 * static_cast<int>(2 * N + 2) * eps * steps;
 }
 
 double OrbitMap::rounding_of_jacobian() const {
     const double phases = static_cast<int>(motion_->phases.size());
-    const double units = 4 * (static_cast<int>(N) + 8) * std::numeric_limits<double>::epsilon() * phases;
+    const double units = 4 * (static_cast<int>(N) + 8) * eps * phases;
     const Matrix<double> E = errors_between_modes(units, true);
     return sqrt(E.rowwise().sum().maxCoeff() * E.colwise().sum().maxCoeff()) + rounding_of_coupled_modes();
 }
 
-Column OrbitMap::rounding_in_energy(bool of_modes) const {
-    Column bound(2 * N);
-    bound << (of_modes ? of_modes_ : rounding_), (of_modes ? of_modes_ : rounding_);
-    return bound;
-}
+Column OrbitMap::rounding_in_energy(bool of_modes) const { return (of_modes ? of_modes_ : rounding_).replicate(2, 1); }
 
 Column OrbitMap::rounding(bool of_modes) const {
     const Column& of = of_modes ? of_modes_ : rounding_;
@@ -175,6 +179,57 @@ Column OrbitMap::rounding(bool of_modes) const {
             bound(N + k) += v;
         }
     return bound;
+}
+
+bool Shooting::fixed_point(State& z, int h, BadSteps bad_steps) {
+    constexpr int most_runs = 40;
+    residual_ = -1;
+    double least = -1; // residual where the last step started, negative if there is none
+    double part = 1;   // of the step, that is taken
+    int bad = 0;
+    for (int n = 0; n < most_runs; ++n) {
+        if (!map_->apply(z, h, true)) return false;
+        const bool held = map_->held();
+        if (held && least < 0) return false;
+        const double residual = map_->norm(map_->difference());
+        if (!(residual - residual == 0)) return false;
+        const double rounding = map_->rounding_in_energy().norm();           // a bound, and some way above what is seen
+        const int above = map_->solver().system().basis.coupled() ? 128 : 8; // farther with a damping matrix
+        const bool falls = !held && (least < 0 || residual < least * (1 - part / 8));
+        if (falls) residual_ = residual;
+        if (!held && residual <= (falls ? rounding / above : 8 * rounding)) return true;
+        bad += !falls;
+        if (bad > static_cast<int>(bad_steps)) return false;
+        part = !falls ? part / 2 : prepare_step(z) ? 1 : 0;
+        if (falls) least = residual;
+        if (8 * part >= 1) {
+            take_step(part, z);
+            continue;
+        }
+        if (bad_steps != BadSteps::all_and_go_on_from_image) return false;
+        z = image_;
+        least = -1;
+        part = 1;
+    }
+    return false;
+}
+
+// The step from z, where the map was applied last; false if there is none.
+bool Shooting::prepare_step(const State& z) {
+    from_ = z;
+    image_ = map_->image();
+    rests_at_0_ = contact_->of(image_.x_prime) == 0 && map_->motion().phases.back().direction == 0;
+    const LinearSystem system(Matrix<double>(Matrix<double>::Identity(2 * map_->N, 2 * map_->N) - map_->jacobian()));
+    if (!system.is_regular()) return false;
+    step_ = system.solve(map_->difference());
+    ++steps_;
+    return true;
+}
+
+void Shooting::take_step(double part, State& z) const {
+    column(z.x) = column(from_.x) + part * step_.head(map_->N);
+    column(z.x_prime) = column(from_.x_prime) + part * step_.tail(map_->N);
+    if (rests_at_0_ && part == 1) contact_->hold(z.x_prime.data());
 }
 
 } // namespace denhartog

@@ -1,5 +1,6 @@
 /// @file
-/// @brief The map over half-periods of the force, mirrored after each, with its Jacobian, its rounding and a norm.
+/// @brief The map over half-periods of the force, mirrored after each, with its Jacobian, its rounding and a norm, and Newton's
+/// method for its fixed points.
 #pragma once
 
 #include <vector>
@@ -22,12 +23,10 @@ namespace denhartog {
 /// \f$ \Phi \f$ carries a state, displacements and velocities at \f$ \tau=0 \f$, to a later instant. The force changes its sign
 /// after half a period, so that P is the same map for every half-period. A fixed point with h = 1 has the symmetry (25).
 ///
-/// Newton's method looks for a fixed point, and the Floquet multipliers follow from the Jacobian there. Call `apply` first: the
-/// object then holds the image, the motion to it, the Jacobian if you asked for it, and bounds of the rounding errors of both.
-///
-/// Energy coordinates are 2N values, modal displacements times frequencies and then modal velocities. If \f$ \mu=1 \f$, the
-/// distance of two motions in them never grows. With `of_modes` the bounds include the errors of the modes, which no step of
-/// Newton's method reduces.
+/// Call `apply` first: the object then holds the image, the motion to it, the Jacobian if you asked for it, and bounds of the
+/// rounding errors of both. Energy coordinates are 2N values, modal displacements times frequencies and then modal velocities: if
+/// \f$ \mu=1 \f$, the distance of two motions in them never grows. With `of_modes` the bounds include the errors of the modes,
+/// which no step of Newton's method reduces.
 class OrbitMap {
 public:
     /// @brief The map of a system at one frequency and friction; the solver must outlive it.
@@ -58,6 +57,8 @@ public:
     [[nodiscard]] double norm(const Column& dz) const { return in_energy(dz).norm(); }
     /// @brief The norm of a state.
     [[nodiscard]] double norm(const State& z) const { return norm(denhartog::difference(z, at_rest(z.x.size()))); }
+    /// @brief The largest displacement of any mass that a unit of the norm can make.
+    [[nodiscard]] double displacement_of_energy() const;
 
     /// @brief Bound of the rounding errors of the image, in energy coordinates.
     [[nodiscard]] Column rounding_in_energy(bool of_modes = false) const;
@@ -91,6 +92,41 @@ private:
     int h_ = 1;
     long half_periods_in_all_ = 0;
     Column rounding_, of_modes_; // of each mode in energy, without and with the errors of the modes
+};
+
+/// @brief Largest number of steps of Newton's method without a fall of the residual: it halves such a step, and may then go on
+/// from the image of the last good state.
+enum class BadSteps : int { none = 0, some = 16, all_and_go_on_from_image = 40 };
+
+/// @brief Newton's method for a fixed point of the map, with the exact Jacobian.
+class Shooting {
+public:
+    /// @brief Of a map, which must outlive this.
+    explicit Shooting(OrbitMap& map) : map_(&map), contact_(&map.solver().system().stuck.contact) {}
+
+    /// @brief Looks from z for a fixed point of h half-periods in which the contact moves. If one was found the map was
+    /// applied to it last, with its Jacobian; else z is the state that the search ended at.
+    ///
+    /// If the map jumps, or the contact rests for ever, Newton's method may come nearer to that place by every half step and
+    /// be taken back by every whole one. Nearly every orbit is found without a bad step.
+    bool fixed_point(State& z, int h, BadSteps bad_steps);
+
+    /// @brief Smallest residual that the last search saw; negative if the contact rested throughout.
+    [[nodiscard]] double residual() const { return residual_; }
+    /// @brief Steps of Newton's method so far.
+    [[nodiscard]] int steps() const { return steps_; }
+
+private:
+    bool prepare_step(const State& z);
+    void take_step(double part, State& z) const;
+
+    OrbitMap* map_;
+    const Contact* contact_;
+    State from_, image_; // where the step starts, and the image of that
+    Column step_;
+    bool rests_at_0_ = false; // the contact sticks at the end of the stretch: its velocity is zero there, without rounding
+    double residual_ = -1;
+    int steps_ = 0;
 };
 
 } // namespace denhartog

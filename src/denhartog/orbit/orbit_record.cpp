@@ -1,6 +1,6 @@
 // What is said of an orbit that was found? `orbit_of` reads stops, amplitudes, phases and multipliers off it, `errors_of` bounds
 // how far it may be from the true one, and `rest_of` does the same for a contact at rest.
-#include "denhartog/orbit/orbit_record.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,7 @@
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/number/why.hpp"
 #include "denhartog/sliding/steady_state.hpp"
+#include "denhartog/stick_slip/contact_phases.hpp"
 
 namespace denhartog {
 namespace {
@@ -66,7 +67,7 @@ MassMotion contact_motion(const OrbitMap& map, double error) {
     // it first. Elsewhere the start of the stretch comes last and has to be larger by more than rounding.
     const bool rests_across =
         motion.phases.size() > 1 && motion.phases.front().direction == 0 && motion.phases.back().direction == 0;
-    double x = rests_across ? 0.0 : x_at(0) * (1 - 16 * std::numeric_limits<double>::epsilon()), tau = 0;
+    double x = rests_across ? 0.0 : x_at(0) * (1 - 16 * eps), tau = 0;
     for (std::size_t n = 1; n < motion.phases.size(); ++n) {
         if (motion.phases[n - 1].direction == 0) continue;
         const double x_j = x_at(n);
@@ -90,26 +91,10 @@ std::vector<Multiplier> multipliers_in_energy(const OrbitMap& map, const Matrix<
     const long n = jacobian.rows();
     map.solver().effort().spend(n * n * n / 32); // what making the matrix diagonal takes
     const bool is_known = error >= 0;            // else it is no number
-    return multipliers_of(jacobian, is_known ? error : std::numeric_limits<double>::infinity(),
-                          growth * (1 + std::numeric_limits<double>::epsilon()));
+    return multipliers_of(jacobian, is_known ? error : std::numeric_limits<double>::infinity(), growth * (1 + eps));
 }
 
 } // namespace
-
-double displacement_of_energy(const OrbitMap& map) {
-    const ContactSystem& s = map.solver().system();
-    const auto reach = [&](const auto& row) { // of a displacement, squared
-        double sum = 0;
-        for (Eigen::Index i = 0; i < map.N; ++i) {
-            const double each = row(i) * map.solver().excitation().r / s.basis.r_n[static_cast<std::size_t>(i)];
-            sum += each * each;
-        }
-        return sum;
-    };
-    double largest = reach(s.contact_shape);
-    for (Eigen::Index k = 0; k < map.N; ++k) largest = std::max(largest, reach(s.basis.phi.row(k)));
-    return sqrt(largest);
-}
 
 std::optional<ErrorsOfOrbit> errors_of(const OrbitMap& map) {
     const Matrix<double>& jacobian = map.energy_jacobian();
@@ -127,7 +112,7 @@ std::optional<ErrorsOfOrbit> errors_of(const OrbitMap& map) {
     for (const BesideContact& other : contact.others) sizes += std::abs(other.share);
     const double terms = std::max(1.0, std::abs(contact.w_a) * sizes);
     const auto displacement = [&](double by_energy, const Column& rounding) {
-        return displacement_of_energy(map) * by_energy + terms * rounding.head(map.N).maxCoeff();
+        return map.displacement_of_energy() * by_energy + terms * rounding.head(map.N).maxCoeff();
     };
     const double with_modes = energy(true);
     const Column rounding = map.rounding(true);
@@ -223,7 +208,7 @@ std::vector<Multiplier> multipliers_of_orbit(const OrbitMap& map, const ErrorsOf
     for (Eigen::Index k = 0; k < map.N; ++k) velocities.push_back(basis.phi.row(k).norm());
     velocities.push_back(s.contact_shape.norm()); // where the contact has a row of its own
     const double load =
-        error_at_ends(solver, false, displacement_of_energy(map), velocities); // of a contact that sticks, likewise
+        error_at_ends(solver, false, map.displacement_of_energy(), velocities); // of a contact that sticks, likewise
     const double error_of_velocity = error_at_ends(solver, true, errors.displacement, errors.velocity),
                  error_of_load_at_end = error_at_ends(solver, false, errors.displacement, errors.velocity);
     const bool tied = std::ranges::any_of(s.stuck.m_j, [](double tie) { return tie != 0; });
@@ -260,7 +245,7 @@ std::vector<Multiplier> multipliers_of_rest(const OrbitMap& map) {
     if (map.N == 1) return {};
     const double r = map.solver().excitation().r, slowest = s.stuck.r_n.front(), fastest = s.stuck.r_n.back();
     // A stiffness that is off by some units of the largest, over the stretch, and products with mode shapes.
-    const double phases = static_cast<int>(map.motion().phases.size()), eps = std::numeric_limits<double>::epsilon();
+    const double phases = static_cast<int>(map.motion().phases.size());
     const double turn = map.half_periods() * pi<double>() * fastest / r;
     const double error =
         4 * (static_cast<int>(map.N) + 8) * eps * (phases + turn) * static_cast<int>(map.N) * (fastest / slowest);

@@ -10,7 +10,7 @@
 #include "denhartog/scene/converted.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/decision.hpp"
-#include "denhartog/stick_slip/at_maximum_of_force.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {

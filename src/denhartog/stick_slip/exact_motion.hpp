@@ -1,9 +1,8 @@
 /// @file
 /// @brief The motion from phase to phase, each in closed form: (6) with (2), (3), (74), (75), without a time step.
 ///
-/// While the contact slides, (6) is linear and its modes are uncoupled. While it sticks, the others obey the linear system with
-/// row and column j taken out; its modes are uncoupled if they diagonalise their block of the damping matrix, else its
-/// Taylor series is summed to rounding. Ends of phases are isolated by bounds of the fourth derivative, so that none is missed.
+/// While the contact slides, (6) is linear in its modes. While it sticks, the others obey the linear system with row and column j
+/// taken out. Read `ContactSystem`, what is prepared, then `ExactSolver`, which follows a motion.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +14,7 @@
 #include "denhartog/number/bounded.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/work_counted.hpp"
+#include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/stick_slip/motion_record.hpp"
 
 namespace denhartog {
@@ -22,16 +22,7 @@ namespace denhartog {
 namespace evaluation {
 struct EvenInstants;
 }
-
-/// @brief End of a phase.
-struct Event {
-    double t;          ///< time from the start of the phase
-    int next;          ///< direction of the next phase
-    int order;         ///< order of the zero of its guard function
-    double load;       ///< load on the contact
-    bool found;        ///< false if the end of the stretch came first
-    bool open = false; ///< no end was found up to t, and what comes after is not known
-};
+struct ContactPhases;
 
 /// @brief A constant load: what it brings to the modes, sliding and stuck, none without one, and to the contact itself.
 struct ConstantLoad {
@@ -57,8 +48,7 @@ struct ContactSystem {
     Reasons rounded_because{};      ///< why double has no modes of its own, if these are those of the reference; else empty
 };
 
-/// @brief Prepares a system for the exact solver, its modes sliding and stuck. InputError and PrecisionError as `modal_basis` and
-/// `stuck_configuration`.
+/// @brief Prepares a system for the exact solver. InputError and PrecisionError as `modal_basis` and `stuck_configuration`.
 [[nodiscard]] ContactSystem contact_system(const System<double>& s);
 
 /// @brief The system with its modal basis known; `held` is the held system in more digits, if the basis comes from them too. The
@@ -71,6 +61,14 @@ void add_static_load(ContactSystem& system, const std::vector<double>& s);
 
 /// @brief Takes the harmonic load away: the motion is free.
 void take_load_away(ContactSystem& system);
+
+/// @brief The state of a sliding motion where the force is largest. @eq{46}
+[[nodiscard]] State at_maximum_of_force(const ModeSums<double>& sums, const SteadyState<double>& state);
+
+/// @brief The same at a friction ratio. @eq{46}
+[[nodiscard]] inline State sliding_at_maximum_of_force(const ModeSums<double>& sums, double beta) {
+    return at_maximum_of_force(sums, steady_state_without_maxima(sums, beta));
+}
 
 /// @brief The load on the contact and the friction there, at one frequency.
 struct Excitation {
@@ -94,6 +92,13 @@ struct ExactMotion {
     State end;                                    ///< the state at the end
     Matrix<double> jacobian;                      ///< d end / d start over (x, x'), 2N x 2N; only if it was asked for
     int touching = 0;                             ///< events met so tangentially that rounding decided them
+
+    /// @brief The state at the start of a phase.
+    [[nodiscard]] State start_of(std::size_t phase) const {
+        const auto N = static_cast<std::ptrdiff_t>(end.x.size());
+        const auto x = states.begin() + 2 * N * static_cast<std::ptrdiff_t>(phase);
+        return {{x, x + N}, {x + N, x + 2 * N}};
+    }
 };
 
 /// @brief The function that is zero at the end of a phase, next to that end: the velocity of a contact that slides; or, while it
@@ -103,9 +108,8 @@ struct EndOfPhase {
     double second; ///< bound of the size of its second derivative next to the end
     double noise;  ///< its rounding error
 
-    /// @brief Error of the instant of the end if the function has the given error besides its rounding. Over twice that distance
-    /// the function bends so little that it certainly changes by more than its error on either side. Infinite if it may not reach
-    /// zero at all.
+    /// @brief Error of the instant of the end if the function has the given error besides its rounding: over twice that distance
+    /// it certainly changes by more than its error on either side. Infinite if it may not reach zero at all.
     [[nodiscard]] double error_of_instant(double error) const;
 };
 
@@ -115,8 +119,6 @@ public:
     /// @brief The system must outlive the solver. InputError if r, beta or mu breaks its rule.
     ExactSolver(const ContactSystem& system, const Excitation& excitation);
     ~ExactSolver();
-    /// @brief Leaves the other without its working space.
-    ExactSolver(ExactSolver&& other) noexcept;
 
     /// @brief Sets frequency and friction anew.
     void set(const Excitation& excitation);
@@ -152,14 +154,12 @@ public:
 
     /// @brief Largest size of every displacement over the last motion, then that of a contact between two, guaranteed between
     /// samples; of the contact without what else may be. One that is smaller by less than twice `error`, a bound of the errors of
-    /// the displacements, may be the largest.
-    /// If the frame of the displacements moves by `frame` cos tau, of the masses as they are seen from the ground, the one in
-    /// contact as every other, and of no contact.
+    /// the displacements, may be the largest. If the frame of the displacements moves by `frame` cos tau, of the masses as they are
+    /// seen from the ground, the one in contact as every other, and of no contact.
     [[nodiscard]] std::vector<Extremum> largest_displacements(double error = 0, double frame = 0);
 
 private:
-    struct Work;
-    std::unique_ptr<Work> work_;
+    std::unique_ptr<ContactPhases> work_;
 };
 
 /// @brief The highest natural frequency over that of the force, or 1 if that is more: of accelerations over velocities.

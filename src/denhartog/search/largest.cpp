@@ -1,7 +1,7 @@
 // Where is a curve largest, with no maximum between two samples missed? Branch and bound on intervals, by values, slopes and a
 // bound of the rate of the curvature. Read `largest` first; `add` bounds an interval, and `dismiss` gathers the places that stay
 // open.
-#include "denhartog/search/largest_in_double.hpp"
+#include "denhartog/search/largest.hpp"
 
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "denhartog/number/why.hpp"
-#include "denhartog/search/largest.hpp"
 #include "denhartog/search/zeros.hpp"
 
 namespace denhartog {
