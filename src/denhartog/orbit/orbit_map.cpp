@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "denhartog/stick_slip/contact_phases.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
 #include "elementary/elementary.hpp"
 

@@ -39,10 +39,8 @@ public:
     /// @brief Applies the map to the state z at \f$ \tau=0 \f$, with the Jacobian if that is wanted; false if the motion chatters.
     bool apply(const State& z, int half_periods, bool with_jacobian);
 
-    /// @brief Whether the contact rested throughout.
-    [[nodiscard]] bool held() const;
-    /// @brief Whether the contact did not rest at all.
-    [[nodiscard]] bool slides_throughout() const;
+    [[nodiscard]] bool held() const;              ///< whether the contact rested throughout
+    [[nodiscard]] bool slides_throughout() const; ///< whether the contact did not rest at all
 
     /// @brief Jacobian of the map, 2N x 2N.
     [[nodiscard]] Matrix<double> jacobian() const { return h_ % 2 != 0 ? Matrix<double>(-motion_->jacobian) : motion_->jacobian; }
@@ -51,8 +49,7 @@ public:
     /// @brief Bound in `norm` of the error of the Jacobian by rounding and by the modes, not by the events.
     [[nodiscard]] double rounding_of_jacobian() const;
 
-    /// @brief A deviation in energy coordinates.
-    [[nodiscard]] Column in_energy(const Column& dz) const;
+    [[nodiscard]] Column in_energy(const Column& dz) const; ///< a deviation in energy coordinates
     /// @brief Square root of twice the energy of a deviation, over r: if \f$ \mu=1 \f$ it never grows between two motions.
     [[nodiscard]] double norm(const Column& dz) const { return in_energy(dz).norm(); }
     /// @brief The norm of a state.
@@ -67,14 +64,11 @@ public:
 
     /// @brief The solver, which holds the motion of the last application.
     [[nodiscard]] ExactSolver& solver() const { return *solver_; }
-    /// @brief The motion from the start, not mirrored.
-    [[nodiscard]] const ExactMotion& motion() const { return *motion_; }
-    /// @brief The image of the last application.
-    [[nodiscard]] const State& image() const { return image_; }
+    [[nodiscard]] const ExactMotion& motion() const { return *motion_; } ///< the motion from the start, not mirrored
+    [[nodiscard]] const State& image() const { return image_; }          ///< the image of the last application
     /// @brief The image less the start: displacements, then velocities.
     [[nodiscard]] const Column& difference() const { return difference_; }
-    /// @brief Number h of half-periods of the last application.
-    [[nodiscard]] int half_periods() const { return h_; }
+    [[nodiscard]] int half_periods() const { return h_; } ///< number h of half-periods of the last application
     /// @brief Number of half-periods of all applications.
     [[nodiscard]] long half_periods_in_all() const { return half_periods_in_all_; }
 
@@ -113,8 +107,7 @@ public:
 
     /// @brief Smallest residual that the last search saw; negative if the contact rested throughout.
     [[nodiscard]] double residual() const { return residual_; }
-    /// @brief Steps of Newton's method so far.
-    [[nodiscard]] int steps() const { return steps_; }
+    [[nodiscard]] int steps() const { return steps_; } ///< steps of Newton's method so far
 
 private:
     bool prepare_step(const State& z);

@@ -93,8 +93,8 @@ public:
     bool is_under_way() const { return maps_ >= least; }
     // Whether it was seen for long enough.
     bool is_seen() const {
-        if (maps_ < 0) return false;
-        return has_arrived_ || (maps_ >= least && least * distance_ <= first_) || (maps_ >= most && distance_ < first_);
+        return maps_ >= 0 &&
+               (has_arrived_ || (maps_ >= least && least * distance_ <= first_) || (maps_ >= most && distance_ < first_));
     }
 
 private:

@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "denhartog/search/largest.hpp"
+#include "denhartog/search/zeros.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
-#include "denhartog/stick_slip/contact_phases.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
 #include "elementary/elementary.hpp"
 
 namespace denhartog {
@@ -35,67 +36,15 @@ double energy_norm(const LinearMotion& motion, int m) {
     return largest * sqrt(sum);
 }
 
-// Let a motion be at the distance d, in the norm of the energy, from one that slides throughout. As long as it does not stick
-// either, friction and damping oppose the difference of both velocities, and d does not grow, even with mu > 1. The velocities of
-// the two contacts then differ by at most |e_j| d, so that this contact can stop only near a turning point of the other one; and
-// the loads on them differ by at most c d. If the load on the other exceeds mu beta by more than that near its turning points,
-// this never sticks. `load_of_distance` is c.
-double load_of_distance(const ContactPhases& c) {
-    const auto n = static_cast<Eigen::Index>(c.N);
-    const Column& phi_j = c.system->contact_shape;
-    Column weights(2 * n);
-    weights.head(n) = phi_j.cwiseProduct(column(c.sliding.omega_0));
-    if (c.sliding.coupled())
-        weights.tail(n) = c.sliding.D.transpose() * phi_j;
-    else
-        weights.tail(n) = 2 * phi_j.cwiseProduct(column(c.sliding.decay));
-    return c.inertia * weights.norm();
-}
-
-// Whether bounds prove that no motion within a distance of the sliding one ever sticks, over the half-period from a turning point,
-// where its velocity is `start`; with a load beyond `needed` the contact cannot stick, within the distance.
-bool slides_within(ContactPhases& c, int direction, const Jet& start, double needed, double distance) {
-    const double speed = c.system->contact_shape.norm() * distance;
-    const double half = pi<double>();
-    // The load that drives the contact on, after the turning point, and before that at the end, which is its mirror image.
-    const auto load = [&](const Jet& jet, int end) { return end * (c.e.beta + c.inertia * jet.f[1]); };
-    const auto rate = [&](const Jet& jet, double length) { return c.inertia * (jet.second + jet.growth * length); };
-    const double margin = load(start, 1) - needed;
-    if (!(margin > 0)) return false;
-    const double room = margin / c.inertia;
-    double t = std::min(half / 8, room / (start.second + sqrt(start.second * start.second + 4 * start.growth * room)));
-    Jet before = c.velocity_ahead(direction, half - t);
-    if (!(rate(before, t) * t < margin)) return false;
-    Jet after = c.velocity_ahead(direction, t);
-    while (!(after.f[0] > speed && before.f[0] > speed)) { // the contact may be at rest there: the load has to last longer
-        if (t > half / 8) return false;
-        const Jet later = c.velocity_ahead(direction, 2 * t), earlier = c.velocity_ahead(direction, half - 2 * t);
-        if (!(load(after, 1) + load(later, 1) - rate(after, t) * t > 2 * needed)) return false;
-        if (!(load(before, -1) + load(earlier, -1) - rate(earlier, t) * t > 2 * needed)) return false;
-        after = later;
-        before = earlier;
-        t = 2 * t;
-    }
-    auto above = [&](double at) {
-        Jet jet = c.velocity_ahead(direction, at);
-        jet.f[0] -= speed;
-        return jet;
-    };
-    double step = half / 4;
-    return !first_crossing(above, t, half - t, 0, step, *c.effort);
-}
-
 // Displacements over a stretch, remembered: the masses share their instants.
 class Displacements {
 public:
-    Displacements(LinearMotion& motion, const Matrix<double>& phi, double frame, Effort& effort)
-        : motion_(motion), phi_(phi), effort_(effort), frame_(frame), sizes_(phi.cwiseAbs()), norms_(phi.cols()) {
+    Displacements(LinearMotion& motion, const Matrix<double>& phi, Column carried, double frame, Effort& effort)
+        : motion_(motion), phi_(phi), effort_(effort), frame_(frame), sizes_(phi.cwiseAbs()), carried_(std::move(carried)),
+          norms_(phi.cols()) {
         const Column F = column(motion_.F);
         growth_ = motion_.coupled() ? Column(phi_.rowwise().norm() * F.norm()) : Column(sizes_ * F.cwiseAbs());
     }
-
-    // Adds what masses have of a contact that rests, a part each.
-    void carry(const std::vector<double>& carried, double rest) { carried_ = rest * column(carried); }
 
     // The displacement of a mass at a time from the start of the stretch.
     [[nodiscard]] double of(Eigen::Index row, double t) { return at(t)(row, 0); }
@@ -159,71 +108,66 @@ private:
     Effort& effort_;
     double frame_;
     Matrix<double> sizes_;
-    Column growth_;
-    Column carried_; // empty while the contact slides
-    Column norms_;
+    Column growth_, carried_, norms_;            // `carried_`: what masses have of a contact that rests, empty while it slides
     std::pmr::monotonic_buffer_resource memory_; // of what is known: an instant costs no allocation of its own
     std::pmr::map<double, std::pmr::vector<double>> known_{&memory_};
 };
 
 } // namespace
 
-void ContactPhases::set_bounds_of_load() {
+void ExactSolver::set_bounds_of_load() {
     double stiffness = 0, fastest = 0;
-    for (std::size_t i = 0; i + 1 < N; ++i) {
-        const double k = k_j[i] / sticking.omega_0[i];
+    for (std::size_t i = 0; i + 1 < N_; ++i) {
+        const double k = k_j_[i] / sticking_.omega_0[i];
         stiffness += k * k;
-        fastest = std::max(fastest, sticking.omega_0[i] + 2 * sticking.decay[i]);
+        fastest = std::max(fastest, sticking_.omega_0[i] + 2 * sticking_.decay[i]);
     }
-    if (sticking.coupled()) fastest += largest_row_sum(sticking.D);
-    const double force = column(sticking.F).norm(), inertial = m_j.norm();
-    load_per_energy = sqrt(stiffness) + c_j.norm() + fastest * inertial;
-    load_rest = inertial * force;
-    load_growth = load_per_energy * force;
+    if (sticking_.coupled()) fastest += largest_row_sum(sticking_.D);
+    const double force = column(sticking_.F).norm(), inertial = m_j_.norm();
+    load_per_energy_ = sqrt(stiffness) + c_j_.norm() + fastest * inertial;
+    load_rest_ = inertial * force;
+    load_growth_ = load_per_energy_ * force;
 }
 
-Jet ContactPhases::velocity_ahead(int direction, double t) {
+Jet ExactSolver::velocity_ahead(int direction, double t) {
     Jet jet{velocity(direction, t), 0, 0, 0, 0};
-    for (std::size_t i = 0; i < N; ++i) {
-        const double phi = direction * system->contact_shape(i);
-        if (!sliding.coupled()) {
-            jet.bound += std::abs(phi) * energy_norm(sliding, 4, i);
-            jet.second += std::abs(phi) * energy_norm(sliding, 2, i);
-        }
-        jet.growth += std::abs(phi * sliding.F[i]);
-        jet.noise += std::abs(phi * sliding.q[1][i]);
+    for (std::size_t i = 0; i < N_; ++i) {
+        const double size = std::abs(system_->contact_shape(i));
+        jet.bound += size * energy_norm(sliding_, 4, i);
+        jet.second += size * energy_norm(sliding_, 2, i);
+        jet.growth += size * std::abs(sliding_.F[i]);
+        jet.noise += size * std::abs(sliding_.q[1][i]);
     }
-    if (sliding.coupled()) { // energy goes from mode to mode
-        const double size = system->contact_shape.norm();
-        jet.bound = size * energy_norm(sliding, 4);
-        jet.second = size * energy_norm(sliding, 2);
-        jet.growth = size * column(sliding.F).norm();
+    if (sliding_.coupled()) { // energy goes from mode to mode
+        const double size = system_->contact_shape.norm();
+        jet.bound = size * energy_norm(sliding_, 4);
+        jet.second = size * energy_norm(sliding_, 2);
+        jet.growth = size * column(sliding_.F).norm();
     }
     jet.noise *= eps;
     return jet;
 }
 
-Jet ContactPhases::load_ahead(double t) {
-    const double constant = system->constant.direct, pull = system->stuck.k_jj * rest - constant;
-    Jet jet{load(t), size_of_direct, 0.0, std::abs(pull) + size_of_direct + std::abs(constant), size_of_direct};
-    for (std::size_t i = 0; i + 1 < N; ++i)
+Jet ExactSolver::load_ahead(double t) {
+    const double constant = system_->constant.direct, pull = system_->stuck.k_jj * rest_ - constant;
+    Jet jet{load(t), size_of_direct_, 0.0, std::abs(pull) + size_of_direct_ + std::abs(constant), size_of_direct_};
+    for (std::size_t i = 0; i + 1 < N_; ++i)
         jet.noise +=
-            std::abs(k_j[i] * sticking.q[0][i]) + std::abs(c_j[i] * sticking.q[1][i]) + std::abs(m_j[i] * sticking.q[2][i]);
-    if (N > 1) {
-        jet.bound += load_per_energy * energy_norm(sticking, 4) + load_rest;
-        jet.second += load_per_energy * energy_norm(sticking, 2) + load_rest;
-        jet.growth = load_growth;
+            std::abs(k_j_[i] * sticking_.q[0][i]) + std::abs(c_j_[i] * sticking_.q[1][i]) + std::abs(m_j_[i] * sticking_.q[2][i]);
+    if (N_ > 1) {
+        jet.bound += load_per_energy_ * energy_norm(sticking_, 4) + load_rest_;
+        jet.second += load_per_energy_ * energy_norm(sticking_, 2) + load_rest_;
+        jet.growth = load_growth_;
     }
     jet.noise *= eps;
     return jet;
 }
 
 EndOfPhase ExactSolver::end_of(std::size_t phase) {
-    ContactPhases& work = *work_;
-    const Phase& p = work.motion.phases[phase];
-    work.stand_at(phase);
+    const Phase& p = motion_.phases[phase];
+    stand_at(phase);
     const double length = p.end - p.start;
-    const Jet jet = p.direction != 0 ? work.velocity_ahead(p.direction, length) : work.load_ahead(length);
+    const Jet jet = p.direction != 0 ? velocity_ahead(p.direction, length) : load_ahead(length);
     return {std::abs(jet.f[1]), jet.second, jet.noise};
 }
 
@@ -232,14 +176,12 @@ double EndOfPhase::error_of_instant(double error) const {
     return rate > 0 && 4 * second * apart <= rate ? apart : std::numeric_limits<double>::infinity();
 }
 
-double highest_over_force(const ExactSolver& solver) {
-    return std::max(1.0, solver.system().basis.r_n.back() / solver.excitation().r);
-}
+double ExactSolver::highest_over_force() const { return std::max(1.0, system_->basis.r_n.back() / e_.r); }
 
-double error_at_ends(const ExactSolver& solver, bool slides, double displacement, const std::vector<double>& velocity) {
-    if (slides) return velocity[solver.system().contact.index];
-    const StuckConfiguration& stuck = solver.system().stuck;
-    const double r = solver.excitation().r, fastest = highest_over_force(solver);
+double ExactSolver::error_at_ends(bool slides, double displacement, const std::vector<double>& velocity) const {
+    if (slides) return velocity[system_->contact.index];
+    const StuckConfiguration& stuck = system_->stuck;
+    const double r = e_.r, fastest = highest_over_force();
     double error_of_load = std::abs(stuck.k_jj) * displacement;
     for (std::size_t n = 0; n < stuck.masses.size(); ++n)
         error_of_load +=
@@ -248,30 +190,78 @@ double error_at_ends(const ExactSolver& solver, bool slides, double displacement
     return error_of_load;
 }
 
+// Let a motion be at the distance d, in the norm of the energy, from one that slides throughout. As long as it does not stick
+// either, friction and damping oppose the difference of both velocities, and d does not grow, even with mu > 1. The velocities of
+// the two contacts then differ by at most |e_j| d, so that this contact can stop only near a turning point of the other one; and
+// the loads on them differ by at most c d. If the load on the other exceeds mu beta by more than that near its turning points,
+// this never sticks. `load_of_distance` is c.
+double ExactSolver::load_of_distance() const {
+    const auto n = static_cast<Eigen::Index>(N_);
+    const Column& phi_j = system_->contact_shape;
+    Column weights(2 * n);
+    weights.head(n) = phi_j.cwiseProduct(column(sliding_.omega_0));
+    if (sliding_.coupled())
+        weights.tail(n) = sliding_.D.transpose() * phi_j;
+    else
+        weights.tail(n) = 2 * phi_j.cwiseProduct(column(sliding_.decay));
+    return inertia_ * weights.norm();
+}
+
+// Whether bounds prove that no motion within a distance of the sliding one ever sticks, over the half-period from a turning point,
+// where its velocity is `start`; with a load beyond `needed` the contact cannot stick, within the distance.
+bool ExactSolver::slides_within(int direction, const Jet& start, double needed, double distance) {
+    const double speed = system_->contact_shape.norm() * distance;
+    const double half = pi<double>();
+    // The load that drives the contact on, after the turning point, and before that at the end, which is its mirror image.
+    const auto load = [&](const Jet& jet, int end) { return end * (e_.beta + inertia_ * jet.f[1]); };
+    const auto rate = [&](const Jet& jet, double length) { return inertia_ * (jet.second + jet.growth * length); };
+    const double margin = load(start, 1) - needed;
+    if (!(margin > 0)) return false;
+    const double room = margin / inertia_;
+    double t = std::min(half / 8, room / (start.second + sqrt(start.second * start.second + 4 * start.growth * room)));
+    Jet before = velocity_ahead(direction, half - t);
+    if (!(rate(before, t) * t < margin)) return false;
+    Jet after = velocity_ahead(direction, t);
+    while (!(after.f[0] > speed && before.f[0] > speed)) { // the contact may be at rest there: the load has to last longer
+        if (t > half / 8) return false;
+        const Jet later = velocity_ahead(direction, 2 * t), earlier = velocity_ahead(direction, half - 2 * t);
+        if (!(load(after, 1) + load(later, 1) - rate(after, t) * t > 2 * needed)) return false;
+        if (!(load(before, -1) + load(earlier, -1) - rate(earlier, t) * t > 2 * needed)) return false;
+        after = later;
+        before = earlier;
+        t = 2 * t;
+    }
+    auto above = [&](double at) {
+        Jet jet = velocity_ahead(direction, at);
+        jet.f[0] -= speed;
+        return jet;
+    };
+    double step = half / 4;
+    return !first_crossing(above, t, half - t, 0, step, *effort_);
+}
+
 double ExactSolver::sliding_reach(std::size_t phase) {
     constexpr int most_halvings = 10;
-    work_->stand_at(phase);
-    ContactPhases& c = *work_;
-    const int direction = work_->motion.phases[phase].direction;
-    const Jet start = c.velocity_ahead(direction, 0);
-    const double holds = c.e.mu * c.e.beta, unit = load_of_distance(c);
-    double distance = (c.e.beta + c.inertia * start.f[1] - holds) / unit;
+    stand_at(phase);
+    const int direction = motion_.phases[phase].direction;
+    const Jet start = velocity_ahead(direction, 0);
+    const double holds = e_.mu * e_.beta, unit = load_of_distance();
+    double distance = (e_.beta + inertia_ * start.f[1] - holds) / unit;
     for (int n = 0; n < most_halvings; ++n) {
         distance = distance / 2;
-        if (slides_within(c, direction, start, holds + unit * distance, distance)) return distance;
+        if (slides_within(direction, start, holds + unit * distance, distance)) return distance;
     }
     return 0;
 }
 
 std::vector<Extremum> ExactSolver::largest_displacements(double error, double frame) {
-    ContactPhases& work = *work_;
-    if (work.effort == &work.own) work.own = {default_effort(work.N)};
-    const ContactSystem& system = *work.system;
+    if (effort_ == &own_) own_ = {default_effort(N_)};
+    const ContactSystem& system = *system_;
     const Contact& contact = system.stuck.contact;
     const bool moves = frame > 0;
-    const std::size_t count = moves ? work.N : std::max(work.N, system.contact.index + 1),
-                      j = moves ? count : system.contact.index;                             // the one that is not sought for
-    const double start = work.motion.phases.empty() ? 0 : work.motion.phases.front().start; // a mass at rest is there as ever
+    const std::size_t count = moves ? N_ : std::max(N_, system.contact.index + 1),
+                      j = moves ? count : system.contact.index;                     // the one that is not sought for
+    const double start = motion_.phases.empty() ? 0 : motion_.phases.front().start; // a mass at rest is there as ever
     std::vector<Extremum> largest(count, Extremum{0, start});
     std::vector<std::vector<Place>> places(count);
     const auto take = [&](std::size_t k, double x, double tau) {
@@ -288,23 +278,19 @@ std::vector<Extremum> ExactSolver::largest_displacements(double error, double fr
             for (double& each : x) each += frame * elementary::cos(tau);
         for (std::size_t k = 0; k < count; ++k) take(k, x[k], tau);
     };
-    for (std::size_t n = 0; n < work.motion.phases.size(); ++n) {
-        const auto state = work.motion.states.begin() + static_cast<std::ptrdiff_t>(2 * work.N * n);
-        take_all({state, state + static_cast<std::ptrdiff_t>(work.N)}, work.motion.phases[n].start);
-    }
-    if (!work.motion.phases.empty()) take_all(work.motion.end.x, work.motion.phases.back().end);
-    for (std::size_t n = 0; n < work.motion.phases.size() && (work.N > 1 || moves); ++n) {
-        const Phase& p = work.motion.phases[n];
-        work.stand_at(n);
+    for (std::size_t n = 0; n < motion_.phases.size(); ++n) take_all(motion_.start_of(n).x, motion_.phases[n].start);
+    if (!motion_.phases.empty()) take_all(motion_.end.x, motion_.phases.back().end);
+    for (std::size_t n = 0; n < motion_.phases.size() && (N_ > 1 || moves); ++n) {
+        const Phase& p = motion_.phases[n];
+        stand_at(n);
         const double length = p.end - p.start;
         const bool sticks = p.direction == 0;
-        Displacements displacements(sticks ? work.sticking : work.sliding, sticks ? system.stuck.shapes : system.basis.phi, frame,
-                                    *work.effort);
-        if (sticks) displacements.carry(system.stuck.carried, work.rest);
+        Displacements displacements(motion_of(p.direction), sticks ? system.stuck.shapes : system.basis.phi,
+                                    sticks ? Column(rest_ * column(system.stuck.carried)) : Column(), frame, *effort_);
         for (std::size_t k = 0; k < count; ++k) {
             if (k == j || !(length > 0)) continue;
             const auto row = static_cast<Eigen::Index>(k);
-            const Maximum found = global_maximum(displacements.size_of(row), 0., length, displacements.noise(row, 0), work.effort,
+            const Maximum found = global_maximum(displacements.size_of(row), 0., length, displacements.noise(row, 0), effort_,
                                                  std::abs(largest[k].x) - 2 * error, error);
             const auto in_orbit = [&](double tau) { return tau < length ? p.start + tau : p.end; };
             for (const Place& place : found.places)
@@ -316,7 +302,7 @@ std::vector<Extremum> ExactSolver::largest_displacements(double error, double fr
     }
     const auto is_negative = [&](std::size_t k, double tau) {
         std::size_t n = 0;
-        while (n + 1 < work.motion.phases.size() && work.motion.phases[n].end < tau) ++n;
+        while (n + 1 < motion_.phases.size() && motion_.phases[n].end < tau) ++n;
         State state = state_at(n, tau);
         contact.append(state.x);
         return state.x[k] + (moves ? frame * elementary::cos(tau) : 0) < 0;
@@ -325,7 +311,7 @@ std::vector<Extremum> ExactSolver::largest_displacements(double error, double fr
         if (k == j || places[k].empty()) continue;
         std::erase_if(places[k], [&](const Place& place) { return place.upper < std::abs(largest[k].x) - 2 * error; });
         largest[k].spread =
-            spread_of_phases(joined(std::move(places[k])), work.motion.phases.front().start, work.motion.phases.back().end,
+            spread_of_phases(joined(std::move(places[k])), motion_.phases.front().start, motion_.phases.back().end,
                              largest[k].instant, [&](double tau) { return is_negative(k, tau); });
     }
     return largest;

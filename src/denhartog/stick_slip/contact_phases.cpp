@@ -2,7 +2,7 @@
 // a matrix if damping couples the modes. Sliding ends if the velocity of the contact is zero, sticking if the load (75) on it
 // exceeds static friction, (74): `velocity` and `load` give these with three derivatives, `end_of_sliding` and `end_of_sticking`
 // find their first zero with none missed. `set` comes before: what one frequency and friction ratio make of (6).
-#include "denhartog/stick_slip/contact_phases.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +12,7 @@
 
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/search/zeros.hpp"
 #include "elementary/elementary.hpp"
 
 namespace denhartog {
@@ -140,10 +141,12 @@ void LinearMotion::carry(double t, Matrix<double>& dq, Matrix<double>& dp) {
     }
 }
 
-ContactPhases::ContactPhases(const ContactSystem& s, const Excitation& excitation) : system(&s), N(s.basis.r_n.size()) {
-    sliding.resize(N);
-    sticking.resize(N - 1);
-    sliding.effort = sticking.effort = &effort;
+ExactSolver::ExactSolver(const ContactSystem& system, const Excitation& excitation)
+    : system_(&system), N_(system.basis.r_n.size()) {
+    motion_.end = at_rest(N_);
+    sliding_.resize(N_);
+    sticking_.resize(N_ - 1);
+    sliding_.effort = sticking_.effort = &effort_;
     set(excitation);
 }
 
@@ -154,143 +157,119 @@ static void set_mode(LinearMotion& motion, std::size_t i, double r, double r_n, 
     motion.decay[i] = decay / r;
 }
 
-void ContactPhases::set(const Excitation& excitation) {
+void ExactSolver::set(const Excitation& excitation) {
     check_frequency_ratio(excitation.r);
     check_friction_ratio(excitation.beta);
     check_static_friction(excitation.mu);
-    step = 1;
-    const bool same_frequency = excitation.r == e.r;
-    e = excitation;
+    step_ = 1;
+    const bool same_frequency = excitation.r == e_.r;
+    e_ = excitation;
     if (same_frequency) return;
-    const ModalBasis<double>& basis = system->basis;
-    const double r2 = e.r * e.r;
-    for (std::size_t i = 0; i < N; ++i) set_mode(sliding, i, e.r, basis.r_n[i], basis.zeta[i] * basis.r_n[i]);
-    sliding.set_force(system->modal_load, r2);
-    if (basis.coupled()) sliding.D = basis.D / e.r;
-    sliding.prepare();
-    w = basis.phi * system->contact_shape / r2;
-    inertia = r2 / system->contact_shape.squaredNorm();
-    direct = direct_load(system->stuck, system->load);
-    size_of_direct = direct.im == 0 ? std::abs(direct.re) : elementary::hypot(direct.re, direct.im);
-    const StuckConfiguration& s = system->stuck;
-    k_j = s.phi.transpose() * column(s.k_j);
-    c_j = s.phi.transpose() * column(s.c_j) * e.r;
-    m_j = s.phi.transpose() * column(s.m_j) * r2;
-    sticking.set_force(system->stuck_load, r2);
-    for (std::size_t i = 0; i + 1 < N; ++i) set_mode(sticking, i, e.r, s.r_n[i], s.damping(i, i) / 2);
-    if (!s.modes_diagonalise_damping) sticking.D = s.damping / e.r;
-    sticking.prepare();
+    const ModalBasis<double>& basis = system_->basis;
+    const double r2 = e_.r * e_.r;
+    for (std::size_t i = 0; i < N_; ++i) set_mode(sliding_, i, e_.r, basis.r_n[i], basis.zeta[i] * basis.r_n[i]);
+    sliding_.set_force(system_->modal_load, r2);
+    if (basis.coupled()) sliding_.D = basis.D / e_.r;
+    sliding_.prepare();
+    w_ = basis.phi * system_->contact_shape / r2;
+    inertia_ = r2 / system_->contact_shape.squaredNorm();
+    direct_ = direct_load(system_->stuck, system_->load);
+    size_of_direct_ = direct_.im == 0 ? std::abs(direct_.re) : elementary::hypot(direct_.re, direct_.im);
+    const StuckConfiguration& s = system_->stuck;
+    k_j_ = s.phi.transpose() * column(s.k_j);
+    c_j_ = s.phi.transpose() * column(s.c_j) * e_.r;
+    m_j_ = s.phi.transpose() * column(s.m_j) * r2;
+    sticking_.set_force(system_->stuck_load, r2);
+    for (std::size_t i = 0; i + 1 < N_; ++i) set_mode(sticking_, i, e_.r, s.r_n[i], s.damping(i, i) / 2);
+    if (!s.modes_diagonalise_damping) sticking_.D = s.damping / e_.r;
+    sticking_.prepare();
     set_bounds_of_load();
 }
 
-void ContactPhases::start_phase(int direction, double tau) {
+void ExactSolver::start_phase(int direction, double tau) {
     LinearMotion& part = motion_of(direction);
-    const double r2 = e.r * e.r;
-    const Matrix<double>& momentum = direction == 0 ? system->stuck.momentum : system->momentum;
-    column(part.q[0]).noalias() = momentum * column(x);
-    column(part.q[1]).noalias() = momentum * column(v);
+    const double r2 = e_.r * e_.r;
+    const Matrix<double>& momentum = direction == 0 ? system_->stuck.momentum : system_->momentum;
+    column(part.q[0]).noalias() = momentum * column(z_.x);
+    column(part.q[1]).noalias() = momentum * column(z_.x_prime);
     if (direction != 0) {
-        column(sliding.G) = -direction * e.beta / r2 * system->contact_shape;
-        if (!system->constant.modal.empty()) column(sliding.G) += column(system->constant.modal) / r2;
+        column(sliding_.G) = -direction * e_.beta / r2 * system_->contact_shape;
+        if (!system_->constant.modal.empty()) column(sliding_.G) += column(system_->constant.modal) / r2;
     } else {
-        rest = system->stuck.contact.of(x);
-        column(sticking.G) = -rest / r2 * k_j;
-        if (!system->constant.stuck.empty()) column(sticking.G) += column(system->constant.stuck) / r2;
+        rest_ = system_->stuck.contact.of(z_.x);
+        column(sticking_.G) = -rest_ / r2 * k_j_;
+        if (!system_->constant.stuck.empty()) column(sticking_.G) += column(system_->constant.stuck) / r2;
     }
     part.start(tau);
 }
 
-void ContactPhases::masses_of(int direction, int order, std::vector<double>& out) const {
-    out.resize(N);
+void ExactSolver::masses_of(int direction, int order, std::vector<double>& out) const {
+    out.resize(N_);
     if (direction != 0) {
-        column(out).noalias() = system->basis.phi * column(sliding.q[order]);
+        column(out).noalias() = system_->basis.phi * column(sliding_.q[order]);
         return;
     }
-    column(out).noalias() = system->stuck.shapes * column(sticking.q[order]);
+    column(out).noalias() = system_->stuck.shapes * column(sticking_.q[order]);
     if (order == 0)
-        for (std::size_t k = 0; k < N; ++k) out[k] += rest * system->stuck.carried[k];
-    else if (const Contact& contact = system->stuck.contact; !contact.others.empty())
+        for (std::size_t k = 0; k < N_; ++k) out[k] += rest_ * system_->stuck.carried[k];
+    else if (const Contact& contact = system_->stuck.contact; !contact.others.empty())
         contact.hold(out.data()); // to the last bit, which rounded rows of shapes do not
 }
 
-evaluation::LinearSum ContactPhases::motion_of_masses(int direction, double tau) const {
-    const LinearMotion& part = direction == 0 ? sticking : sliding;
-    const Matrix<double>& shapes = direction == 0 ? system->stuck.shapes : system->basis.phi;
-    const std::size_t n = part.size();
-    const std::vector<double> none(N);
-    evaluation::LinearSum sum{tau, {}, std::vector<double>(N * n), none, none, none, none};
-    const auto [sin_0, cos_0] = sine_cosine(tau);
-    for (std::size_t i = 0; i < n; ++i) {
-        const double omega = part.omega_0[i], zeta = part.decay[i] / omega, at_rest = part.G[i] / (omega * omega);
-        Complex<double> X = part.F[i] * evaluation::response_by_R_squared(part.gap[i], part.decay[i]);
-        if (!part.lead.empty()) X = evaluation::product(part.lead[i], X);
-        const auto [s, s_prime] = evaluation::free_start({part.q[0][i], part.q[1][i]}, 0.0, X, cos_0, sin_0);
-        sum.coordinates.push_back({1 / omega, zeta, evaluation::w_if_oscillating(zeta), at_rest, s, s_prime});
-        for (std::size_t k = 0; k < N; ++k) {
-            const double shape = sum.shapes[k * n + i] = shapes(k, i);
-            sum.A[k] += shape * X.re;
-            sum.B[k] -= shape * X.im;
-            sum.harmonic[k] += std::abs(shape) * (std::abs(X.re) + std::abs(X.im));
-        }
-    }
-    if (direction == 0)
-        for (std::size_t k = 0; k < N; ++k) sum.constant[k] = rest * system->stuck.carried[k];
-    return sum;
-}
-
-std::array<double, 4> ContactPhases::velocity(int direction, double t) {
-    effort->spend(sliding.cost());
-    sliding.differentiate_at(t);
+std::array<double, 4> ExactSolver::velocity(int direction, double t) {
+    effort_->spend(sliding_.cost());
+    sliding_.differentiate_at(t);
     std::array<double, 4> f{};
-    for (std::size_t i = 0; i < N; ++i)
-        for (std::size_t m = 0; m < 4; ++m) f[m] += direction * system->contact_shape(i) * sliding.q[m + 1][i];
+    for (std::size_t i = 0; i < N_; ++i)
+        for (std::size_t m = 0; m < 4; ++m) f[m] += direction * system_->contact_shape(i) * sliding_.q[m + 1][i];
     return f;
 }
 
-std::array<double, 4> ContactPhases::load(double t) {
-    effort->spend(sticking.cost());
-    sticking.differentiate_at(t);
-    const auto [s, c] = sticking.now();
-    const double pull = system->stuck.k_jj * rest - system->constant.direct;
-    const double force = direct.re * c - direct.im * s, rate = -direct.re * s - direct.im * c;
+std::array<double, 4> ExactSolver::load(double t) {
+    effort_->spend(sticking_.cost());
+    sticking_.differentiate_at(t);
+    const auto [s, c] = sticking_.now();
+    const double pull = system_->stuck.k_jj * rest_ - system_->constant.direct;
+    const double force = direct_.re * c - direct_.im * s, rate = -direct_.re * s - direct_.im * c;
     std::array<double, 4> f{force - pull, rate, -force, -rate};
-    for (std::size_t i = 0; i + 1 < N; ++i)
+    for (std::size_t i = 0; i + 1 < N_; ++i)
         for (std::size_t m = 0; m < 4; ++m)
-            f[m] -= k_j[i] * sticking.q[m][i] + c_j[i] * sticking.q[m + 1][i] + m_j[i] * sticking.q[m + 2][i];
+            f[m] -= k_j_[i] * sticking_.q[m][i] + c_j_[i] * sticking_.q[m + 1][i] + m_j_[i] * sticking_.q[m + 2][i];
     return f;
 }
 
-Event ContactPhases::end_of_sliding(int direction, double length, int order) {
+Event ExactSolver::end_of_sliding(int direction, double length, int order) {
     auto at = [&](double t) { return velocity_ahead(direction, t); };
-    const std::optional<Crossing> zero = first_crossing(at, 0., length, order, step, *effort);
+    const std::optional<Crossing> zero = first_crossing(at, 0., length, order, step_, *effort_);
     if (!zero) return {length, direction, 0, 0, false};
     if (zero->open) return {zero->t, direction, 0, 0, false, true};
     const std::array<double, 4> f = velocity(direction, zero->t);
-    touching += zero->touches;
-    const double along = e.beta + inertia * f[1]; // load on the contact along the motion
-    if (zero->touches && e.mu == 1 && f[2] > 0 && order == 0)
-        return {zero->t, direction, 2, direction * e.beta, true}; // it touches zero and goes on
-    if (along < -e.mu * e.beta) return {zero->t, -direction, 1, direction * along, true};
-    if (along > e.mu * e.beta) return {zero->t, direction, 1, direction * along, true};
+    motion_.touching += zero->touches;
+    const double along = e_.beta + inertia_ * f[1]; // load on the contact along the motion
+    if (zero->touches && e_.mu == 1 && f[2] > 0 && order == 0)
+        return {zero->t, direction, 2, direction * e_.beta, true}; // it touches zero and goes on
+    if (along < -e_.mu * e_.beta) return {zero->t, -direction, 1, direction * along, true};
+    if (along > e_.mu * e_.beta) return {zero->t, direction, 1, direction * along, true};
     return {zero->t, 0, 0, direction * along, true};
 }
 
-Event ContactPhases::end_of_sticking_alone(double tau, double length) {
-    const double holds = e.mu * e.beta;
-    const double force = system->stuck.k_jj * rest - system->constant.direct;
+Event ExactSolver::end_of_sticking_alone(double tau, double length) {
+    const double holds = e_.mu * e_.beta;
+    const double force = system_->stuck.k_jj * rest_ - system_->constant.direct;
     Event event{length, 0, 0, 0, false};
     for (const int side : {1, -1}) {
-        const double y = (force + side * holds) / direct.re;
+        const double y = (force + side * holds) / direct_.re;
         if (!(y > -1 && y < 1)) continue;
-        const double angle = atan2(sqrt((1 - y) * (1 + y)), y), passage = direct.re < 0 ? side * angle : -side * angle;
+        const double angle = atan2(sqrt((1 - y) * (1 + y)), y), passage = direct_.re < 0 ? side * angle : -side * angle;
         const double t = std::max(0.0, passage + 2 * pi<double>() * std::ceil((tau - passage) / (2 * pi<double>())) - tau);
-        if (t < event.t) event = {t, side, e.mu == 1 ? 2 : 1, side * holds, true};
+        if (t < event.t) event = {t, side, e_.mu == 1 ? 2 : 1, side * holds, true};
     }
     return event;
 }
 
-Event ContactPhases::end_of_sticking(double length) {
-    const double holds = e.mu * e.beta;
+Event ExactSolver::end_of_sticking(double tau, double length) {
+    if (N_ == 1 && direct_.im == 0) return end_of_sticking_alone(tau, length);
+    const double holds = e_.mu * e_.beta;
     Event event{length, 0, 0, 0, false};
     const Jet at_start = load_ahead(0);
     for (const int side : {1, -1}) {
@@ -303,10 +282,10 @@ Event ContactPhases::end_of_sticking(double length) {
         double from = 0;
         int order = 0;
         for (int tangencies = 0; from < event.t;) {
-            const std::optional<Crossing> zero = first_crossing(at, from, event.t, order, step, *effort);
+            const std::optional<Crossing> zero = first_crossing(at, from, event.t, order, step_, *effort_);
             if (!zero) break;
             if (!zero->open && zero->touches) {
-                ++touching;
+                ++motion_.touching;
                 const Jet jet = at(zero->t);
                 const bool turns_back = jet.f[2] > 0 && zero->t > from, recedes = jet.f[1] > 0;
                 if ((turns_back || recedes) && ++tangencies < most_tangencies) {
@@ -315,7 +294,7 @@ Event ContactPhases::end_of_sticking(double length) {
                     continue;
                 }
             }
-            event = {zero->t, side, e.mu == 1 ? 2 : 1, side * holds, true};
+            event = {zero->t, side, e_.mu == 1 ? 2 : 1, side * holds, true};
             if (zero->open) event = {zero->t, 0, 0, 0, false, true};
             break;
         }
@@ -323,12 +302,12 @@ Event ContactPhases::end_of_sticking(double length) {
     return event;
 }
 
-std::pair<int, int> ContactPhases::first_direction(double tau) {
-    const double v_j = system->stuck.contact.of(v);
+std::pair<int, int> ExactSolver::first_direction(double tau) {
+    const double v_j = system_->stuck.contact.of(z_.x_prime);
     if (v_j != 0) return {v_j > 0 ? 1 : -1, 0};
     start_phase(0, tau);
     const double Q = load(0)[0];
-    const double holds = e.mu * e.beta;
+    const double holds = e_.mu * e_.beta;
     for (const int side : {1, -1})
         if (side * Q > holds) return {side, 1};
     return {0, 0};

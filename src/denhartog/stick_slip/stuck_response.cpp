@@ -16,7 +16,7 @@
 #include "denhartog/number/why.hpp"
 #include "denhartog/number/work_counted.hpp"
 #include "denhartog/scene/point_rules.hpp"
-#include "denhartog/stick_slip/contact_phases.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
 #include "elementary/elementary.hpp"
 
 namespace denhartog {

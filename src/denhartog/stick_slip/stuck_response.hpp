@@ -75,8 +75,7 @@ struct StickingBoundary {
 /// \f$ -k\bar{x}_j \f$, and what the free motion of the others adds: at most its energy norm, which never grows, times a weight.
 class LastingRest {
 public:
-    /// @brief The system must outlive this.
-    LastingRest(const ContactSystem& system, const Excitation& excitation);
+    LastingRest(const ContactSystem& system, const Excitation& excitation); ///< the system must outlive this
 
     /// @brief Verdict on a rest.
     enum class Verdict : std::uint8_t {
