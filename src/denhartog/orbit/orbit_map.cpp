@@ -1,5 +1,5 @@
 // Which state follows half a period later, seen in a mirror? A state that this map returns is a steady motion with the symmetry
-// (25). `OrbitMap::apply` follows the motion, `Shooting::fixed_point` looks for such a state; the rest bounds what rounding makes of
+// (25). `OrbitMap::apply` follows the motion, `find_fixed_point` looks for such a state; the rest bounds what rounding makes of
 // the image and of its derivative.
 #include "denhartog/orbit/orbit_map.hpp"
 
@@ -181,55 +181,53 @@ Column OrbitMap::rounding(bool of_modes) const {
     return bound;
 }
 
-bool Shooting::fixed_point(State& z, int h, BadSteps bad_steps) {
+bool OrbitMap::find_fixed_point(State& z, int h, BadSteps bad_steps) {
     constexpr int most_runs = 40;
-    residual_ = -1;
-    double least = -1; // residual where the last step started, negative if there is none
-    double part = 1;   // of the step, that is taken
+    const Contact& contact = solver_->system().stuck.contact;
+    const int above =
+        solver_->system().basis.coupled() ? 128 : 8; // what is seen is farther below the bound with a damping matrix
+    State from, onto;                                // where the step starts, and the image of that
+    Column step;                                     // from there
+    bool rests_at_0 = false; // the contact sticks at the end of the stretch: its velocity is zero there, without rounding
+    double least = -1;       // residual where the last step started, negative if there is none
+    double part = 1;         // of the step, that is taken
     int bad = 0;
+    residual_ = -1;
+    const auto prepare_step = [&] {
+        from = z;
+        onto = image_;
+        rests_at_0 = contact.of(image_.x_prime) == 0 && motion_->phases.back().direction == 0;
+        const LinearSystem system(Matrix<double>(Matrix<double>::Identity(2 * N, 2 * N) - jacobian()));
+        if (!system.is_regular()) return false;
+        step = system.solve(difference_);
+        ++newton_steps_;
+        return true;
+    };
     for (int n = 0; n < most_runs; ++n) {
-        if (!map_->apply(z, h, true)) return false;
-        const bool held = map_->held();
-        if (held && least < 0) return false;
-        const double residual = map_->norm(map_->difference());
+        if (!apply(z, h, true)) return false;
+        const bool rests = held();
+        if (rests && least < 0) return false;
+        const double residual = norm(difference_), rounding = rounding_in_energy().norm();
         if (!(residual - residual == 0)) return false;
-        const double rounding = map_->rounding_in_energy().norm();           // a bound, and some way above what is seen
-        const int above = map_->solver().system().basis.coupled() ? 128 : 8; // farther with a damping matrix
-        const bool falls = !held && (least < 0 || residual < least * (1 - part / 8));
+        const bool falls = !rests && (least < 0 || residual < least * (1 - part / 8));
         if (falls) residual_ = residual;
-        if (!held && residual <= (falls ? rounding / above : 8 * rounding)) return true;
+        if (!rests && residual <= (falls ? rounding / above : 8 * rounding)) return true;
         bad += !falls;
         if (bad > static_cast<int>(bad_steps)) return false;
-        part = !falls ? part / 2 : prepare_step(z) ? 1 : 0;
+        part = !falls ? part / 2 : prepare_step() ? 1 : 0;
         if (falls) least = residual;
         if (8 * part >= 1) {
-            take_step(part, z);
+            column(z.x) = column(from.x) + part * step.head(N);
+            column(z.x_prime) = column(from.x_prime) + part * step.tail(N);
+            if (rests_at_0 && part == 1) contact.hold(z.x_prime.data());
             continue;
         }
         if (bad_steps != BadSteps::all_and_go_on_from_image) return false;
-        z = image_;
+        z = onto;
         least = -1;
         part = 1;
     }
     return false;
-}
-
-// The step from z, where the map was applied last; false if there is none.
-bool Shooting::prepare_step(const State& z) {
-    from_ = z;
-    image_ = map_->image();
-    rests_at_0_ = contact_->of(image_.x_prime) == 0 && map_->motion().phases.back().direction == 0;
-    const LinearSystem system(Matrix<double>(Matrix<double>::Identity(2 * map_->N, 2 * map_->N) - map_->jacobian()));
-    if (!system.is_regular()) return false;
-    step_ = system.solve(map_->difference());
-    ++steps_;
-    return true;
-}
-
-void Shooting::take_step(double part, State& z) const {
-    column(z.x) = column(from_.x) + part * step_.head(map_->N);
-    column(z.x_prime) = column(from_.x_prime) + part * step_.tail(map_->N);
-    if (rests_at_0_ && part == 1) contact_->hold(z.x_prime.data());
 }
 
 } // namespace denhartog

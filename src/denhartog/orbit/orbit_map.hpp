@@ -18,6 +18,10 @@ namespace denhartog {
 [[nodiscard]] Matrix<double> in_energy_coordinates(const Matrix<double>& J, const Matrix<double>& momentum,
                                                    const Matrix<double>& shapes, const std::vector<double>& r_n, double r);
 
+/// @brief Largest number of steps of Newton's method without a fall of the residual: it halves such a step, and may then go on
+/// from the image of the last good state.
+enum class BadSteps : int { none = 0, some = 16, all_and_go_on_from_image = 40 };
+
 /// @brief The map whose fixed points are the steady motions: the motion over h half-periods of the force, mirrored after each.
 /// \f[ P^h(z) = (-1)^h\,\Phi_{0\to h\pi}(z) \f]
 /// \f$ \Phi \f$ carries a state, displacements and velocities at \f$ \tau=0 \f$, to a later instant. The force changes its sign
@@ -38,6 +42,14 @@ public:
 
     /// @brief Applies the map to the state z at \f$ \tau=0 \f$, with the Jacobian if that is wanted; false if the motion chatters.
     bool apply(const State& z, int half_periods, bool with_jacobian);
+
+    /// @brief Looks from z, by Newton's method, for a fixed point of h half-periods in which the contact moves. If one was found the
+    /// map was applied to it last, with its Jacobian; else z is the state that the search ended at. If the map jumps, or the contact
+    /// rests for ever, Newton's method may come nearer to that place by every half step and be taken back by every whole one; nearly
+    /// every orbit is found without a bad step.
+    bool find_fixed_point(State& z, int h, BadSteps bad_steps);
+    [[nodiscard]] double residual() const { return residual_; } ///< the smallest that this saw; negative if the contact rested
+    [[nodiscard]] int newton_steps() const { return newton_steps_; } ///< steps of Newton's method so far
 
     [[nodiscard]] bool held() const;              ///< whether the contact rested throughout
     [[nodiscard]] bool slides_throughout() const; ///< whether the contact did not rest at all
@@ -85,41 +97,9 @@ private:
     mutable Matrix<double> in_energy_; // of the last application, once it was asked for
     int h_ = 1;
     long half_periods_in_all_ = 0;
-    Column rounding_, of_modes_; // of each mode in energy, without and with the errors of the modes
-};
-
-/// @brief Largest number of steps of Newton's method without a fall of the residual: it halves such a step, and may then go on
-/// from the image of the last good state.
-enum class BadSteps : int { none = 0, some = 16, all_and_go_on_from_image = 40 };
-
-/// @brief Newton's method for a fixed point of the map, with the exact Jacobian.
-class Shooting {
-public:
-    /// @brief Of a map, which must outlive this.
-    explicit Shooting(OrbitMap& map) : map_(&map), contact_(&map.solver().system().stuck.contact) {}
-
-    /// @brief Looks from z for a fixed point of h half-periods in which the contact moves. If one was found the map was
-    /// applied to it last, with its Jacobian; else z is the state that the search ended at.
-    ///
-    /// If the map jumps, or the contact rests for ever, Newton's method may come nearer to that place by every half step and
-    /// be taken back by every whole one. Nearly every orbit is found without a bad step.
-    bool fixed_point(State& z, int h, BadSteps bad_steps);
-
-    /// @brief Smallest residual that the last search saw; negative if the contact rested throughout.
-    [[nodiscard]] double residual() const { return residual_; }
-    [[nodiscard]] int steps() const { return steps_; } ///< steps of Newton's method so far
-
-private:
-    bool prepare_step(const State& z);
-    void take_step(double part, State& z) const;
-
-    OrbitMap* map_;
-    const Contact* contact_;
-    State from_, image_; // where the step starts, and the image of that
-    Column step_;
-    bool rests_at_0_ = false; // the contact sticks at the end of the stretch: its velocity is zero there, without rounding
     double residual_ = -1;
-    int steps_ = 0;
+    int newton_steps_ = 0;
+    Column rounding_, of_modes_; // of each mode in energy, without and with the errors of the modes
 };
 
 } // namespace denhartog
