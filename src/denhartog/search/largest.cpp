@@ -57,7 +57,8 @@ public:
         look([&](const Interval& next) { return effort_.exhausted() || next.upper < level() || looks++ == second_looks; });
         for (const Interval& each : open_) dismiss_unseen(each);
         best_.upper = std::max(best_.upper, best_.value) + noise_;
-        gather_places();
+        std::erase_if(best_.places, [this](const Place& each) { return each.upper < level(); });
+        best_.places = joined(std::move(best_.places));
         return std::move(best_);
     }
 
@@ -123,11 +124,6 @@ private:
         best_.upper = std::max(best_.upper, highest);
         if (highest < level()) return;
         best_.places.push_back({in.left.tau, in.right.tau, top.tau, top.at.f, highest, reach});
-    }
-
-    void gather_places() {
-        std::erase_if(best_.places, [this](const Place& each) { return each.upper < level(); });
-        best_.places = joined(std::move(best_.places));
     }
 
     const Curve& curve_;

@@ -25,32 +25,24 @@ void shift(const Column& w, double jump, const Matrix<double>& d_tau, Matrix<dou
     if (jump != 0) dv += jump * w * d_tau;
 }
 
-// The part of the damping that the stuck modes leave out, in the modes of sliding.
-void add_left_out_of_stuck_modes(ContactSystem& c) {
-    const StuckConfiguration& stuck = c.stuck;
-    if (stuck.left_out.size() == 0 || !(stuck.left_out.maxCoeff() > 0)) return;
-    const Matrix<double> shares = product(stuck.momentum, c.basis.phi).cwiseAbs();
-    const Matrix<double> left_out = in_coordinates(shares, stuck.left_out);
-    c.damping_error = c.damping_error.size() > 0 ? Matrix<double>(c.damping_error + left_out) : left_out;
-}
-
-// Rounding error of each entry of the damping, for modes that are known to more digits.
-Matrix<double> rounding_of_damping(const ModalBasis<double>& basis) {
-    const auto N = static_cast<Eigen::Index>(basis.r_n.size());
-    Matrix<double> D = Matrix<double>::Zero(N, N);
-    for (Eigen::Index i = 0; i < N; ++i) {
-        const auto n = static_cast<std::size_t>(i);
-        D(i, i) += 4 * unit_of<double>() * basis.zeta[n] * basis.r_n[n];
+// Error of each entry of the damping in the modes of sliding: of modes that were found in double or, `held`, are known to more digits;
+// and what the stuck modes leave out of it.
+Matrix<double> error_of_damping(const System<double>& s, const ModalBasis<double>& basis, const StuckConfiguration& stuck,
+                                bool held) {
+    const double unit = unit_of<double>();
+    Matrix<double> D;
+    if (held) {
+        D = Matrix<double>::Zero(basis.phi.cols(), basis.phi.cols());
+        for (std::size_t i = 0; i < basis.r_n.size(); ++i) D(i, i) += 4 * unit * basis.zeta[i] * basis.r_n[i];
+        if (basis.coupled()) D += unit * basis.D.cwiseAbs();
+    } else if (s.damping_matrix.size() > 0) {
+        const Matrix<double> sizes = basis.phi.cwiseAbs(), C = s.damping_matrix.cwiseAbs();
+        D = in_coordinates(sizes, C) * ((static_cast<int>(sizes.cols()) + 2) * unit);
     }
-    if (basis.coupled()) D += unit_of<double>() * basis.D.cwiseAbs();
-    return D;
-}
-
-// Error of each entry of the damping, for modes that were found in double.
-Matrix<double> error_of_damping(const System<double>& s, const ModalBasis<double>& basis) {
-    if (s.damping_matrix.size() == 0) return {};
-    const Matrix<double> sizes = basis.phi.cwiseAbs(), of_C = s.damping_matrix.cwiseAbs();
-    return in_coordinates(sizes, of_C) * ((static_cast<int>(sizes.cols()) + 2) * unit_of<double>());
+    if (stuck.left_out.size() == 0 || !(stuck.left_out.maxCoeff() > 0)) return D;
+    const Matrix<double> shares = product(stuck.momentum, basis.phi).cwiseAbs(),
+                         left_out = in_coordinates(shares, stuck.left_out);
+    return D.size() > 0 ? Matrix<double>(D + left_out) : left_out;
 }
 
 } // namespace
@@ -215,12 +207,8 @@ void Deviations::carry(ExactSolver& at, int direction, const Event& event) {
         dQ -= at.k_j_[i] * dq.row(i) + at.c_j_[i] * dp.row(i);
         if (at.m_j_[i] == 0) continue;
         const LinearMotion& stuck = at.sticking_;
-        Matrix<double> acceleration = -at.k_j_[i] / r2 * d_rest - stuck.omega_0[i] * stuck.omega_0[i] * dq.row(i);
-        if (stuck.coupled())
-            acceleration -= stuck.D.row(i) * dp;
-        else
-            acceleration -= 2 * stuck.decay[i] * dp.row(i);
-        dQ -= at.m_j_[i] * acceleration;
+        const Matrix<double> damping = stuck.coupled() ? Matrix<double>(stuck.D.row(i) * dp) : 2 * stuck.decay[i] * dp.row(i);
+        dQ -= at.m_j_[i] * Matrix<double>(-at.k_j_[i] / r2 * d_rest - stuck.omega_0[i] * stuck.omega_0[i] * dq.row(i) - damping);
     }
     shift(at.w_, -event.next * (at.e_.mu - 1) * at.e_.beta, Matrix<double>(dQ / -rate), dv);
 }
@@ -231,10 +219,7 @@ void Deviations::carry_stuck(ExactSolver& at, const Event& event) {
     dq = product(s.momentum, dx);
     dp = product(s.momentum, dv);
     Matrix<double> at_rest(dq.rows(), dq.cols()); // where the stuck modes would rest for the shifted contact
-    for (Eigen::Index i = 0; i < dq.rows(); ++i) {
-        const double r_n = s.r_n[static_cast<std::size_t>(i)];
-        at_rest.row(i) = -at.k_j_[i] / (r_n * r_n) * d_rest;
-    }
+    for (std::size_t i = 0; i < s.r_n.size(); ++i) at_rest.row(i) = -at.k_j_[i] / (s.r_n[i] * s.r_n[i]) * d_rest;
     dq -= at_rest;
     at.sticking_.carry(event.t, dq, dp);
     dq += at_rest;
@@ -260,8 +245,7 @@ ContactSystem contact_system(const System<double>& s, const ModalBasis<Bounded<d
     phi.conservativeResize(phi.cols(), Eigen::NoChange);
     out.stuck_load = load_on_stuck_modes(out.stuck, s.load);
     for (const Bounded<double>& r_n : modes.r_n) out.detuned.push_back(r_n.e / r_n.x);
-    out.damping_error = held ? rounding_of_damping(out.basis) : error_of_damping(s, out.basis);
-    add_left_out_of_stuck_modes(out);
+    out.damping_error = error_of_damping(s, out.basis, out.stuck, held != nullptr);
     out.damping_fixes_modes = damping_matrix_counts(s, out.basis);
     // phi^T M phi = 1, so that phi^T M is the inverse of phi; the mass matrix keeps it free of an inversion.
     const std::size_t N = out.basis.r_n.size();

@@ -30,13 +30,11 @@ double amplitude_of(const Complex<double>& X) {
 
 double rounding(std::size_t modes) { return 4 * static_cast<int>(modes) * eps; }
 
-[[noreturn]] void resonates() { throw DomainError(Why::stuck_mode_resonates); }
-
 // Amplitude of an uncoupled mode under the force p in phase; D is the diagonal entry of the damping, 2 zeta r_n.
 Complex<double> mode_amplitude(double p, double r_n, double D, double r, double tolerance) {
     if (p == 0) return {0, 0};
-    const double a = (r_n - r) * (r_n + r), b = r * D;
-    if (std::abs(a) <= tolerance * r_n * r_n && std::abs(b) <= tolerance * r_n * r_n) resonates();
+    const double a = (r_n - r) * (r_n + r), b = r * D, least = tolerance * r_n * r_n;
+    if (std::abs(a) <= least && std::abs(b) <= least) throw DomainError(Why::stuck_mode_resonates);
     return amplitude_of_mode(p, a, b);
 }
 
@@ -45,7 +43,7 @@ std::vector<Complex<double>> coupled_amplitudes(const StuckConfiguration& stuck,
                                                 double r) {
     const auto n = static_cast<Eigen::Index>(p.size());
     Matrix<double> A = Matrix<double>::Zero(2 * n, 2 * n);
-    Eigen::Matrix<double, Eigen::Dynamic, 1> scale(2 * n), force = Eigen::Matrix<double, Eigen::Dynamic, 1>::Zero(2 * n);
+    Column scale(2 * n), force(2 * n);
     for (Eigen::Index i = 0; i < n; ++i) {
         const double r_n = stuck.r_n[static_cast<std::size_t>(i)];
         A(i, i) = A(n + i, n + i) = (r_n - r) * (r_n + r);
@@ -57,7 +55,7 @@ std::vector<Complex<double>> coupled_amplitudes(const StuckConfiguration& stuck,
     A.bottomLeftCorner(n, n) = r * stuck.damping;
     A = scale.asDiagonal() * A * scale.asDiagonal();
     const LinearSystem system(A);
-    if (!(system.reciprocal_condition() > rounding(p.size()))) resonates();
+    if (!(system.reciprocal_condition() > rounding(p.size()))) throw DomainError(Why::stuck_mode_resonates);
     force = scale.cwiseProduct(system.solve(scale.cwiseProduct(force)));
     std::vector<Complex<double>> q;
     for (Eigen::Index i = 0; i < n; ++i) q.push_back({force(i), force(n + i)});
@@ -201,10 +199,10 @@ State LastingRest::steady_state(double x_j) const {
 double LastingRest::reach() const {
     if (!response_) return -1;
     const StuckConfiguration& s = system_->stuck;
-    const double holds = e_.mu * e_.beta, amplitude = modulus(response_->contact_load);
+    const double holds = e_.mu * e_.beta;
     const double rounding =
         64 * static_cast<int>(s.masses.size() + 1) * eps * (holds + terms_) * std::max(1.0, s.k_jj / s.k_contact);
-    return (holds - amplitude - rounding) / s.k_contact;
+    return (holds - modulus(response_->contact_load) - rounding) / s.k_contact;
 }
 
 MassMotion LastingRest::motion(std::size_t k, double x_j) const {
@@ -218,10 +216,8 @@ MassMotion LastingRest::motion(std::size_t k, double x_j) const {
 LastingRest::Verdict LastingRest::verdict(const State& z) const {
     if (!response_) return Verdict::open;
     const StuckConfiguration& s = system_->stuck;
-    const double x_j = s.contact.of(z.x);
-    const double holds = e_.mu * e_.beta;
-    const double amplitude = modulus(response_->contact_load), constant = std::abs(s.k_contact * x_j);
-    const double margin = holds - amplitude - constant;
+    const double x_j = s.contact.of(z.x), holds = e_.mu * e_.beta, constant = std::abs(s.k_contact * x_j);
+    const double margin = holds - modulus(response_->contact_load) - constant;
     const double rounding =
         16 * static_cast<int>(s.masses.size() + 1) * eps * (holds + terms_ + constant + std::abs(s.k_jj * x_j));
     if (margin < -rounding) return Verdict::open;
