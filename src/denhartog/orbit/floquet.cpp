@@ -102,9 +102,9 @@ struct Decoupled {
     std::vector<int> depth;   // how many couplings lead to an eigenvalue, one after the other
 };
 
-// Eigenvalues no farther apart than `close` stay coupled; if `least` is positive they are taken for that far apart at least, and
+// Eigenvalues no farther apart than `close` stay coupled; if `least` is given they are taken for that far apart at least, and
 // none do.
-Decoupled decoupled(const ComplexMatrix& R, double close, double least = 0) {
+Decoupled decoupled(const ComplexMatrix& R, double close, double least = -1) {
     const Eigen::Index n = R.rows();
     ComplexMatrix left = ComplexMatrix::Zero(n, n);
     Decoupled d{ComplexMatrix::Identity(n, n), {}, Matrix<double>::Zero(n, n), std::vector<int>(static_cast<std::size_t>(n))};
@@ -113,7 +113,7 @@ Decoupled decoupled(const ComplexMatrix& R, double close, double least = 0) {
             std::complex<double> rest = 0;
             for (Eigen::Index m = i + 1; m <= k; ++m) rest += times(R(i, m), d.Y(m, k)) - times(d.Y(i, m), left(m, k));
             const std::complex<double> apart = R(k, k) - R(i, i);
-            if (least > 0 || size_of(apart) > close) {
+            if (least >= 0 || size_of(apart) > close) {
                 d.Y(i, k) = times(rest, inverse_of(size_of(apart) > least ? apart : least));
                 continue;
             }
