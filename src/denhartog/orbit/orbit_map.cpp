@@ -57,7 +57,7 @@ bool OrbitMap::apply(const State& z, int half_periods, bool with_jacobian) {
     const double units = eps * static_cast<int>(motion_->phases.size());
     const double rounding_of_coupled = rounding_of_coupled_modes() * energies.sum();
     rounding_ = (errors_between_modes(units, false) * energies).array() + rounding_of_coupled;
-    of_modes_ = (errors_between_modes(units, true) * energies).array() + rounding_of_coupled;
+    with_mode_errors_ = (errors_between_modes(units, true) * energies).array() + rounding_of_coupled;
     return true;
 }
 
@@ -125,7 +125,7 @@ Column OrbitMap::largest_energies() const {
 // nearly one frequency the angle may be large; if they are damped differently, that damps each of them by some of the
 // other's damping. All these errors are taken as an eighth of the bounds of the closed form. What a damping matrix loses on its
 // way to the modes, where large dashpots nearly cancel, is a force on each mode over the whole stretch.
-Matrix<double> OrbitMap::errors_between_modes(double units, bool of_modes) const {
+Matrix<double> OrbitMap::errors_between_modes(double units, bool mode_errors) const {
     const ContactSystem& s = solver_->system();
     const double r = solver_->excitation().r, length = h_ * pi<double>();
     Matrix<double> E = Matrix<double>::Zero(N, N);
@@ -133,9 +133,9 @@ Matrix<double> OrbitMap::errors_between_modes(double units, bool of_modes) const
         const double r_i = s.basis.r_n[i];
         for (std::size_t k = 0; k < s.basis.r_n.size(); ++k) {
             const double r_k = s.basis.r_n[k];
-            E(i, k) += units * (of_modes ? std::max(1.0, r_i / r_k) : i == k);
-            if (i == k) E(i, i) += length * r_i / r * std::max(of_modes ? s.detuned[i] / 8 : 0, static_cast<int>(N) * eps);
-            if (i == k || !of_modes) continue;
+            E(i, k) += units * (mode_errors ? std::max(1.0, r_i / r_k) : i == k);
+            if (i == k) E(i, i) += length * r_i / r * std::max(mode_errors ? s.detuned[i] / 8 : 0, static_cast<int>(N) * eps);
+            if (i == k || !mode_errors) continue;
             const double angle =
                 static_cast<int>(N + 1) * eps +
                 angle_of_turn(Bounded<double>(r_i, r_i * s.detuned[i]), Bounded<double>(r_k, r_k * s.detuned[k])) / 8;
@@ -147,7 +147,7 @@ Matrix<double> OrbitMap::errors_between_modes(double units, bool of_modes) const
             E(i, i) += length * angle * angle * damping / r;
         }
     }
-    if (of_modes && s.damping_error.size() > 0) E += length / r * s.damping_error;
+    if (mode_errors && s.damping_error.size() > 0) E += length / r * s.damping_error;
     return E;
 }
 
@@ -167,10 +167,12 @@ double OrbitMap::rounding_of_jacobian() const {
     return sqrt(E.rowwise().sum().maxCoeff() * E.colwise().sum().maxCoeff()) + rounding_of_coupled_modes();
 }
 
-Column OrbitMap::rounding_in_energy(bool of_modes) const { return (of_modes ? of_modes_ : rounding_).replicate(2, 1); }
+Column OrbitMap::rounding_in_energy(bool mode_errors) const {
+    return (mode_errors ? with_mode_errors_ : rounding_).replicate(2, 1);
+}
 
-Column OrbitMap::rounding(bool of_modes) const {
-    const Column& of = of_modes ? of_modes_ : rounding_;
+Column OrbitMap::rounding(bool mode_errors) const {
+    const Column& of = mode_errors ? with_mode_errors_ : rounding_;
     Column bound = Column::Zero(2 * N);
     for (Eigen::Index k = 0; k < N; ++k)
         for (Eigen::Index i = 0; i < N; ++i) {

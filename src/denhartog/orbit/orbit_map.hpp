@@ -29,7 +29,7 @@ enum class BadSteps : int { none = 0, some = 16, all_and_go_on_from_image = 40 }
 ///
 /// Call `apply` first: the object then holds the image, the motion to it, the Jacobian if you asked for it, and bounds of the
 /// rounding errors of both. Energy coordinates are 2N values, modal displacements times frequencies and then modal velocities: if
-/// \f$ \mu=1 \f$, the distance of two motions in them never grows. With `of_modes` the bounds include the errors of the modes,
+/// \f$ \mu=1 \f$, the distance of two motions in them never grows. With `mode_errors` the bounds include the errors of the modes,
 /// which no step of Newton's method reduces.
 class OrbitMap {
 public:
@@ -70,9 +70,9 @@ public:
     [[nodiscard]] double displacement_of_energy() const;
 
     /// @brief Bound of the rounding errors of the image, in energy coordinates.
-    [[nodiscard]] Column rounding_in_energy(bool of_modes = false) const;
+    [[nodiscard]] Column rounding_in_energy(bool mode_errors = false) const;
     /// @brief Bound of the rounding errors of the image, mass by mass: of displacements, then velocities.
-    [[nodiscard]] Column rounding(bool of_modes = false) const;
+    [[nodiscard]] Column rounding(bool mode_errors = false) const;
 
     /// @brief The solver, which holds the motion of the last application.
     [[nodiscard]] ExactSolver& solver() const { return *solver_; }
@@ -87,7 +87,7 @@ public:
 private:
     [[nodiscard]] double omega(Eigen::Index i) const; // natural frequency over that of the force
     [[nodiscard]] Column largest_energies() const;
-    [[nodiscard]] Matrix<double> errors_between_modes(double units, bool of_modes) const;
+    [[nodiscard]] Matrix<double> errors_between_modes(double units, bool mode_errors) const;
     [[nodiscard]] double rounding_of_coupled_modes() const;
 
     ExactSolver* solver_;
@@ -99,7 +99,7 @@ private:
     long half_periods_in_all_ = 0;
     double residual_ = -1;
     int newton_steps_ = 0;
-    Column rounding_, of_modes_; // of each mode in energy, without and with the errors of the modes
+    Column rounding_, with_mode_errors_; // of each mode in energy, without and with the errors of the modes
 };
 
 } // namespace denhartog

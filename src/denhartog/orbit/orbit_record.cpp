@@ -108,8 +108,8 @@ std::optional<ErrorsOfOrbit> errors_of(const OrbitMap& map) {
     const Matrix<double> inverse = system.inverse();
     const Column apart = map.in_energy(map.difference()).cwiseAbs();
     const double growth = map.solver().excitation().mu > 1 ? std::max(1.0, jacobian.norm()) : 1.0;
-    const auto energy = [&](bool of_modes) {
-        return growth * product_of_sizes(inverse, Column(apart + map.rounding_in_energy(of_modes))).norm();
+    const auto energy = [&](bool mode_errors) {
+        return growth * product_of_sizes(inverse, Column(apart + map.rounding_in_energy(mode_errors))).norm();
     };
     const ContactSystem& s = map.solver().system();
     const Contact& contact = s.stuck.contact;
