@@ -113,8 +113,10 @@ void LinearMotion::differentiate_at(double t) {
     for (std::size_t i = 0; i < size(); ++i) {
         double below = q[0][i], last = q[1][i];
         const double omega = omega_0[i], twice = 2 * decay[i];
+        const auto [s, c] = at_force(now_, i);
+        const double forces[] = {F[i] * c + G[i], F[i] * -s, F[i] * -c, F[i] * s}; // and its derivatives
         for (int m = 0; m + 2 < orders; ++m) {
-            const double next = evaluation::acceleration(below, omega, twice * last, force(m, i));
+            const double next = evaluation::acceleration(below, omega, twice * last, forces[m]);
             below = last;
             last = q[m + 2][i] = next;
         }
