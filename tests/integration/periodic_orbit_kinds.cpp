@@ -7,8 +7,8 @@
 
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/orbit/floquet.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/scene/scene_json.hpp"
 #include "tests/integration/orbit_scenes.hpp"
 
@@ -333,9 +333,7 @@ TEST_CASE("every number of an answer is finite, for every kind of scene", "[exac
                 search.most_periods = 60;
                 const PeriodicOrbit orbit = orbit_of(p, search);
                 INFO(p.name << " " << factor << " " << in_words(orbit.reason));
-                (orbit.status == OrbitStatus::periodic        ? periodic
-                 : !is_from_start(orbit)                      ? open
-                                                              : stuck) += 1;
+                (orbit.status == OrbitStatus::periodic ? periodic : !is_from_start(orbit) ? open : stuck) += 1;
                 CHECK(all_finite(orbit));
                 if (!is_from_start(orbit)) CHECK_FALSE(orbit.reason.empty());
                 if (orbit.status == OrbitStatus::periodic) CHECK(orbit.error_bound < 0.01);
