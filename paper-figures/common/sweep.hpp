@@ -10,7 +10,7 @@
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/number/parallel.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
-#include "denhartog/stick_slip/at_maximum_of_force.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
 #include "markers.hpp"
 

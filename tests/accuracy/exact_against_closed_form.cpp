@@ -6,7 +6,7 @@
 #include "tests/accuracy/witness_survey.hpp"
 
 #include "denhartog/orbit/periodic_orbit.hpp"
-#include "denhartog/stick_slip/at_maximum_of_force.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
 #include "tests/support/plain_response.hpp"
 
 using namespace denhartog;

@@ -7,9 +7,8 @@
 
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/orbit/approach.hpp"
 #include "denhartog/orbit/floquet.hpp"
-#include "denhartog/orbit/orbit_record.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/scene/scene_json.hpp"
 #include "tests/integration/orbit_scenes.hpp"
 
@@ -112,7 +111,7 @@ TEST_CASE("the bounds of multipliers take in that the instants of events are off
         REQUIRE(map.apply(near, 1, true));
         const double apart = map.norm(difference(near, orbit.start));
         const auto known_within = [&](double energy) {
-            ErrorsOfOrbit errors{0, displacement_of_energy(map) * energy, {}};
+            ErrorsOfOrbit errors{0, map.displacement_of_energy() * energy, {}};
             for (const auto& shape : p.system.basis.phi.rowwise()) errors.velocity.push_back(shape.norm() * energy);
             return squared(multipliers_of_orbit(map, errors));
         };
@@ -334,9 +333,7 @@ TEST_CASE("every number of an answer is finite, for every kind of scene", "[exac
                 search.most_periods = 60;
                 const PeriodicOrbit orbit = orbit_of(p, search);
                 INFO(p.name << " " << factor << " " << in_words(orbit.reason));
-                (orbit.status == OrbitStatus::periodic        ? periodic
-                 : !is_from_start(orbit)                      ? open
-                                                              : stuck) += 1;
+                (orbit.status == OrbitStatus::periodic ? periodic : !is_from_start(orbit) ? open : stuck) += 1;
                 CHECK(all_finite(orbit));
                 if (!is_from_start(orbit)) CHECK_FALSE(orbit.reason.empty());
                 if (orbit.status == OrbitStatus::periodic) CHECK(orbit.error_bound < 0.01);

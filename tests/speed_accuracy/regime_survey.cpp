@@ -7,8 +7,8 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
-#include "denhartog/stick_slip/at_maximum_of_force.hpp"
-#include "denhartog/stick_slip/lasting_rest.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
+#include "denhartog/stick_slip/stuck_response.hpp"
 #include "tests/support/plain_response.hpp"
 #include "tests/support/sample_scenes.hpp"
 

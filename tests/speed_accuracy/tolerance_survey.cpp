@@ -4,7 +4,7 @@
 #include <map>
 
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
-#include "denhartog/stick_slip/at_maximum_of_force.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
 #include "tests/support/plain_response.hpp"
 
 namespace denhartog::tests {

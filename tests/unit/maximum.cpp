@@ -1,4 +1,4 @@
-#include "denhartog/search/largest_in_double.hpp"
+#include "denhartog/search/largest.hpp"
 
 #include <algorithm>
 #include <array>

@@ -105,10 +105,9 @@ std::vector<SolvedStop> stops_of(OnOrbit& on_orbit, const ExactSolver& solver, c
     const auto instant = [&](double tau, bool slides) {
         const double anywhere = orbit.periods * pi<double>();
         const std::optional<EndOfPhase> end = on_orbit.end_at(tau, slides);
-        const double found =
-            end ? end->error_of_instant(error_at_ends(solver, slides, orbit.error_bound, orbit.velocity_errors)) +
-                      8 * unit_of<double>() * (1 + tau)
-                : anywhere;
+        const double found = end ? end->error_of_instant(solver.error_at_ends(slides, orbit.error_bound, orbit.velocity_errors)) +
+                                       8 * unit_of<double>() * (1 + tau)
+                                 : anywhere;
         return certified(Bounded<double>(tau, std::min(found, anywhere)));
     };
     std::vector<SolvedStop> stops;

@@ -8,7 +8,7 @@
 #include "denhartog/answer/held_solution.hpp"
 #include "denhartog/number/tried.hpp"
 #include "denhartog/number/why.hpp"
-#include "denhartog/stick_slip/at_maximum_of_force.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {

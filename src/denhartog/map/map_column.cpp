@@ -15,7 +15,7 @@
 #include "denhartog/number/tried.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/solve/decision.hpp"
-#include "denhartog/stick_slip/at_maximum_of_force.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {

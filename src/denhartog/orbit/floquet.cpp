@@ -1,5 +1,7 @@
 // Is an orbit stable? `multipliers_of` finds the eigenvalues of the derivative of the map with a bound of the error of each
-// size. It makes the matrix triangular, separates eigenvalues that are far apart, and puts Gershgorin's discs round the rest.
+// size. It makes the matrix triangular by a unitary one, then diagonal but for what couples eigenvalues of nearly the same value.
+// Gershgorin's discs of what the error leaves beside the diagonal hold as many eigenvalues of the true matrix as they are discs, also
+// if it is scaled so that couplings shrink: a multiple zero without as many eigenvectors is known to a root of the error.
 #include "denhartog/orbit/floquet.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -95,24 +97,24 @@ ComplexMatrix inverse_of_triangular(const ComplexMatrix& Y) {
 
 // A triangular matrix as Y (diagonal + couplings) Y^-1, the couplings between eigenvalues that are close.
 struct Decoupled {
-    Eigen::VectorXd rows;    // norms of the rows of Y^-1
-    Eigen::VectorXd columns; // norms of the columns of Y
-    Matrix<double> couplings;
-    std::vector<int> depth; // how many couplings lead to an eigenvalue, one after the other
+    ComplexMatrix Y, inverse; // Y and Y^-1
+    Matrix<double> couplings; // their sizes
+    std::vector<int> depth;   // how many couplings lead to an eigenvalue, one after the other
 };
 
-Decoupled decoupled(const ComplexMatrix& R, double close) {
+// Eigenvalues no farther apart than `close` stay coupled; if `least` is given they are taken for that far apart at least, and
+// none do.
+Decoupled decoupled(const ComplexMatrix& R, double close, double least = -1) {
     const Eigen::Index n = R.rows();
-    ComplexMatrix Y = ComplexMatrix::Identity(n, n), left = ComplexMatrix::Zero(n, n);
-    Decoupled d{Eigen::VectorXd(n), Eigen::VectorXd(n), Matrix<double>::Zero(n, n),
-                std::vector<int>(static_cast<std::size_t>(n))};
+    ComplexMatrix left = ComplexMatrix::Zero(n, n);
+    Decoupled d{ComplexMatrix::Identity(n, n), {}, Matrix<double>::Zero(n, n), std::vector<int>(static_cast<std::size_t>(n))};
     for (Eigen::Index k = 0; k < n; ++k)
         for (Eigen::Index i = k - 1; i >= 0; --i) {
             std::complex<double> rest = 0;
-            for (Eigen::Index m = i + 1; m <= k; ++m) rest += times(R(i, m), Y(m, k)) - times(Y(i, m), left(m, k));
+            for (Eigen::Index m = i + 1; m <= k; ++m) rest += times(R(i, m), d.Y(m, k)) - times(d.Y(i, m), left(m, k));
             const std::complex<double> apart = R(k, k) - R(i, i);
-            if (size_of(apart) > close) {
-                Y(i, k) = times(rest, inverse_of(apart));
+            if (least >= 0 || size_of(apart) > close) {
+                d.Y(i, k) = times(rest, inverse_of(size_of(apart) > least ? apart : least));
                 continue;
             }
             left(i, k) = rest;
@@ -120,11 +122,7 @@ Decoupled decoupled(const ComplexMatrix& R, double close) {
             int& depth = d.depth[static_cast<std::size_t>(k)];
             depth = std::max(depth, 1 + d.depth[static_cast<std::size_t>(i)]);
         }
-    const ComplexMatrix inverse = inverse_of_triangular(Y);
-    for (Eigen::Index i = 0; i < n; ++i) {
-        d.rows(i) = inverse.row(i).norm();
-        d.columns(i) = Y.col(i).norm();
-    }
+    d.inverse = inverse_of_triangular(d.Y);
     return d;
 }
 
@@ -152,8 +150,13 @@ std::vector<SizeRange> intervals_of_sizes(const ComplexMatrix& R, double error, 
     std::vector<SizeRange> known(static_cast<std::size_t>(n), {0, std::min(most, norm + error)});
     if (!(error < norm)) return known;
     const Decoupled d = decoupled(R, std::sqrt(error / norm) * norm);
+    Eigen::VectorXd rows(n), columns(n); // norms, of Y^-1 and of Y
+    for (Eigen::Index i = 0; i < n; ++i) {
+        rows(i) = d.inverse.row(i).norm();
+        columns(i) = d.Y.col(i).norm();
+    }
     const double units = 16 * static_cast<double>(n) * unit_of<double>();
-    const double spread = error + units * (norm + error + d.couplings.norm() * d.columns.norm());
+    const double spread = error + units * (norm + error + d.couplings.norm() * columns.norm());
     const bool is_coupled = std::ranges::any_of(d.depth, [](int depth) { return depth > 0; });
     for (int halvings = 0; halvings <= 30; halvings += 2) { // of the scale from one depth to the next
         const auto scale = [&](Eigen::Index i, Eigen::Index k) {
@@ -162,7 +165,7 @@ std::vector<SizeRange> intervals_of_sizes(const ComplexMatrix& R, double error, 
         std::vector<SizeRange> intervals;
         for (Eigen::Index i = 0; i < n; ++i) {
             double radius = 0;
-            for (Eigen::Index k = 0; k < n; ++k) radius += (d.couplings(i, k) + d.rows(i) * d.columns(k) * spread) * scale(i, k);
+            for (Eigen::Index k = 0; k < n; ++k) radius += (d.couplings(i, k) + rows(i) * columns(k) * spread) * scale(i, k);
             const double size = size_of(R(i, i)), reach = radius < most ? radius : std::numeric_limits<double>::infinity();
             intervals.push_back({size - reach, size + reach});
         }
@@ -198,16 +201,7 @@ std::vector<Multiplier> multipliers_of(const Matrix<double>& jacobian, double er
 ApproximateEigenvectors eigenvectors_of(const Matrix<double>& A) {
     const auto [R, Q] = triangular_form(A, true);
     const Eigen::Index n = R.rows();
-    ComplexMatrix Y = ComplexMatrix::Identity(n, n);   // R Y = Y diagonal
-    const double least = unit_of<double>() * R.norm(); // keeps equal eigenvalues apart
-    for (Eigen::Index k = 0; k < n; ++k)
-        for (Eigen::Index i = k - 1; i >= 0; --i) {
-            std::complex<double> rest = 0;
-            for (Eigen::Index m = i + 1; m <= k; ++m) rest += times(R(i, m), Y(m, k));
-            const std::complex<double> apart = R(k, k) - R(i, i);
-            Y(i, k) = times(rest, inverse_of(size_of(apart) > least ? apart : least));
-        }
-    const ComplexMatrix inverse = inverse_of_triangular(Y);
+    const auto [Y, inverse, couplings, depth] = decoupled(R, 0, unit_of<double>() * R.norm());
     ApproximateEigenvectors found{R.diagonal(), ComplexMatrix::Zero(n, n), ComplexMatrix::Zero(n, n)};
     for (Eigen::Index k = 0; k < n; ++k)
         for (Eigen::Index i = 0; i <= k; ++i)

@@ -22,12 +22,7 @@ struct Multiplier {
 [[nodiscard]] bool are_inside(const std::vector<Multiplier>& multipliers);
 
 /// @brief Eigenvalues of a map's Jacobian by descending size, each with a bound of the error of its size; none if they were
-/// not found.
-///
-/// The matrix is made triangular by a unitary one, and then diagonal but for what couples eigenvalues of nearly the same value.
-/// Gershgorin's discs of what the error leaves beside the diagonal hold as many eigenvalues of the true matrix as they are discs,
-/// also if it is scaled so that couplings shrink: a multiple zero without as many eigenvectors is known to a root of the error.
-/// `error` bounds that of the matrix in Euclid's norm, and `most` the true sizes from elsewhere; each may be infinite.
+/// not found. `error` bounds that of the matrix in Euclid's norm, and `most` the true sizes from elsewhere; each may be infinite.
 [[nodiscard]] std::vector<Multiplier> multipliers_of(const Matrix<double>& jacobian, double error, double most);
 
 /// @brief Eigenvalues of a matrix, and vectors that belong to them, to rounding.

@@ -1,24 +1,21 @@
 // Which state follows half a period later, seen in a mirror? A state that this map returns is a steady motion with the symmetry
-// (25). `apply` follows the motion; the rest bounds what rounding makes of the image and of its derivative.
+// (25). `OrbitMap::apply` follows the motion, `find_fixed_point` looks for such a state; the rest bounds what rounding makes of
+// the image and of its derivative.
 #include "denhartog/orbit/orbit_map.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
 #include "elementary/elementary.hpp"
 
 namespace denhartog {
 
 Column difference(const State& a, const State& b) {
-    const auto N = static_cast<Eigen::Index>(a.x.size());
-    Column d(2 * N);
-    for (Eigen::Index k = 0; k < N; ++k) {
-        const auto n = static_cast<std::size_t>(k);
-        d(k) = a.x[n] - b.x[n];
-        d(N + k) = a.x_prime[n] - b.x_prime[n];
-    }
+    Column d(2 * static_cast<Eigen::Index>(a.x.size()));
+    d << column(a.x) - column(b.x), column(a.x_prime) - column(b.x_prime);
     return d;
 }
 
@@ -51,20 +48,16 @@ bool OrbitMap::apply(const State& z, int half_periods, bool with_jacobian) {
     in_energy_.resize(0, 0);
     motion_ = &solver_->run(z, 0, h_ * pi<double>(), with_jacobian);
     if (motion_->status != MotionStatus::complete) return false;
-    const bool turned = h_ % 2 != 0;
-    for (Eigen::Index k = 0; k < N; ++k) {
-        const auto n = static_cast<std::size_t>(k);
-        image_.x[n] = turned ? -motion_->end.x[n] : motion_->end.x[n];
-        image_.x_prime[n] = turned ? -motion_->end.x_prime[n] : motion_->end.x_prime[n];
-        difference_(k) = image_.x[n] - z.x[n];
-        difference_(N + k) = image_.x_prime[n] - z.x_prime[n];
-    }
+    const double side = h_ % 2 != 0 ? -1 : 1;
+    column(image_.x) = side * column(motion_->end.x);
+    column(image_.x_prime) = side * column(motion_->end.x_prime);
+    difference_ = denhartog::difference(image_, z);
     if (!with_jacobian) return true;
     const Column energies = largest_energies();
-    const double units = std::numeric_limits<double>::epsilon() * static_cast<int>(motion_->phases.size());
+    const double units = eps * static_cast<int>(motion_->phases.size());
     const double rounding_of_coupled = rounding_of_coupled_modes() * energies.sum();
     rounding_ = (errors_between_modes(units, false) * energies).array() + rounding_of_coupled;
-    of_modes_ = (errors_between_modes(units, true) * energies).array() + rounding_of_coupled;
+    with_mode_errors_ = (errors_between_modes(units, true) * energies).array() + rounding_of_coupled;
     return true;
 }
 
@@ -94,6 +87,21 @@ const Matrix<double>& OrbitMap::energy_jacobian() const {
     return in_energy_;
 }
 
+double OrbitMap::displacement_of_energy() const {
+    const ContactSystem& s = solver_->system();
+    const auto reach = [&](const auto& row) { // of a displacement, squared
+        double sum = 0;
+        for (Eigen::Index i = 0; i < N; ++i) {
+            const double each = row(i) * solver_->excitation().r / s.basis.r_n[static_cast<std::size_t>(i)];
+            sum += each * each;
+        }
+        return sum;
+    };
+    double largest = reach(s.contact_shape);
+    for (Eigen::Index k = 0; k < N; ++k) largest = std::max(largest, reach(s.basis.phi.row(k)));
+    return sqrt(largest);
+}
+
 // The largest size of each mode over the motion, in energy; between the starts of phases friction may shift it.
 Column OrbitMap::largest_energies() const {
     const ContactSystem& s = solver_->system();
@@ -117,17 +125,17 @@ Column OrbitMap::largest_energies() const {
 // nearly one frequency the angle may be large; if they are damped differently, that damps each of them by some of the
 // other's damping. All these errors are taken as an eighth of the bounds of the closed form. What a damping matrix loses on its
 // way to the modes, where large dashpots nearly cancel, is a force on each mode over the whole stretch.
-Matrix<double> OrbitMap::errors_between_modes(double units, bool of_modes) const {
+Matrix<double> OrbitMap::errors_between_modes(double units, bool mode_errors) const {
     const ContactSystem& s = solver_->system();
-    const double r = solver_->excitation().r, length = h_ * pi<double>(), eps = std::numeric_limits<double>::epsilon();
+    const double r = solver_->excitation().r, length = h_ * pi<double>();
     Matrix<double> E = Matrix<double>::Zero(N, N);
     for (std::size_t i = 0; i < s.basis.r_n.size(); ++i) {
         const double r_i = s.basis.r_n[i];
         for (std::size_t k = 0; k < s.basis.r_n.size(); ++k) {
             const double r_k = s.basis.r_n[k];
-            E(i, k) += units * (of_modes ? std::max(1.0, r_i / r_k) : i == k);
-            if (i == k) E(i, i) += length * r_i / r * std::max(of_modes ? s.detuned[i] / 8 : 0, static_cast<int>(N) * eps);
-            if (i == k || !of_modes) continue;
+            E(i, k) += units * (mode_errors ? std::max(1.0, r_i / r_k) : i == k);
+            if (i == k) E(i, i) += length * r_i / r * std::max(mode_errors ? s.detuned[i] / 8 : 0, static_cast<int>(N) * eps);
+            if (i == k || !mode_errors) continue;
             const double angle =
                 static_cast<int>(N + 1) * eps +
                 angle_of_turn(Bounded<double>(r_i, r_i * s.detuned[i]), Bounded<double>(r_k, r_k * s.detuned[k])) / 8;
@@ -139,7 +147,7 @@ Matrix<double> OrbitMap::errors_between_modes(double units, bool of_modes) const
             E(i, i) += length * angle * angle * damping / r;
         }
     }
-    if (of_modes && s.damping_error.size() > 0) E += length / r * s.damping_error;
+    if (mode_errors && s.damping_error.size() > 0) E += length / r * s.damping_error;
     return E;
 }
 
@@ -149,24 +157,22 @@ double OrbitMap::rounding_of_coupled_modes() const {
     if (!basis.coupled()) return 0;
     const double rate = 1 + (basis.r_n.back() + largest_row_sum(basis.D)) / solver_->excitation().r;
     const double steps = static_cast<int>(motion_->phases.size()) + h_ * pi<double>() * rate;
-    return 4 * static_cast<int>(2 * N + 2) * std::numeric_limits<double>::epsilon() * steps;
+    return 4 * static_cast<int>(2 * N + 2) * eps * steps;
 }
 
 double OrbitMap::rounding_of_jacobian() const {
     const double phases = static_cast<int>(motion_->phases.size());
-    const double units = 4 * (static_cast<int>(N) + 8) * std::numeric_limits<double>::epsilon() * phases;
+    const double units = 4 * (static_cast<int>(N) + 8) * eps * phases;
     const Matrix<double> E = errors_between_modes(units, true);
     return sqrt(E.rowwise().sum().maxCoeff() * E.colwise().sum().maxCoeff()) + rounding_of_coupled_modes();
 }
 
-Column OrbitMap::rounding_in_energy(bool of_modes) const {
-    Column bound(2 * N);
-    bound << (of_modes ? of_modes_ : rounding_), (of_modes ? of_modes_ : rounding_);
-    return bound;
+Column OrbitMap::rounding_in_energy(bool mode_errors) const {
+    return (mode_errors ? with_mode_errors_ : rounding_).replicate(2, 1);
 }
 
-Column OrbitMap::rounding(bool of_modes) const {
-    const Column& of = of_modes ? of_modes_ : rounding_;
+Column OrbitMap::rounding(bool mode_errors) const {
+    const Column& of = mode_errors ? with_mode_errors_ : rounding_;
     Column bound = Column::Zero(2 * N);
     for (Eigen::Index k = 0; k < N; ++k)
         for (Eigen::Index i = 0; i < N; ++i) {
@@ -175,6 +181,55 @@ Column OrbitMap::rounding(bool of_modes) const {
             bound(N + k) += v;
         }
     return bound;
+}
+
+bool OrbitMap::find_fixed_point(State& z, int h, BadSteps bad_steps) {
+    constexpr int most_runs = 40;
+    const Contact& contact = solver_->system().stuck.contact;
+    const int above =
+        solver_->system().basis.coupled() ? 128 : 8; // what is seen is farther below the bound with a damping matrix
+    State from, onto;                                // where the step starts, and the image of that
+    Column step;                                     // from there
+    bool rests_at_0 = false; // the contact sticks at the end of the stretch: its velocity is zero there, without rounding
+    double least = -1;       // residual where the last step started, negative if there is none
+    double part = 1;         // of the step, that is taken
+    int bad = 0;
+    residual_ = -1;
+    const auto prepare_step = [&] {
+        from = z;
+        onto = image_;
+        rests_at_0 = contact.of(image_.x_prime) == 0 && motion_->phases.back().direction == 0;
+        const LinearSystem system(Matrix<double>(Matrix<double>::Identity(2 * N, 2 * N) - jacobian()));
+        if (!system.is_regular()) return false;
+        step = system.solve(difference_);
+        ++newton_steps_;
+        return true;
+    };
+    for (int n = 0; n < most_runs; ++n) {
+        if (!apply(z, h, true)) return false;
+        const bool rests = held();
+        if (rests && least < 0) return false;
+        const double residual = norm(difference_), rounding = rounding_in_energy().norm();
+        if (!(residual - residual == 0)) return false;
+        const bool falls = !rests && (least < 0 || residual < least * (1 - part / 8));
+        if (falls) residual_ = residual;
+        if (!rests && residual <= (falls ? rounding / above : 8 * rounding)) return true;
+        bad += !falls;
+        if (bad > static_cast<int>(bad_steps)) return false;
+        part = !falls ? part / 2 : prepare_step() ? 1 : 0;
+        if (falls) least = residual;
+        if (8 * part >= 1) {
+            column(z.x) = column(from.x) + part * step.head(N);
+            column(z.x_prime) = column(from.x_prime) + part * step.tail(N);
+            if (rests_at_0 && part == 1) contact.hold(z.x_prime.data());
+            continue;
+        }
+        if (bad_steps != BadSteps::all_and_go_on_from_image) return false;
+        z = onto;
+        least = -1;
+        part = 1;
+    }
+    return false;
 }
 
 } // namespace denhartog

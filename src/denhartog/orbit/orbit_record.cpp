@@ -1,6 +1,6 @@
 // What is said of an orbit that was found? `orbit_of` reads stops, amplitudes, phases and multipliers off it, `errors_of` bounds
 // how far it may be from the true one, and `rest_of` does the same for a contact at rest.
-#include "denhartog/orbit/orbit_record.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,17 +10,18 @@
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/number/why.hpp"
 #include "denhartog/sliding/steady_state.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
 
 namespace denhartog {
 namespace {
 
-/// A displacement of its largest size as amplitude and phase.
+// A displacement of its largest size as amplitude and phase.
 MassMotion motion_with(double x, double tau, double spread = 0.0) {
     if (x < 0) return {-x, wrapped(tau + pi<double>()), spread};
     return {x, wrapped(tau), spread};
 }
 
-/// Stops within the period, those across the section and the mirror point in one piece; starts ascending in [0, period).
+// Stops within the period, those across the section and the mirror point in one piece; starts ascending in [0, period).
 std::vector<Stop> stops_of(const OrbitMap& map) {
     const ExactMotion& motion = map.motion();
     const auto N = static_cast<std::size_t>(map.N);
@@ -29,35 +30,26 @@ std::vector<Stop> stops_of(const OrbitMap& map) {
     const double stretch = map.half_periods() * pi<double>(), period = mirrored ? 2 * stretch : stretch;
     std::vector<Stop> stops;
     bool resting = false; // at the end of what was looked at
-    bool resting_at_0 = false;
-    for (int part = 0; part < (mirrored ? 2 : 1); ++part) {
+    for (int part = 0; part < (mirrored ? 2 : 1); ++part)
         for (std::size_t n = 0; n < motion.phases.size(); ++n) {
             const Phase& p = motion.phases[n];
             if (!(p.end > p.start)) continue;
-            if (p.direction != 0) {
-                resting = false;
-                continue;
-            }
-            const double shift = part == 0 ? 0.0 : stretch;
-            if (resting) {
-                stops.back().end = p.end + shift;
-                continue;
-            }
-            const double x_j = contact.of(&motion.states[2 * N * n]);
-            if (part == 0 && p.start == 0) resting_at_0 = true;
-            stops.push_back({p.start + shift, p.end + shift, part == 0 ? x_j : -x_j});
-            resting = true;
+            const double end = p.end + part * stretch, x_j = contact.of(&motion.states[2 * N * n]);
+            if (p.direction == 0 && resting)
+                stops.back().end = end;
+            else if (p.direction == 0)
+                stops.push_back({p.start + part * stretch, end, part == 0 ? x_j : -x_j});
+            resting = p.direction == 0;
         }
-    }
-    if (resting && resting_at_0 && stops.size() > 1) {
+    if (resting && stops.size() > 1 && stops.front().start == 0) {
         stops.back().end = stops.front().end + period;
         stops.erase(stops.begin());
     }
     return stops;
 }
 
-/// Amplitude and phase of the mass in contact, which is farthest out where it turns back or comes to rest. Another such place may
-/// be the farthest as well, if the displacements there differ by no more than their error.
+// Amplitude and phase of the mass in contact, which is farthest out where it turns back or comes to rest. Another such place may
+// be the farthest as well, if the displacements there differ by no more than their error.
 MassMotion contact_motion(const OrbitMap& map, double error) {
     const ExactMotion& motion = map.motion();
     const auto N = static_cast<std::size_t>(map.N);
@@ -66,7 +58,7 @@ MassMotion contact_motion(const OrbitMap& map, double error) {
     // it first. Elsewhere the start of the stretch comes last and has to be larger by more than rounding.
     const bool rests_across =
         motion.phases.size() > 1 && motion.phases.front().direction == 0 && motion.phases.back().direction == 0;
-    double x = rests_across ? 0.0 : x_at(0) * (1 - 16 * std::numeric_limits<double>::epsilon()), tau = 0;
+    double x = rests_across ? 0.0 : x_at(0) * (1 - 16 * eps), tau = 0;
     for (std::size_t n = 1; n < motion.phases.size(); ++n) {
         if (motion.phases[n - 1].direction == 0) continue;
         const double x_j = x_at(n);
@@ -90,26 +82,24 @@ std::vector<Multiplier> multipliers_in_energy(const OrbitMap& map, const Matrix<
     const long n = jacobian.rows();
     map.solver().effort().spend(n * n * n / 32); // what making the matrix diagonal takes
     const bool is_known = error >= 0;            // else it is no number
-    return multipliers_of(jacobian, is_known ? error : std::numeric_limits<double>::infinity(),
-                          growth * (1 + std::numeric_limits<double>::epsilon()));
+    return multipliers_of(jacobian, is_known ? error : std::numeric_limits<double>::infinity(), growth * (1 + eps));
+}
+
+// Multipliers of the others, over the stretch of the map that was applied to a motion whose contact rested throughout.
+std::vector<Multiplier> multipliers_of_rest(const OrbitMap& map) {
+    const ContactSystem& s = map.solver().system();
+    if (map.N == 1) return {};
+    const double r = map.solver().excitation().r, slowest = s.stuck.r_n.front(), fastest = s.stuck.r_n.back();
+    // A stiffness that is off by some units of the largest, over the stretch, and products with mode shapes.
+    const double phases = static_cast<int>(map.motion().phases.size());
+    const double turn = map.half_periods() * pi<double>() * fastest / r;
+    const double error =
+        4 * (static_cast<int>(map.N) + 8) * eps * (phases + turn) * static_cast<int>(map.N) * (fastest / slowest);
+    return multipliers_in_energy(map, in_energy_coordinates(map.jacobian(), s.stuck.momentum, s.stuck.shapes, s.stuck.r_n, r),
+                                 error, 1);
 }
 
 } // namespace
-
-double displacement_of_energy(const OrbitMap& map) {
-    const ContactSystem& s = map.solver().system();
-    const auto reach = [&](const auto& row) { // of a displacement, squared
-        double sum = 0;
-        for (Eigen::Index i = 0; i < map.N; ++i) {
-            const double each = row(i) * map.solver().excitation().r / s.basis.r_n[static_cast<std::size_t>(i)];
-            sum += each * each;
-        }
-        return sum;
-    };
-    double largest = reach(s.contact_shape);
-    for (Eigen::Index k = 0; k < map.N; ++k) largest = std::max(largest, reach(s.basis.phi.row(k)));
-    return sqrt(largest);
-}
 
 std::optional<ErrorsOfOrbit> errors_of(const OrbitMap& map) {
     const Matrix<double>& jacobian = map.energy_jacobian();
@@ -118,8 +108,8 @@ std::optional<ErrorsOfOrbit> errors_of(const OrbitMap& map) {
     const Matrix<double> inverse = system.inverse();
     const Column apart = map.in_energy(map.difference()).cwiseAbs();
     const double growth = map.solver().excitation().mu > 1 ? std::max(1.0, jacobian.norm()) : 1.0;
-    const auto energy = [&](bool of_modes) {
-        return growth * product_of_sizes(inverse, Column(apart + map.rounding_in_energy(of_modes))).norm();
+    const auto energy = [&](bool mode_errors) {
+        return growth * product_of_sizes(inverse, Column(apart + map.rounding_in_energy(mode_errors))).norm();
     };
     const ContactSystem& s = map.solver().system();
     const Contact& contact = s.stuck.contact;
@@ -127,7 +117,7 @@ std::optional<ErrorsOfOrbit> errors_of(const OrbitMap& map) {
     for (const BesideContact& other : contact.others) sizes += std::abs(other.share);
     const double terms = std::max(1.0, std::abs(contact.w_a) * sizes);
     const auto displacement = [&](double by_energy, const Column& rounding) {
-        return displacement_of_energy(map) * by_energy + terms * rounding.head(map.N).maxCoeff();
+        return map.displacement_of_energy() * by_energy + terms * rounding.head(map.N).maxCoeff();
     };
     const double with_modes = energy(true);
     const Column rounding = map.rounding(true);
@@ -208,6 +198,10 @@ std::vector<Multiplier> multipliers_next_to(const OrbitMap& map) {
     return multipliers_in_energy(map, map.energy_jacobian(), map.rounding_of_jacobian(), growth);
 }
 
+// The Jacobian is as far off as rounding makes it and as the instants of events are off: a phase that is longer by delta turns it by
+// delta times the rate of the fastest mode, and what an event makes of deviations depends on the acceleration, or the rate of the
+// load, at its instant. In the norm of the energy neither a phase nor, with mu = 1, an event lets deviations grow, so that the
+// errors add up; for mu > 1 the product of the growths is allowed for.
 std::vector<Multiplier> multipliers_of_orbit(const OrbitMap& map, const ErrorsOfOrbit& errors) {
     const ExactMotion& motion = map.motion();
     ExactSolver& solver = map.solver();
@@ -217,15 +211,15 @@ std::vector<Multiplier> multipliers_of_orbit(const OrbitMap& map, const ErrorsOf
     double damping = basis.coupled() ? largest_row_sum(basis.D) : 0;
     for (std::size_t i = 0; i < basis.r_n.size() && !basis.coupled(); ++i)
         damping = std::max(damping, 2 * std::abs(basis.zeta[i]) * basis.r_n[i]);
-    const double fastest = highest_over_force(solver), rate = fastest + damping / e.r; // how fast phases turn deviations
-    const double inertia = s.contact_shape.squaredNorm();                              // w^T M^-1 w
-    std::vector<double> velocities;                                                    // for a unit of energy
+    const double fastest = solver.highest_over_force(), rate = fastest + damping / e.r; // how fast phases turn deviations
+    const double inertia = s.contact_shape.squaredNorm();                               // w^T M^-1 w
+    std::vector<double> velocities;                                                     // for a unit of energy
     for (Eigen::Index k = 0; k < map.N; ++k) velocities.push_back(basis.phi.row(k).norm());
     velocities.push_back(s.contact_shape.norm()); // where the contact has a row of its own
     const double load =
-        error_at_ends(solver, false, displacement_of_energy(map), velocities); // of a contact that sticks, likewise
-    const double error_of_velocity = error_at_ends(solver, true, errors.displacement, errors.velocity),
-                 error_of_load_at_end = error_at_ends(solver, false, errors.displacement, errors.velocity);
+        solver.error_at_ends(false, map.displacement_of_energy(), velocities); // of a contact that sticks, likewise
+    const double error_of_velocity = solver.error_at_ends(true, errors.displacement, errors.velocity),
+                 error_of_load_at_end = solver.error_at_ends(false, errors.displacement, errors.velocity);
     const bool tied = std::ranges::any_of(s.stuck.m_j, [](double tie) { return tie != 0; });
     double error = map.rounding_of_jacobian(), growth = 1; // of the derivative, of all events; of deviations
     const auto take = [&](double error_of_event, double factor) {
@@ -253,19 +247,6 @@ std::vector<Multiplier> multipliers_of_orbit(const OrbitMap& map, const ErrorsOf
     }
     if (motion.touching > 0) error = std::numeric_limits<double>::infinity();
     return multipliers_in_energy(map, map.energy_jacobian(), growth * error, growth);
-}
-
-std::vector<Multiplier> multipliers_of_rest(const OrbitMap& map) {
-    const ContactSystem& s = map.solver().system();
-    if (map.N == 1) return {};
-    const double r = map.solver().excitation().r, slowest = s.stuck.r_n.front(), fastest = s.stuck.r_n.back();
-    // A stiffness that is off by some units of the largest, over the stretch, and products with mode shapes.
-    const double phases = static_cast<int>(map.motion().phases.size()), eps = std::numeric_limits<double>::epsilon();
-    const double turn = map.half_periods() * pi<double>() * fastest / r;
-    const double error =
-        4 * (static_cast<int>(map.N) + 8) * eps * (phases + turn) * static_cast<int>(map.N) * (fastest / slowest);
-    return multipliers_in_energy(map, in_energy_coordinates(map.jacobian(), s.stuck.momentum, s.stuck.shapes, s.stuck.r_n, r),
-                                 error, 1);
 }
 
 } // namespace denhartog

@@ -10,9 +10,6 @@
 #include <utility>
 
 #include "denhartog/number/why.hpp"
-#include "denhartog/orbit/approach.hpp"
-#include "denhartog/orbit/orbit_record.hpp"
-#include "denhartog/orbit/shooting.hpp"
 
 namespace denhartog {
 namespace {
@@ -21,12 +18,87 @@ constexpr int half_periods_to_approach = 16; // in which a motion that is follow
 constexpr int half_periods_to_rest = 400;    // after which a rest whose place is known to 1e-3 is an answer
 constexpr int half_periods_to_arrive = 4000; // at rest, or at an orbit that attracts nothing
 
-/// The search from one start.
+// The states of a motion after its last half-periods, mirrored after each, and how nearly it repeats itself.
+struct RecentStates {
+    static constexpr int most_subharmonic = 8; // longest period looked for, in periods of the force
+    std::vector<State> states;                 // the last comes last
+
+    // Takes the next one.
+    void take(const State& z) {
+        if (states.size() > 2 * most_subharmonic) states.erase(states.begin());
+        states.push_back(z);
+    }
+    // Distance of the last state from that h half-periods before; 0 if there is none.
+    double recurrence(const OrbitMap& map, int h) const {
+        const auto back = static_cast<std::size_t>(h) + 1;
+        return back > states.size() ? 0.0 : map.norm(difference(states.back(), states[states.size() - back]));
+    }
+    // Numbers of half-periods after which the motion nearly repeats itself, each better than those before.
+    std::vector<int> lengths(const OrbitMap& map) const {
+        std::vector<int> found{1};
+        double least = recurrence(map, 1);
+        for (int h = 2; h < static_cast<int>(states.size()); ++h) {
+            if (h % 2 != 0 && h > most_subharmonic) continue;
+            const double now = recurrence(map, h);
+            if (2 * now < least) {
+                found.push_back(h);
+                least = now;
+            }
+        }
+        return found;
+    }
+};
+
+// A fixed point of h half-periods, with what is known of its neighbourhood, and a record of how a motion approaches it. A motion that
+// only passes by comes nearer for some periods too.
+struct OrbitCandidate {
+    static constexpr int least = 16; // maps in which an approach is seen, and how much nearer the motion comes
+    static constexpr int most = 512; // maps after which slow approach is enough
+
+    State z{};                     // its state at tau = 0
+    int h = 0;                     // half-periods; 0 if there is none
+    Matrix<double> jacobian{};     // of the map over them
+    double rounding = 0;           // norm of the map's rounding
+    double error = 0;              // of the state, in the norm
+    double reach = 0;              // nearer than this every motion is proved to tend to it; 0 if that is not known
+    bool stable = false;           // whether it attracts its neighbours
+    double largest_multiplier = 0; // over h half-periods
+    int maps = -1;                 // that brought a motion nearer, one after the other; negative before its first state
+    int half_periods = 0;
+    bool moved = false; // since the last map
+    bool has_arrived = false;
+    Column apart{};
+    double first = 0, distance = 0; // from the candidate
+
+    // Takes the state w of a motion after one more half-period, over which the contact rested if it was held.
+    void take(const OrbitMap& map, const State& w, bool held) {
+        moved = moved || !held;
+        if (maps >= 0 && ++half_periods % h != 0) return;
+        Column now = difference(w, z);
+        const double far = map.norm(now), gain = std::max(0.0, 1 - largest_multiplier) / 4;
+        const bool as_told = maps >= 0 && moved && map.norm(Column(now - jacobian * apart)) <= gain * distance + 64 * rounding;
+        maps = as_told ? maps + 1 : 0;
+        if (maps == 0) {
+            first = far;
+            half_periods = 0;
+        }
+        apart = std::move(now);
+        distance = far;
+        moved = false;
+        // The reach is proved but for the rounding of its proof.
+        has_arrived = far <= 64 * rounding || far + error < reach * (1 - 1.0 / (1 << 20));
+    }
+    // Whether the motion was seen to come nearer for long enough.
+    bool is_approached() const {
+        return maps >= 0 && (has_arrived || (maps >= least && least * distance <= first) || (maps >= most && distance < first));
+    }
+};
+
+// The search from one start.
 class SearchFromStart {
 public:
     SearchFromStart(ExactSolver& solver, const OrbitSearch& search)
-        : search_(search), map_(solver), shooting_(map_), contact_(solver.system().stuck.contact),
-          no_expansion_(solver.excitation().mu == 1),
+        : search_(search), map_(solver), contact_(solver.system().stuck.contact), no_expansion_(solver.excitation().mu == 1),
           most_periods_(no_expansion_ ? search.most_periods : periods_to_follow(solver, search.most_periods)),
           damped_(every_motion_is_damped(solver.system().basis)) {}
 
@@ -34,7 +106,7 @@ public:
         const long before = map_.solver().effort().spent;
         follow(start);
         orbit_.periods_propagated = static_cast<int>((map_.half_periods_in_all() + 1) / 2);
-        orbit_.newton_steps = shooting_.steps();
+        orbit_.newton_steps = map_.newton_steps();
         orbit_.effort_spent = map_.solver().effort().spent - before;
         return std::move(orbit_);
     }
@@ -49,7 +121,10 @@ private:
             for (; done < next && !is_restless(); ++done) {
                 if (!map_.apply(z, 1, false)) return give_up(done, true);
                 const State before = std::exchange(z, map_.image());
-                if (no_expansion_) take_change(map_.norm(map_.difference()));
+                if (no_expansion_) { // a half-period changes less than the one before, but for rounding
+                    const double before_it = std::exchange(change_, map_.norm(map_.difference()));
+                    rises_ += before_it >= 0 && change_ > before_it * 1.001;
+                }
                 held_ = map_.held();
                 if (held_ && rests_for_ever(before, done)) return;
                 recent_.take(z);
@@ -61,34 +136,27 @@ private:
         }
     }
 
-    // Takes what one more half-period changed of a motion, if no two motions move apart: less than the one before, but for
-    // rounding.
-    void take_change(double next) {
-        rises_ += change_ >= 0 && next > change_ * 1.001;
-        change_ = next;
-    }
-
     // Whether rounding keeps the motion from settling: Newton's method would have to end at it too.
     bool is_restless() { return no_expansion_ && damped_ && rises_ >= 16 && !only_rest_is_steady(); }
 
     // An orbit of one half-period near a state, if it does not matter whether the motion from the start tends to it.
     bool is_found_near(State z) {
         if (search_.follow_start && !(no_expansion_ && damped_)) return false;
-        return shooting_.fixed_point(z, 1, BadSteps::none) && answer(orbit_of(map_, z, search_));
+        return map_.find_fixed_point(z, 1, BadSteps::none) && answer(orbit_of(map_, z, search_));
     }
 
     // No two motions move apart, so that an orbit that attracts its neighbours attracts all: any way to it will do.
     bool settle(const State& z, int done) {
         if (neutral_) {
             const bool arrived = candidate_.h > 0 && map_.norm(difference(z, candidate_.z)) <= 64 * candidate_.rounding;
-            return arrived && map_.apply(candidate_.z, candidate_.h, true) && answer(orbit_of(map_, candidate_.z, search_));
+            return arrived && answer_by_candidate();
         }
         if (done > 0 && only_rest_is_steady()) return tends_to_rest(z, done);
         if (best_step_ < 0 || (change_ >= 0 && change_ < best_step_)) best_ = z;
         if (held_ && steady_rest().exists())
             best_ = steady_rest().steady_state(contact_.of(z.x)); // ahead of the motion: what the others tend to
-        const bool found = shooting_.fixed_point(best_, 1, BadSteps::all_and_go_on_from_image);
-        best_step_ = shooting_.residual();
+        const bool found = map_.find_fixed_point(best_, 1, BadSteps::all_and_go_on_from_image);
+        best_step_ = map_.residual();
         if (!found) return false;
         if (damped_ || !search_.follow_start || are_inside(multipliers_next_to(map_)))
             return answer(orbit_of(map_, best_, search_));
@@ -100,10 +168,10 @@ private:
     // Whether the motion from the start, after one more half-period or where a candidate was found, comes to it: the answer.
     bool is_approached(const State& z) {
         if (no_expansion_ || !search_.follow_start || !candidate_.stable) return false;
-        approach_.take(map_, candidate_, z, held_);
-        if (!approach_.is_seen()) return false;
-        if (map_.apply(candidate_.z, candidate_.h, true) && answer(orbit_of(map_, candidate_.z, search_))) return true;
-        approach_.start_over();
+        candidate_.take(map_, z, held_);
+        if (!candidate_.is_approached()) return false;
+        if (answer_by_candidate()) return true;
+        candidate_.maps = -1;
         return false;
     }
 
@@ -122,10 +190,10 @@ private:
     bool find_attractor(const State& z, int done) {
         if (search_.guess != nullptr) {
             State w = *std::exchange(search_.guess, nullptr);
-            if (shooting_.fixed_point(w, 1, BadSteps::none)) (void)take(w, 1);
+            if (map_.find_fixed_point(w, 1, BadSteps::none)) (void)take(w, 1);
         }
         const int next = candidate_.stable ? 2 * std::max(half_periods_to_approach, looked_for_at_) : half_periods_to_approach;
-        if (done < next || approach_.is_under_way()) return false;
+        if (done < next || candidate_.maps >= OrbitCandidate::least) return false;
         looked_for_at_ = done;
         const std::vector<int> nearly = recent_.lengths(map_);
         for (auto h = nearly.rbegin(); h != nearly.rend(); ++h) {
@@ -136,7 +204,7 @@ private:
         return false;
     }
 
-    bool find_candidate(State z, int h) { return shooting_.fixed_point(z, h, BadSteps::some) && take(z, h); }
+    bool find_candidate(State z, int h) { return map_.find_fixed_point(z, h, BadSteps::some) && take(z, h); }
 
     // A fixed point that was just found, of no more half-periods than it needs. The map was applied to it last.
     bool take(State& z, int h) {
@@ -147,8 +215,7 @@ private:
             if (!map_.apply(z, part, false)) continue;
             const double apart = map_.norm(map_.difference());
             State w = z;
-            if (apart * apart < std::numeric_limits<double>::epsilon() * map_.norm(z) * map_.norm(z) &&
-                shooting_.fixed_point(w, part, BadSteps::some)) {
+            if (apart * apart < eps * map_.norm(z) * map_.norm(z) && map_.find_fixed_point(w, part, BadSteps::some)) {
                 z = w;
                 h = part;
                 applied = true;
@@ -157,9 +224,8 @@ private:
         if (!applied && !map_.apply(z, h, true)) return false;
         const std::optional<ErrorsOfOrbit> errors = errors_of(map_);
         if (!errors || !(100 * errors->settled < map_.norm(z))) return false;
-        const double error = errors->settled / displacement_of_energy(map_);
+        const double error = errors->settled / map_.displacement_of_energy();
         candidate_ = {.z = z, .h = h, .jacobian = map_.jacobian(), .rounding = map_.rounding_in_energy().norm(), .error = error};
-        approach_.start_over();
         if (search_.follow_start) judge_candidate();
         return true;
     }
@@ -178,33 +244,30 @@ private:
     bool rests_for_ever(const State& z, int done) {
         using Verdict = LastingRest::Verdict;
         const Verdict verdict = steady_rest().verdict(z);
-        if (verdict == Verdict::open) return false;
-        return rest_at(done % 2 != 0 ? -contact_.of(z.x) : contact_.of(z.x), done, 0.0,
-                       verdict == Verdict::lasts ? Why::stays_at_rest : Why::rests_on_boundary);
+        return verdict != Verdict::open &&
+               rest_at(contact_.of(z.x), done, 0.0, verdict == Verdict::lasts ? Why::stays_at_rest : Why::rests_on_boundary);
     }
 
     // With mu = 1 and every mode damped all steady velocities are the same: those of rest, where the contact can rest for ever.
-    bool only_rest_is_steady() {
-        if (!damped_ || map_.slides_throughout()) return false;
-        return steady_rest().reach() > 0;
-    }
+    bool only_rest_is_steady() { return damped_ && !map_.slides_throughout() && steady_rest().reach() > 0; }
 
     // No two motions move apart, so that the motion stays as near to any steady rest as it is.
     bool tends_to_rest(const State& z, int done) {
         const double reach = steady_rest().reach();
         const double x_j = std::clamp(contact_.of(z.x), -reach, reach);
         const State rest = steady_rest().steady_state(x_j);
-        const double apart = displacement_of_energy(map_) * map_.norm(difference(z, rest));
+        const double apart = map_.displacement_of_energy() * map_.norm(difference(z, rest));
         double largest = 0;
         for (std::size_t k = 0; k < rest.x.size(); ++k) largest = std::max(largest, steady_rest().motion(k, x_j).amplitude);
         const bool near = apart <= largest / (done < half_periods_to_rest ? 1'000'000'000 : 1000);
         if (!near && done < 2 * search_.most_periods) return false;
-        return rest_at(done % 2 != 0 ? -x_j : x_j, done, apart, Why::tends_to_rest);
+        return rest_at(x_j, done, apart, Why::tends_to_rest);
     }
 
-    // The answer that the contact rests at x_j, no mass more than `apart` from where it is then.
+    // The answer that the contact rests at x_j, as it is seen after `done` half-periods, no mass more than `apart` from where it is
+    // then.
     bool rest_at(double x_j, int done, double apart, Why reason) {
-        if (!answer(rest_of(map_, steady_rest(), x_j, search_))) return false;
+        if (!answer(rest_of(map_, steady_rest(), done % 2 != 0 ? -x_j : x_j, search_))) return false;
         orbit_.reason = reason;
         orbit_.error_bound += apart + done * map_.rounding().maxCoeff();
         return true;
@@ -213,6 +276,10 @@ private:
     bool answer(std::optional<PeriodicOrbit> found) {
         if (found) orbit_ = std::move(*found);
         return found.has_value();
+    }
+
+    bool answer_by_candidate() {
+        return map_.apply(candidate_.z, candidate_.h, true) && answer(orbit_of(map_, candidate_.z, search_));
     }
 
     LastingRest& steady_rest() {
@@ -244,15 +311,13 @@ private:
             why += {Why::another_orbit, candidate_.h, candidate_.stable, candidate_.largest_multiplier,
                     map_.norm(difference(recent_.states.back(), candidate_.z)) / size};
         orbit_.reason = why;
-        if (candidate_.h == 0 || effort.exhausted() || !map_.apply(candidate_.z, candidate_.h, true)) return;
-        if (!answer(orbit_of(map_, candidate_.z, search_))) return; // which is certain, though not known to be that of the start
-        orbit_.status = OrbitStatus::not_from_start;
+        if (candidate_.h == 0 || effort.exhausted() || !answer_by_candidate()) return;
+        orbit_.status = OrbitStatus::not_from_start; // which is certain, though not known to be that of the start
         orbit_.reason = std::move(why);
     }
 
     OrbitSearch search_;
     OrbitMap map_;
-    Shooting shooting_;
     const Contact& contact_;
     bool no_expansion_;    // mu = 1: no two motions move apart
     int most_periods_;     // of propagation
@@ -267,18 +332,30 @@ private:
     State best_;         // nearest to a fixed point so far, if there is one only
     double best_step_ = -1;
     OrbitCandidate candidate_;
-    Approach approach_;     // of the motion from the start to the candidate
     int looked_for_at_ = 0; // half-periods before Newton's method looked for an orbit last
 };
 
 } // namespace
 
+int periods_to_follow(const ExactSolver& solver, int most) {
+    const ModalBasis<double>& basis = solver.system().basis;
+    if (basis.coupled()) return most; // a motion may decay more slowly than the diagonal of the damping tells
+    double slowest = std::numeric_limits<double>::infinity(); // decay rate, a period of the force
+    for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
+        const double zeta = basis.zeta[i];
+        const double rate = zeta < 1 ? zeta : 1 / (zeta + sqrt((zeta - 1) * (zeta + 1)));
+        slowest = std::min(slowest, 2 * pi<double>() * rate * basis.r_n[i] / solver.excitation().r);
+    }
+    if (!(slowest > 0)) return most; // 30 over a damping ratio of -0 is no number of periods
+    const double periods = 500 + 30 / slowest;
+    return periods < most ? static_cast<int>(periods) : most;
+}
+
 PeriodicOrbit periodic_orbit(ExactSolver& solver, const State& start, const OrbitSearch& search) {
-    const std::size_t N = solver.system().basis.r_n.size();
     const auto is_finite = [](double each) { return std::isfinite(each); };
     if (!std::ranges::all_of(start.x, is_finite) || !std::ranges::all_of(start.x_prime, is_finite))
         throw InputError("start", "must be finite", "");
-    SearchEffort own(default_effort(N), search.effort);
+    SearchEffort own(default_effort(solver.system().basis.r_n.size()), search.effort);
     Effort* const before = solver.allow(&own);
     PeriodicOrbit orbit = SearchFromStart(solver, search).from(start);
     (void)solver.allow(before);

@@ -9,11 +9,12 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "denhartog/orbit/floquet.hpp"
-#include "denhartog/stick_slip/exact_motion.hpp"
+#include "denhartog/orbit/orbit_map.hpp"
+#include "denhartog/stick_slip/stuck_response.hpp"
 
 namespace denhartog {
 
@@ -48,13 +49,12 @@ struct PeriodicOrbit {
     std::vector<Multiplier> multipliers; ///< Floquet multipliers over its period, by descending size
     bool stable = false;                 ///< whether all multipliers are certainly inside the unit circle
     double error_bound = 0;              ///< bound of the error of the displacements, units of P / k_1
-    std::vector<double>
-        velocity_errors; ///< bounds of those of the velocities: of each mass, then of a contact between two; units of P / k_1
-    bool more_digits_may_tell = false; ///< none was found, and rounding may be why
-    int touching = 0;                  ///< events so tangential that rounding decided them; multipliers are one-sided
-    int newton_steps = 0;              ///< steps of Newton's method taken
-    int periods_propagated = 0;        ///< periods propagated in all
-    long effort_spent = 0;             ///< operations that the search took
+    std::vector<double> velocity_errors; ///< those of the velocities: of each mass, then of a contact between two
+    bool more_digits_may_tell = false;   ///< none was found, and rounding may be why
+    int touching = 0;                    ///< events so tangential that rounding decided them; multipliers are one-sided
+    int newton_steps = 0;                ///< steps of Newton's method taken
+    int periods_propagated = 0;          ///< periods propagated in all
+    long effort_spent = 0;               ///< operations that the search took
 };
 
 /// @brief Whether an orbit is the steady motion that the start leads to.
@@ -72,5 +72,35 @@ struct PeriodicOrbit {
 /// in the steady stuck motion, plus a bound of what the transient adds, is below mu beta. That motion is one of a continuum, and
 /// `multipliers` are those of the other masses.
 [[nodiscard]] PeriodicOrbit periodic_orbit(ExactSolver& solver, const State& start, const OrbitSearch& search = {});
+
+/// @brief Periods for which a motion is followed that does not become periodic: 500 and thirty decay times of the slowest mode, at
+/// most `most`; `most` if damping couples the modes.
+[[nodiscard]] int periods_to_follow(const ExactSolver& solver, int most);
+
+/// @brief Bounds of the errors over an orbit.
+struct ErrorsOfOrbit {
+    double settled;               ///< of every displacement, as far as Newton's method can settle it; in units of P / k_1
+    double displacement;          ///< the same with what turned modes make of it, as a bound that is handed out needs
+    std::vector<double> velocity; ///< of the velocity of each coordinate, then of each mass that is none; likewise
+};
+
+/// @brief Bounds of the errors over the orbit to which the map was applied last, with its Jacobian; none if the matrix is
+/// singular to rounding. The start is as far from the fixed point as \f$ |(1 - DP)^{-1}| \f$ times the difference of the two ends
+/// and the rounding of the map; with mu > 1 the largest growth that the Jacobian shows is allowed for along the orbit.
+[[nodiscard]] std::optional<ErrorsOfOrbit> errors_of(const OrbitMap& map);
+
+/// @brief Reads the orbit with the state z at tau = 0 off the map that was applied to it last, with its Jacobian. None if its
+/// error is too large for a number, or the contact does not surely slip.
+[[nodiscard]] std::optional<PeriodicOrbit> orbit_of(const OrbitMap& map, const State& z, const OrbitSearch& search);
+
+/// @brief The steady motion with the contact at rest in x_j, to which the map is applied; none if the contact does not stay.
+[[nodiscard]] std::optional<PeriodicOrbit> rest_of(OrbitMap& map, const LastingRest& rest, double x_j, const OrbitSearch& search);
+
+/// @brief Multipliers of the map that was applied last, with the error of its rounding alone, as if the instants of events were
+/// known. With mu = 1 no deviation grows, wherever they are.
+[[nodiscard]] std::vector<Multiplier> multipliers_next_to(const OrbitMap& map);
+
+/// @brief Floquet multipliers of the orbit to which the map was applied last, over its stretch, with the errors of its events too.
+[[nodiscard]] std::vector<Multiplier> multipliers_of_orbit(const OrbitMap& map, const ErrorsOfOrbit& errors);
 
 } // namespace denhartog

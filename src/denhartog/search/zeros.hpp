@@ -2,12 +2,11 @@
 /// @brief Zeros of a function: the one between two instants where it has opposite signs, the first one after a start, and all of
 /// them on an interval. Nothing here knows of modes, masses or friction.
 ///
-/// The first zero of a smooth function is found with none missed: steps are taken only as far as bounds allow. At an instant the
-/// function comes with three derivatives and a bound of the fourth ahead. Over a step h the Taylor polynomial is bounded from below
-/// by its Bernstein coefficients on [0, h]. If they exceed the remainder there is no zero in the step; if the polynomial of
-/// the derivative stays negative by more than its remainder there is one at most, and the sign at the end decides. In short steps
-/// a tangent and a bound of the second derivative do as well: for fast modes that hardly move, rounding makes the bound of the
-/// fourth derivative too large to decide anything. Otherwise the step is halved. Zeros are lost to rounding of the function alone.
+/// The first zero of a smooth function is found with none missed: steps are taken only as far as bounds allow. Over a step h the
+/// Taylor polynomial is bounded from below by its Bernstein coefficients on [0, h]. If they exceed the remainder there is no zero
+/// in the step; if the polynomial of the derivative stays negative by more than its remainder there is one at most, and the sign at
+/// the end decides. In short steps a tangent and a bound of the second derivative do as well: for fast modes that hardly move,
+/// rounding makes the bound of the fourth derivative too large to decide anything. Otherwise the step is shortened.
 #pragma once
 
 #include <algorithm>
@@ -30,13 +29,10 @@ struct ValueAt {
     double slope; ///< its derivative
 };
 
-/// @brief The zero between two instants: t as a polynomial of third degree in f, through the last two instants with their slopes,
-/// shows where to look next, within what is known to hold the zero.
-///
-/// A step leaves an error proportional to the product of the squared distances of both instants from the zero. The factor is
-/// taken from the step before, or, if this is larger, such that the error is the bracket's width if both are that far. The
-/// search starts at `now`; f has the opposite sign at `before`, or is zero at `now`. The zero is known to rounding; the function
-/// is not evaluated there.
+/// @brief The zero between two instants, to rounding: f has opposite signs there, or is zero at `now`. The inverse function as a
+/// cubic through the last two instants with their slopes shows where to look next, within what is known to hold the zero. A step
+/// leaves an error proportional to the product of the squared distances of both instants from the zero; the factor is taken from
+/// the step before, or, if this is larger, such that the error is the bracket's width if both are that far.
 template <class Function>
 [[nodiscard]] double bracketed_zero(const Function& at, ValueAt now, ValueAt before) {
     using std::abs;
@@ -61,8 +57,7 @@ template <class Function>
     return now.t;
 }
 
-/// @brief The longest step that a tangent is tried for.
-inline constexpr double tangent_up_to = 0x1p-10;
+inline constexpr double tangent_up_to = 0x1p-10; ///< the longest step that a tangent is tried for
 
 /// @brief A function at an instant with what bounds it ahead.
 struct Jet {
@@ -115,18 +110,16 @@ struct Crossing {
 
 /// @brief First zero of a function that is positive after the start; none up to the end.
 ///
-/// A step is halved until its bounds decide, and no further than the digits of t go. Between two steps the effort is looked at,
-/// which the function spends: the search ends however fast the function changes. `order` is that of the zero at the start: 0
-/// where f > 0 there, 1 where f' > 0, 2 where f'' > 0. `step` is the first one tried, and is left as the last one taken.
+/// A step is shortened until its bounds decide, no further than the digits of t go; between two steps the effort is looked at, which
+/// the function spends. `order` is that of the zero at the start: 0 where f > 0 there, 1 where f' > 0, 2 where f'' > 0. `step` is
+/// the first one tried, and is left as the last one taken.
 template <class Function>
 [[nodiscard]] std::optional<Crossing> first_crossing(Function& at, double t, double t_end, int order, double& step,
                                                      const Effort& effort) {
     const double shortest = 4 * std::numeric_limits<double>::epsilon() * std::max(1.0, t_end);
     const double least((std::numeric_limits<double>::min)()); // from 0 on no step is halved below it
-    const auto value_at = [&at](double instant) {
-        const Jet there = at(instant);
-        return ValueAt{instant, there.f[0], there.f[1]};
-    };
+    const auto value_of = [](double instant, const Jet& there) { return ValueAt{instant, there.f[0], there.f[1]}; };
+    const auto value_at = [&](double instant) { return value_of(instant, at(instant)); };
     Jet jet = at(t);
     while (t < t_end) {
         if (order == 0 && jet.f[0] <= 0) return Crossing{t, true};
@@ -145,7 +138,7 @@ template <class Function>
             if (order == 0 && falls(jet, h)) {
                 const Jet ahead = at(next);
                 if (ahead.f[0] <= 0) {
-                    ValueAt here{t, jet.f[0], jet.f[1]}, there{next, ahead.f[0], ahead.f[1]};
+                    ValueAt here = value_of(t, jet), there = value_of(next, ahead);
                     if (here.f >= -there.f) std::swap(here, there);
                     return Crossing{bracketed_zero(value_at, here, there), false};
                 }

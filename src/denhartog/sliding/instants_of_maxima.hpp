@@ -10,7 +10,7 @@
 
 #include "denhartog/evaluation/mass.hpp"
 #include "denhartog/scene/scene.hpp"
-#include "denhartog/search/largest_in_double.hpp"
+#include "denhartog/search/largest.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/sums/friction_motion.hpp"
 #include "denhartog/sums/mode_sums.hpp"

@@ -5,7 +5,7 @@
 
 #include "denhartog/evaluation/batch_forms.hpp"
 #include "denhartog/number/effort.hpp"
-#include "denhartog/search/largest_in_double.hpp"
+#include "denhartog/search/largest.hpp"
 #include "denhartog/sliding/boundary.hpp"
 #include "denhartog/sums/coupled_friction.hpp"
 

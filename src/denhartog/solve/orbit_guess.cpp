@@ -1,3 +1,5 @@
+// What a proof of a motion that double found starts from: `guess_of` names its phases, `with_other_stops` those that rounding may have
+// invented or hidden.
 #include "denhartog/solve/decision.hpp"
 
 #include <algorithm>
@@ -77,12 +79,8 @@ void add_slow_instants(ExactSolver& solver, const State& start, const PhaseSeen&
 
 double stretch_of(bool mirrored, int periods) { return (mirrored ? 1 : 2) * periods * pi<double>(); }
 
-// Instants at which phases of a guess start and end, m + 1 values.
-std::vector<double> instants_of(const OrbitGuess& g) {
-    std::vector<double> instants = g.events;
-    instants.push_back(g.events.front() + stretch_of(g.mirrored, g.periods));
-    return instants;
-}
+// An iterator of a list, by number.
+auto place(auto& list, std::size_t n) { return list.begin() + static_cast<std::ptrdiff_t>(n); }
 
 // Leaves out phase n, 1 to m. Where its neighbours are of one kind they become one phase, else they meet where it started.
 // Event 0 stays where it is. None where nothing is left.
@@ -92,10 +90,9 @@ OrbitGuess without_phase(const OrbitGuess& g, std::size_t n) {
     const bool merge = g.directions[n - 1] == after;
     if (m < 2 || (merge && (n == 1 || n == m))) return {};
     OrbitGuess out = g;
-    const auto at = [](std::size_t k) { return static_cast<std::ptrdiff_t>(k); };
     if (n < m) { // events n - 1 and n become one, or none
-        out.directions.erase(out.directions.begin() + at(n), out.directions.begin() + at(merge ? n + 2 : n + 1));
-        out.events.erase(out.events.begin() + at(merge ? n - 1 : n), out.events.begin() + at(n + 1));
+        out.directions.erase(place(out.directions, n), place(out.directions, merge ? n + 2 : n + 1));
+        out.events.erase(place(out.events, merge ? n - 1 : n), place(out.events, n + 1));
     } else { // event m is event 0, which stays
         out.directions.pop_back();
         out.events.pop_back();
@@ -106,7 +103,8 @@ OrbitGuess without_phase(const OrbitGuess& g, std::size_t n) {
 
 // The shortest phase of a kind, 1 to m; 0 where there is none.
 std::size_t shortest_phase(const OrbitGuess& g, bool stop) {
-    const std::vector<double> at = instants_of(g);
+    std::vector<double> at = g.events; // where phases start and end, m + 1 values
+    at.push_back(g.events.front() + stretch_of(g.mirrored, g.periods));
     std::size_t found = 0;
     for (std::size_t n = 1; n < at.size(); ++n)
         if ((g.directions[n] == 0) == stop && (found == 0 || at[n] - at[n - 1] < at[found] - at[found - 1])) found = n;
@@ -114,7 +112,6 @@ std::size_t shortest_phase(const OrbitGuess& g, bool stop) {
 }
 
 OrbitGuess guess_with_phases(ExactSolver& solver, const PeriodicOrbit& orbit, double shortest) {
-    const std::size_t N = solver.system().basis.r_n.size();
     const double T = stretch_of(orbit.symmetric, orbit.periods);
     const ExactMotion& motion = solver.run(orbit.start, 0.0, T);
     if (motion.status != MotionStatus::complete) return {};
@@ -141,9 +138,7 @@ OrbitGuess guess_with_phases(ExactSolver& solver, const PeriodicOrbit& orbit, do
     for (std::size_t k = 0; k < m; ++k) guess.events.push_back(seen[first + k].start);
     std::vector<State> starts; // of the phases
     for (std::size_t k = first; k < first + m; ++k) {
-        const auto state = motion.states.begin() + static_cast<std::ptrdiff_t>(2 * N * seen[k].index);
-        const auto half = static_cast<std::ptrdiff_t>(N);
-        starts.push_back({{state, state + half}, {state + half, state + 2 * half}});
+        starts.push_back(motion.start_of(seen[k].index));
         for (std::vector<double>* part : {&starts.back().x, &starts.back().x_prime})
             for (double& each : *part) each *= seen[k].stretch % 2 != 0 ? sign : 1;
     }
@@ -168,21 +163,17 @@ OrbitGuess guess_of(ExactSolver& solver, const PeriodicOrbit& orbit, double shor
 
 std::vector<OrbitGuess> with_other_stops(const OrbitGuess& guess) {
     std::vector<OrbitGuess> others;
-    const std::size_t m = guess.events.size();
-    const auto at = [](std::size_t k) { return static_cast<std::ptrdiff_t>(k); };
-    for (std::size_t i = 0; i < m; ++i) { // a stop where it turns
+    for (std::size_t i = 0; i < guess.events.size(); ++i) { // a stop where it turns
         if (guess.directions[i] == 0 || guess.directions[i + 1] == 0) continue;
-        OrbitGuess other = guess;
-        other.directions.insert(other.directions.begin() + at(i + 1), 0);
-        other.events.insert(other.events.begin() + at(i + 1), guess.events[i] + hidden_stop);
-        others.push_back(std::move(other));
+        OrbitGuess& other = others.emplace_back(guess);
+        other.directions.insert(place(other.directions, i + 1), 0);
+        other.events.insert(place(other.events, i + 1), guess.events[i] + hidden_stop);
     }
     for (const double tau : guess.slow) { // a stop where it is slow
         const auto n = static_cast<std::size_t>(std::ranges::upper_bound(guess.events, tau) - guess.events.begin());
-        OrbitGuess other = guess;
-        other.directions.insert(other.directions.begin() + at(n + 1), {0, guess.directions[n]});
-        other.events.insert(other.events.begin() + at(n), {tau - hidden_rest, tau + hidden_rest});
-        others.push_back(std::move(other));
+        OrbitGuess& other = others.emplace_back(guess);
+        other.directions.insert(place(other.directions, n + 1), {0, guess.directions[n]});
+        other.events.insert(place(other.events, n), {tau - hidden_rest, tau + hidden_rest});
     }
     for (const bool stop : {true, false}) { // a stop, or a slip, that is none
         const std::size_t n = shortest_phase(guess, stop);

@@ -10,7 +10,7 @@
 #include "denhartog/scene/converted.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/decision.hpp"
-#include "denhartog/stick_slip/at_maximum_of_force.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {
@@ -66,7 +66,7 @@ void answer_by_boundaries(SolveTask& task, const std::string& model, Solution& s
 // What a fast mode costs the exact solver, which follows it, if that is much.
 Reasons cost_of_fast_mode(const ExactSolver& solver, const PeriodicOrbit& none) {
     constexpr double fast = 1000;
-    const double fastest = highest_over_force(solver);
+    const double fastest = solver.highest_over_force();
     if (!(fastest > fast) || !none.more_digits_may_tell) return {};
     return {Why::fast_mode, fastest};
 }

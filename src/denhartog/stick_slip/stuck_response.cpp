@@ -1,5 +1,7 @@
 // How do the masses move while the contact is held, and which friction ratio holds it? The stuck modes under the load, each by
-// itself or coupled by damping, and (88). Read `stuck_response` first.
+// itself or coupled by damping, and (88). Does a contact at rest stay for ever? The load on it is that of this motion, a constant,
+// and what is left of the start, which loses energy: `LastingRest::verdict` compares their sum with mu beta. Read `stuck_response`
+// first.
 #include "denhartog/stick_slip/stuck_response.hpp"
 
 #include <algorithm>
@@ -14,6 +16,7 @@
 #include "denhartog/number/why.hpp"
 #include "denhartog/number/work_counted.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
 #include "elementary/elementary.hpp"
 
 namespace denhartog {
@@ -25,24 +28,22 @@ double amplitude_of(const Complex<double>& X) {
     return square > 0x1p-900 && square < 0x1p900 ? std::sqrt(square) : elementary::hypot(X.re, X.im);
 }
 
-double rounding(std::size_t modes) { return 4 * static_cast<int>(modes) * std::numeric_limits<double>::epsilon(); }
+double rounding(std::size_t modes) { return 4 * static_cast<int>(modes) * eps; }
 
-[[noreturn]] void resonates() { throw DomainError(Why::stuck_mode_resonates); }
-
-/// Amplitude of an uncoupled mode under the force p in phase; D is the diagonal entry of the damping, 2 zeta r_n.
+// Amplitude of an uncoupled mode under the force p in phase; D is the diagonal entry of the damping, 2 zeta r_n.
 Complex<double> mode_amplitude(double p, double r_n, double D, double r, double tolerance) {
     if (p == 0) return {0, 0};
-    const double a = (r_n - r) * (r_n + r), b = r * D;
-    if (std::abs(a) <= tolerance * r_n * r_n && std::abs(b) <= tolerance * r_n * r_n) resonates();
+    const double a = (r_n - r) * (r_n + r), b = r * D, least = tolerance * r_n * r_n;
+    if (std::abs(a) <= least && std::abs(b) <= least) throw DomainError(Why::stuck_mode_resonates);
     return amplitude_of_mode(p, a, b);
 }
 
-/// Amplitudes of coupled modes: the complex system as a real one of twice the size, its rows and columns scaled.
+// Amplitudes of coupled modes: the complex system as a real one of twice the size, its rows and columns scaled.
 std::vector<Complex<double>> coupled_amplitudes(const StuckConfiguration& stuck, const std::vector<Complex<double>>& p,
                                                 double r) {
     const auto n = static_cast<Eigen::Index>(p.size());
     Matrix<double> A = Matrix<double>::Zero(2 * n, 2 * n);
-    Eigen::Matrix<double, Eigen::Dynamic, 1> scale(2 * n), force = Eigen::Matrix<double, Eigen::Dynamic, 1>::Zero(2 * n);
+    Column scale(2 * n), force(2 * n);
     for (Eigen::Index i = 0; i < n; ++i) {
         const double r_n = stuck.r_n[static_cast<std::size_t>(i)];
         A(i, i) = A(n + i, n + i) = (r_n - r) * (r_n + r);
@@ -54,7 +55,7 @@ std::vector<Complex<double>> coupled_amplitudes(const StuckConfiguration& stuck,
     A.bottomLeftCorner(n, n) = r * stuck.damping;
     A = scale.asDiagonal() * A * scale.asDiagonal();
     const LinearSystem system(A);
-    if (!(system.reciprocal_condition() > rounding(p.size()))) resonates();
+    if (!(system.reciprocal_condition() > rounding(p.size()))) throw DomainError(Why::stuck_mode_resonates);
     force = scale.cwiseProduct(system.solve(scale.cwiseProduct(force)));
     std::vector<Complex<double>> q;
     for (Eigen::Index i = 0; i < n; ++i) q.push_back({force(i), force(n + i)});
@@ -75,14 +76,14 @@ std::vector<Complex<double>> mode_amplitudes(const StuckConfiguration& stuck, co
     return q;
 }
 
-} // namespace
-
 StuckMass motion_of(const Complex<double>& X) {
     StuckMass mass{X, amplitude_of(X), std::nullopt};
     if (mass.amplitude == 0) return mass;
     mass.phase = X.im == 0 ? (X.re < 0 ? pi<double>() : 0.0) : -argument(X);
     return mass;
 }
+
+} // namespace
 
 StuckResponse stuck_response(const StuckConfiguration& stuck, Mass load, double r) {
     check_frequency_ratio(r);
@@ -92,8 +93,7 @@ StuckResponse stuck_response(const StuckConfiguration& stuck, Mass load, double 
     StuckResponse response{r, Mass{stuck.contact.a}, load, {}, {}, {}};
     std::vector<Complex<double>> X(n + 1, Complex<double>{0, 0}); // of all masses
     const std::vector<Complex<double>> p = load_on_stuck_modes(stuck, load);
-    if (std::ranges::any_of(p,
-                            [](const Complex<double>& load_of_mode) { return load_of_mode.re != 0 || load_of_mode.im != 0; })) {
+    if (std::ranges::any_of(p, [](const Complex<double>& force) { return force.re != 0 || force.im != 0; })) {
         const std::vector<Complex<double>> q = mode_amplitudes(stuck, p, r);
         for (std::size_t k = 0; k <= n; ++k)
             for (std::size_t i = 0; i < n; ++i)
@@ -106,14 +106,13 @@ StuckResponse stuck_response(const StuckConfiguration& stuck, Mass load, double 
         C_j.push_back(r * stuck.c_j[k]);
         K_j.push_back(stuck.k_j[k] - r * r * stuck.m_j[k]);
     }
-    const std::vector<double> none(n, 0);
     const Complex<double> direct = direct_load(stuck, load);
     const auto load_with = [&](const std::vector<double>& C) {
         return paper::load_on_held_contact(std::span<const double>(C), std::span<const double>(K_j),
                                            std::span<const Complex<double>>(others), direct);
     };
     response.contact_load = load_with(C_j);
-    response.elastic_load = load_with(none);
+    response.elastic_load = load_with(std::vector<double>(n, 0));
     for (const Complex<double>& X_k : X) response.masses.push_back(motion_of(X_k));
     for (const StuckMass& mass : response.masses)
         if (!std::isfinite(mass.amplitude)) throw PrecisionError(Why::stuck_response_out_of_range);
@@ -159,6 +158,76 @@ StickingBoundary sticking_boundary(const StuckResponse& response, const std::opt
     }
     b.paper = paper::sticking_limit_by_spring(*chain->kappa, amplitude_of(X), mu);
     return b;
+}
+
+LastingRest::LastingRest(const ContactSystem& system, const Excitation& excitation)
+    : system_(&system), e_(excitation), terms_(modulus(direct_load(system.stuck, system.load))) {
+    const StuckConfiguration& s = system.stuck;
+    try {
+        response_ = stuck_response(s, system.load, e_.r);
+    } catch (const DomainError&) {
+        response_.reset();
+    }
+    const std::size_t n = s.masses.size();
+    for (std::size_t a = 0; a < n && response_; ++a)
+        terms_ += (std::abs(s.k_j[a]) + e_.r * std::abs(s.c_j[a]) + e_.r * e_.r * std::abs(s.m_j[a])) *
+                  response_->masses[s.masses[a].index].amplitude;
+    follows_ = s.carried;
+    double stiffness = 0, fastest = 0;
+    const Column k = s.phi.transpose() * column(s.k_j), c = s.phi.transpose() * column(s.c_j),
+                 m = s.phi.transpose() * column(s.m_j);
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t a = 0; a <= n; ++a) follows_[a] -= s.shapes(a, i) * k(i) / (s.r_n[i] * s.r_n[i]);
+        stiffness += k(i) * k(i) / (s.r_n[i] * s.r_n[i]);
+        fastest = std::max(fastest, s.r_n[i] + s.damping.row(i).cwiseAbs().sum());
+    }
+    // In units of r times the energy norm, that is, of displacements times natural frequency ratios.
+    weight_ = sqrt(stiffness) + c.norm() + fastest * m.norm();
+}
+
+State LastingRest::steady_state(double x_j) const {
+    State z = at_rest(follows_.size());
+    for (std::size_t k = 0; k < follows_.size(); ++k) {
+        z.x[k] = follows_[k] * x_j + response_->masses[k].X.re;
+        z.x_prime[k] = -response_->masses[k].X.im;
+    }
+    if (const Contact& contact = system_->stuck.contact; !contact.others.empty())
+        contact.hold(z.x_prime.data()); // to the last bit: it rests
+    return z;
+}
+
+double LastingRest::reach() const {
+    if (!response_) return -1;
+    const StuckConfiguration& s = system_->stuck;
+    const double holds = e_.mu * e_.beta;
+    const double rounding =
+        64 * static_cast<int>(s.masses.size() + 1) * eps * (holds + terms_) * std::max(1.0, s.k_jj / s.k_contact);
+    return (holds - modulus(response_->contact_load) - rounding) / s.k_contact;
+}
+
+MassMotion LastingRest::motion(std::size_t k, double x_j) const {
+    if (k == system_->contact.index) return {std::abs(x_j), x_j < 0 ? pi<double>() : 0.0};
+    const double offset = follows_[k] * x_j;
+    const StuckMass& mass = response_->masses[k];
+    // Below zero the extremum comes half a period later, and half a period more is what a negative one adds to its phase.
+    return {std::abs(offset) + mass.amplitude, mass.phase.value_or(offset < 0 ? pi<double>() : 0.0)};
+}
+
+LastingRest::Verdict LastingRest::verdict(const State& z) const {
+    if (!response_) return Verdict::open;
+    const StuckConfiguration& s = system_->stuck;
+    const double x_j = s.contact.of(z.x), holds = e_.mu * e_.beta, constant = std::abs(s.k_contact * x_j);
+    const double margin = holds - modulus(response_->contact_load) - constant;
+    const double rounding =
+        16 * static_cast<int>(s.masses.size() + 1) * eps * (holds + terms_ + constant + std::abs(s.k_jj * x_j));
+    if (margin < -rounding) return Verdict::open;
+    const State steady = steady_state(x_j);
+    const Column q = s.momentum * (column(z.x) - column(steady.x)), p = s.momentum * (column(z.x_prime) - column(steady.x_prime));
+    double energy = 0;
+    for (std::size_t i = 0; i < s.masses.size(); ++i) energy += s.r_n[i] * s.r_n[i] * q(i) * q(i) + e_.r * e_.r * p(i) * p(i);
+    const double free = weight_ * sqrt(energy);
+    if (free < margin) return Verdict::lasts;
+    return margin <= rounding && free <= rounding ? Verdict::on_boundary : Verdict::open;
 }
 
 } // namespace denhartog

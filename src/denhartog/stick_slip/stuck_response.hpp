@@ -1,5 +1,6 @@
 /// @file
-/// @brief The response while the contact is held, and the boundary of permanent sticking, (88).
+/// @brief The response while the contact is held, the boundary of permanent sticking, (88), and whether a contact at rest rests
+/// for ever.
 #pragma once
 
 #include <optional>
@@ -7,6 +8,7 @@
 
 #include "denhartog/formulas/complex.hpp"
 #include "denhartog/model/stuck_configuration.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
 
 namespace denhartog {
 
@@ -16,9 +18,6 @@ struct StuckMass {
     double amplitude;            ///< its modulus
     std::optional<double> phase; ///< lag behind the force, radians, in (-pi, pi]; none if the mass does not move
 };
-
-/// @brief Amplitude and phase of a harmonic motion of complex amplitude X.
-[[nodiscard]] StuckMass motion_of(const Complex<double>& X);
 
 /// @brief The response while the contact is held at zero.
 struct StuckResponse {
@@ -69,5 +68,40 @@ struct StickingBoundary {
 /// InputError if mu is below 1 or not finite; DomainError if the load excites the resonance of an undamped stuck mode. @eq{88}
 [[nodiscard]] StickingBoundary sticking_boundary(const StuckResponse& response, const std::optional<StuckChain>& chain,
                                                  double mu);
+
+/// @brief Rest for ever at one system, frequency and friction.
+///
+/// While the contact is held the load on it is that of the steady stuck motion, (88) with all forces, a constant
+/// \f$ -k\bar{x}_j \f$, and what the free motion of the others adds: at most its energy norm, which never grows, times a weight.
+class LastingRest {
+public:
+    LastingRest(const ContactSystem& system, const Excitation& excitation); ///< the system must outlive this
+
+    /// @brief Verdict on a rest.
+    enum class Verdict : std::uint8_t {
+        open,       ///< it may end
+        lasts,      ///< it lasts for ever
+        on_boundary ///< its load reaches mu beta to rounding, and not beyond
+    };
+
+    /// @brief Whether the contact, at rest in a state at tau = 0, rests for ever.
+    [[nodiscard]] Verdict verdict(const State& z) const;
+    /// @brief Whether there is a steady motion with the contact held: the load excites no undamped resonance.
+    [[nodiscard]] bool exists() const { return response_.has_value(); }
+    /// @brief Largest distance from zero at which the contact can rest for ever; negative if it cannot rest at zero.
+    [[nodiscard]] double reach() const;
+    /// @brief The state at tau = 0 of the steady motion with the contact held at x_j.
+    [[nodiscard]] State steady_state(double x_j) const;
+    /// @brief Amplitude and phase of mass k in that motion.
+    [[nodiscard]] MassMotion motion(std::size_t k, double x_j) const;
+
+private:
+    const ContactSystem* system_;
+    Excitation e_;
+    std::optional<StuckResponse> response_; // none at an undamped resonance: no steady motion
+    std::vector<double> follows_;           // static displacement of the others for a unit displacement of the contact
+    double weight_ = 0;                     // largest load on the contact of a free motion of unit energy norm
+    double terms_;                          // of the load on the held contact, in size: what rounding is of
+};
 
 } // namespace denhartog

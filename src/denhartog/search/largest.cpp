@@ -1,7 +1,7 @@
 // Where is a curve largest, with no maximum between two samples missed? Branch and bound on intervals, by values, slopes and a
 // bound of the rate of the curvature. Read `largest` first; `add` bounds an interval, and `dismiss` gathers the places that stay
 // open.
-#include "denhartog/search/largest_in_double.hpp"
+#include "denhartog/search/largest.hpp"
 
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "denhartog/number/why.hpp"
-#include "denhartog/search/largest.hpp"
 #include "denhartog/search/zeros.hpp"
 
 namespace denhartog {
@@ -58,7 +57,8 @@ public:
         look([&](const Interval& next) { return effort_.exhausted() || next.upper < level() || looks++ == second_looks; });
         for (const Interval& each : open_) dismiss_unseen(each);
         best_.upper = std::max(best_.upper, best_.value) + noise_;
-        gather_places();
+        std::erase_if(best_.places, [this](const Place& each) { return each.upper < level(); });
+        best_.places = joined(std::move(best_.places));
         return std::move(best_);
     }
 
@@ -124,11 +124,6 @@ private:
         best_.upper = std::max(best_.upper, highest);
         if (highest < level()) return;
         best_.places.push_back({in.left.tau, in.right.tau, top.tau, top.at.f, highest, reach});
-    }
-
-    void gather_places() {
-        std::erase_if(best_.places, [this](const Place& each) { return each.upper < level(); });
-        best_.places = joined(std::move(best_.places));
     }
 
     const Curve& curve_;
