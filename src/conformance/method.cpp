@@ -51,9 +51,9 @@ const SolverMethod& method_named(std::string_view name) {
 
 std::string kind_of(const ProtocolQuestion& q) {
     if (q.quantity == "stop_durations") return "duration";
-    if (asks_for(q, {"phase", "phase_monoharmonic"})) return "phase";
+    if (asks_for(q, {"phase", "phase_monoharmonic", "absolute_phase"})) return "phase";
     const bool moves = asks_for(q, {"amplitude", "amplitude_monoharmonic", "motion_under_force", "displacement",
-                                    "initial_displacement", "initial_velocity"});
+                                    "initial_displacement", "initial_velocity", "absolute_amplitude", "transmissibility"});
     return moves ? "displacement" : "";
 }
 

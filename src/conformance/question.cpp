@@ -15,7 +15,7 @@
 namespace denhartog::conformance {
 namespace {
 
-constexpr std::array<Quantity, 25> table{{
+constexpr std::array<Quantity, 28> table{{
     {"natural_frequency_ratios", "15", Shape::modes, false, false, 0},
     {"modal_frequency_ratios", "22", Shape::modes, false, false, 1},
     {"mode_shape_products", "17", Shape::modes, true, false, 2},
@@ -41,12 +41,17 @@ constexpr std::array<Quantity, 25> table{{
     {"stop_durations", "", Shape::durations, false, false},
     {"rest_interval", "", Shape::number, false, false, 12},
     {"motion_under_force", "", Shape::samples, true, false},
+    {"absolute_amplitude", "", Shape::number, true, false, 18, true},
+    {"absolute_phase", "", Shape::number, true, true, 18, true},
+    {"transmissibility", "", Shape::number, true, false, 18, true},
 }};
 
-// Of a contact between two masses, 0 stands for its own displacement.
+// Of a contact between two masses, 0 stands for its own displacement, which is the same in every frame.
 void check_mass(const ProtocolQuestion& q) {
-    if (!quantity(q.quantity).of_mass) return;
-    if (q.mass != 0 || q.contact_with == 0) (void)mass_from(q.mass, masses_of(q), "mass");
+    const Quantity& asked = quantity(q.quantity);
+    if (asked.absolute && q.base_motion.empty()) throw InputError("base_motion", "must be given for " + q.quantity, "");
+    if (!asked.of_mass) return;
+    if (q.mass != 0 || q.contact_with == 0 || asked.absolute) (void)mass_from(q.mass, masses_of(q), "mass");
 }
 
 template <class T>
@@ -124,6 +129,7 @@ nlohmann::ordered_json scene_json(const ProtocolQuestion& q) {
         scene["load"] = q.loads;
     else
         scene["load"] = q.load;
+    if (!q.load_phases.empty()) scene["load_phases"] = q.load_phases;
     scene["mu"] = q.mu;
     scene["r"] = q.r;
     scene["beta"] = q.beta;
@@ -147,6 +153,7 @@ void read_places(const nlohmann::json& scene, ProtocolQuestion& q) {
         q.loads = member<std::vector<double>>(scene, "load");
     else
         q.load = whole(scene, "load");
+    if (scene.contains("load_phases")) q.load_phases = member<std::vector<double>>(scene, "load_phases");
 }
 
 void add_numbers(std::ostringstream& line, const std::vector<double>& list) {
@@ -162,6 +169,7 @@ void add_tags(std::ostringstream& line, const ProtocolQuestion& q) {
         add_numbers(line, list);
     };
     add("loads", q.loads);
+    add("load_phases", q.load_phases);
     for (const PartOfSystem& part : parts_of_system) add(part.matrix_key, q.*part.matrix);
 }
 
@@ -177,7 +185,9 @@ std::vector<std::string> beyond_the_paper(const ProtocolQuestion& q) {
     std::vector<std::string> names;
     if (q.contact_with != 0) names.emplace_back("contact-between-masses");
     if (!q.loads.empty()) names.emplace_back("several-loads");
-    if (!q.base_motion.empty()) names.emplace_back(q.base_motion == "alone" ? "base-alone" : "base-with-wall");
+    if (!q.load_phases.empty()) names.emplace_back("loads-out-of-phase");
+    if (!q.base_motion.empty())
+        names.emplace_back(q.base_motion == "alone" ? "base-alone" : q.base_motion == "wall" ? "wall-alone" : "base-with-wall");
     if (!q.mass_matrix.empty()) names.emplace_back("mass-matrix");
     if (!q.stiffness_matrix.empty()) names.emplace_back("stiffness-matrix");
     if (!q.damping_matrix.empty()) names.emplace_back("damping-matrix");
@@ -219,10 +229,6 @@ Scene<double> scene_of(const ProtocolQuestion& q) {
         check(scene);
     } else {
         scene = scene_from_json<double>(nlohmann::json(scene_json(q)));
-        if (load_depends_on_frequency(scene.system))
-            throw InputError("base_motion",
-                             "must be \"with_wall\" where there is damping: a question has one load at all frequencies",
-                             q.base_motion);
     }
     check_mass(q);
     return scene;

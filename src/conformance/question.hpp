@@ -32,6 +32,7 @@ struct Quantity {
     bool of_mass;              ///< whether a question names the mass k
     bool angle;                ///< whether it is an angle: compared round the circle, in radians
     std::size_t link = 18;     ///< its place in the chain of quantities, each made of those before it, see `chain_of`
+    bool absolute = false;     ///< whether it belongs to the motion as it is seen from the ground, of a base or wall that moves
 };
 
 /// @brief All quantities, in the order of the protocol. @return the quantities
@@ -66,7 +67,8 @@ struct ProtocolQuestion {
     int samples = 0;                ///< instants, for `motion_under_force`
     int contact_with = 0;           ///< the mass that the contact rubs against, counted from 1; 0 for a wall
     std::vector<double> loads = {}; ///< force on each mass in units of P, in place of `load`, N values or none
-    std::string base_motion = {};   ///< `with_wall` or `alone`, in place of `load`; empty where no base moves
+    std::vector<double> load_phases = {}; ///< by how much each of them leads cos(tau), radians; none if all are in phase
+    std::string base_motion = {}; ///< `with_wall`, `alone` or `wall`, in place of `load`; empty where neither base nor wall moves
     std::vector<double> mass_matrix = {};      ///< M in units of m_1, row by row, in place of `mass_ratios`
     std::vector<double> stiffness_matrix = {}; ///< K in units of k_1, row by row, in place of `stiffness_ratios`
     std::vector<double> damping_matrix = {};   ///< C in units of sqrt(k_1 m_1), row by row, in place of `damping_ratios`
@@ -77,7 +79,7 @@ struct ProtocolQuestion {
 
 /// @brief Whether a question is about a scene of the paper: a chain with modal damping ratios, a wall, one loaded mass.
 /// @param q  the question
-/// @return   false where it has one of the last six members
+/// @return   false where it has one of the last seven members
 [[nodiscard]] bool is_of_the_paper(const ProtocolQuestion& q);
 
 /// @brief Number of masses of a question's scene. @param q the question @return N

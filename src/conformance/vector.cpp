@@ -166,7 +166,7 @@ std::string vector_csv_heading(bool systems) {
     return std::string(
                "id,group,equation,tier,quantity,contact,load,mass,samples,tau,mu,r,beta,mass_ratios,stiffness_ratios,"
                "damping_ratios,value,hex,scale,pass,loose,inaccurate,condition,regime,margin,flags,catches,routes,digits") +
-           (systems ? ",base_motion,mass_matrix,stiffness_matrix,damping_matrix" : "");
+           (systems ? ",base_motion,mass_matrix,stiffness_matrix,damping_matrix,load_phases" : "");
 }
 
 std::string vector_csv(const Vector& v, bool systems) {
@@ -193,7 +193,8 @@ std::string vector_csv(const Vector& v, bool systems) {
     cells.insert(cells.end(), {condition, v.regime, v.margin ? text_of(*v.margin) : "", joined(v.flags), joined(v.catches),
                                v.reject.empty() ? joined(v.routes, "; ") : "", v.reject.empty() ? joined(v.digits) : ""});
     if (systems)
-        cells.insert(cells.end(), {q.base_motion, joined(q.mass_matrix), joined(q.stiffness_matrix), joined(q.damping_matrix)});
+        cells.insert(cells.end(), {q.base_motion, joined(q.mass_matrix), joined(q.stiffness_matrix), joined(q.damping_matrix),
+                                   joined(q.load_phases)});
     return joined(cells, ",");
 }
 

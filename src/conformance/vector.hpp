@@ -65,7 +65,7 @@ struct Vector {
 [[nodiscard]] bool is_of_systems(const Vector& v);
 
 /// @brief Heading of a table of vectors.
-/// @param systems  whether it has the four columns at the end that only systems beyond the paper fill
+/// @param systems  whether it has the five columns at the end that only systems beyond the paper fill
 /// @return         the line, without its end
 [[nodiscard]] std::string vector_csv_heading(bool systems = false);
 

@@ -79,6 +79,8 @@ TEST_CASE("the boundary of any load that inertia brings to the contact tends to 
                              R"("contact": [2, 3], "load": [1, -0.5, 2]})", R"("contact": [3, 1], "load": [0, 0, 2]})",
                              R"("contact": {"direction": [0.5, -1, 0.25]}, "load": [0.25, 1, 0.5]})",
                              R"("contact": 1, "base_motion": "alone", "damping_ratios": 0})",
+                             R"("contact": 1, "base_motion": "alone", "damping_matrix": [[0.25, -0.25, 0], [-0.25, 0.375, -0.125],
+                                [0, -0.125, 0.125]]})", // between masses alone
                              R"("contact": 2, "load": [1, 0.5, 0], "load_phases": [0, 1, 0]})"}) {
         INFO(text);
         const std::string scene =

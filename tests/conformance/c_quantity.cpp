@@ -65,6 +65,7 @@ TEST_CASE("every quantity of the protocol has its numbers by its name, where it 
             mass.size = sizeof mass;
             REQUIRE(dh_solution_mass(made, k, &mass) == DH_OK);
             for (const conformance::Quantity& quantity : conformance::quantities()) {
+                if (quantity.absolute) continue; // of a moving base, which these scenes do not have
                 const std::string name(quantity.name);
                 INFO(name << " of mass " << k << " of " << N);
                 const Numbers found = asked(system.get(), name, s, quantity.of_mass ? k : 0);

@@ -199,7 +199,8 @@ void check_refusals(const Built& adapter) {
     for (const std::string& line : answers(adapter, asked)) CHECK(line.rfind("bad reject ", 0) == 0);
     CHECK(answers(adapter, {question("q", "no_such_quantity", scenes().front(), 1)})[0].rfind("q skip ", 0) == 0);
     const std::string of_paper = question("q", "amplitude", scenes().front(), 1);
-    for (const char* more : {"contact_with 2", "loads 1 -0.5", "base_motion alone", "damping_matrix 1 -0.5 -0.5 0.5"})
+    for (const char* more : {"contact_with 2", "loads 1 -0.5", "loads 1 -0.5 load_phases 0.5 0", "base_motion alone",
+                             "base_motion wall", "damping_matrix 1 -0.5 -0.5 0.5"})
         CHECK(answers(adapter, {of_paper + " " + more})[0].rfind("q skip ", 0) == 0);
 }
 

@@ -14,6 +14,14 @@ double fraction(std::mt19937_64& random, int from, int to, int parts) {
     return static_cast<double>(from + static_cast<int>(random() % range)) / parts;
 }
 
+// A share of the boundary of continuous sliding, in 16 bits.
+void set_friction(conformance::ProtocolQuestion& q, double share) {
+    q.quantity = "beta_lim_exact";
+    const double limit = conformance::plain_answer(q).value().numbers.front();
+    q.beta = std::ldexp(std::round(std::ldexp(limit * share, 16)), -16);
+    q.quantity = "amplitude";
+}
+
 int place(std::mt19937_64& random, int N) { return 1 + static_cast<int>(random() % static_cast<std::uint64_t>(N)); }
 
 } // namespace
@@ -77,11 +85,25 @@ std::vector<conformance::ProtocolQuestion> seeded_systems(std::uint64_t seed, in
             q.damping_ratios.clear();
         }
         if (n % 4 == 1 || n % 4 == 2) q.load = 0;
-        q.quantity = "beta_lim_exact";
-        const double limit = conformance::plain_answer(q).value().numbers.front();
-        q.beta = std::ldexp(std::round(std::ldexp(limit * (n % 8 < 4 ? 0.5 : 1.25), 16)), -16);
-        q.quantity = "amplitude";
+        set_friction(q, n % 8 < 4 ? 0.5 : 1.25);
         systems.push_back(q);
+    }
+    int more = 0;
+    for (conformance::ProtocolQuestion q : seeded_questions(seed + 1, 2 * count)) {
+        const auto N = q.mass_ratios.size();
+        if (N == 1 || more == count) continue;
+        static const char* const motions[] = {"", "alone", "wall", "with_wall"};
+        q.mu = 1;
+        q.load = 0;
+        q.base_motion = motions[more % 4];
+        for (std::size_t k = 0; k < N && q.base_motion.empty(); ++k) {
+            q.loads.push_back(fraction(random, 4, 16, 16));
+            q.load_phases.push_back(fraction(random, 4, 20, 8));
+        }
+        set_friction(q, more % 3 == 2 ? 1.25 : 0.5);
+        q.id += "-more";
+        systems.push_back(q);
+        ++more;
     }
     return systems;
 }

@@ -17,11 +17,12 @@ namespace denhartog::tests {
 /// @return       a question a scene, of the amplitude of a mass
 [[nodiscard]] std::vector<conformance::ProtocolQuestion> seeded_questions(std::uint64_t seed, int count);
 
-/// @brief Systems beyond the paper: in turn a contact between two masses, several loads, a base that moves, dashpots.
+/// @brief Systems beyond the paper: in turn a contact between two masses, several loads, a base that moves, dashpots; then as
+/// many with, in turn, loads out of phase, a base that moves alone and is damped, a wall that moves alone, base and wall.
 ///
 /// Half of them slide, the others stop or rest. They have no fewer than two masses.
 /// @param seed   any number; the same one gives the same questions
-/// @param count  number of systems
+/// @param count  half the number of systems
 /// @return       a question a system, of the amplitude of a mass
 [[nodiscard]] std::vector<conformance::ProtocolQuestion> seeded_systems(std::uint64_t seed, int count);
 

@@ -9,6 +9,8 @@
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
+#include "denhartog/sums/load_of_base.hpp"
+#include "tests/conformance/c_fixtures.hpp"
 
 namespace denhartog::tests {
 namespace {
@@ -22,11 +24,11 @@ constexpr int digits_asked = 11;
 // What friction does not change, and the motion while the contact slides.
 std::vector<double> of_sums(const ProtocolQuestion& q) {
     const Scene<double> scene = conformance::scene_of(q);
-    const System<double>& s = scene.system;
+    const System<double> s = with_load_at(scene.system, *scene.r);
     const std::size_t k = q.mass == 0 ? contact_row(s).index : static_cast<std::size_t>(q.mass - 1);
     const ModalBasis<double> basis = modal_basis(s);
     const ModeSums<double> sums = basis.coupled() ? values_of(coupled_sums(s, as_input(*scene.r)))
-                                                  : mode_sums(basis, contact_row(s), load_row(s), *scene.r);
+                                                  : mode_sums(basis, contact_row(s), load_rows(s), *scene.r);
     const std::string& name = q.quantity;
     if (name == "complex_response") return {sums.V[k].re, sums.V[k].im};
     if (name == "first_damping_function") return {sums.U[k]};
@@ -71,6 +73,14 @@ const Solution& motion_of(const ProtocolQuestion& q, const Scene<double>& scene)
     return *kept;
 }
 
+// (86) as the C interface gives it.
+std::optional<Value> of_high_frequency(const ProtocolQuestion& q) {
+    const Handle system = handle_of(conformance::scene_of(q).system);
+    double limit = 0;
+    if (dh_high_frequency_limit(system.get(), q.mu, &limit) != DH_OK) return std::nullopt;
+    return Value{{limit}, ""};
+}
+
 // The steady motion in any regime.
 std::optional<Value> of_motion(const ProtocolQuestion& q) {
     const Scene<double> scene = conformance::scene_of(q);
@@ -91,6 +101,11 @@ std::optional<Value> of_motion(const ProtocolQuestion& q) {
         std::sort(lengths.numbers.begin(), lengths.numbers.end());
         return lengths;
     }
+    if (conformance::quantity(name).absolute) {
+        const MassFromGround& seen = solution.from_ground.at(static_cast<std::size_t>(q.mass - 1));
+        if (name == "absolute_phase") return seen.phase ? std::optional(Value{{seen.phase->value}, ""}) : std::nullopt;
+        return Value{{(name == "transmissibility" ? seen.transmissibility : seen.amplitude).value}, ""};
+    }
     const SolvedMass& m = q.mass == 0 ? solution.between.value() : mass_of(solution, Mass{static_cast<std::size_t>(q.mass - 1)});
     if (name == "amplitude") return Value{{m.amplitude.value}, ""};
     return m.phase ? std::optional(Value{{m.phase->value}, ""}) : std::nullopt;
@@ -100,9 +115,10 @@ std::optional<Value> of_motion(const ProtocolQuestion& q) {
 
 std::optional<Value> answer_of_system(const ProtocolQuestion& q) {
     if (q.quantity == "natural_frequency_ratios") return Value{modal_basis(conformance::scene_of(q).system).r_n, ""};
-    if (asks_for(q,
-                 {"amplitude", "phase", "regime", "rest_interval", "stops_per_period", "stop_durations", "motion_under_force"}))
+    if (asks_for(q, {"amplitude", "phase", "regime", "rest_interval", "stops_per_period", "stop_durations", "motion_under_force",
+                     "absolute_amplitude", "absolute_phase", "transmissibility"}))
         return of_motion(q);
+    if (q.quantity == "beta_lim_high_frequency") return of_high_frequency(q);
     if (asks_for(q, {"complex_response", "first_damping_function", "second_damping_function", "H_j", "S_j", "beta_lim_exact",
                      "beta_lim_sticking", "amplitude_monoharmonic", "phase_monoharmonic", "initial_displacement",
                      "initial_velocity", "displacement"}))

@@ -86,19 +86,21 @@ void check_by_witness(const std::vector<RandomScene<double>>& scenes, std::size_
     CHECK(found.worst < tolerance_of_witness(digits));
 }
 
-/// @brief Every scene against the second witness, to 12 digits, those of up to four masses to 45, with a line of what was found.
+/// @brief Every scene against the second witness, with a line of what was found.
+/// @tparam T      the number type of the witness
 /// @param scenes  the scenes
-inline void survey_by_witness(const std::vector<RandomScene<double>>& scenes) {
-    Found found, in_50_digits;
-    for (const RandomScene<double>& each : scenes) {
-        compare_with_witness<double>(each, 12, found);
-        if (number_of_masses(each.scene.system) <= 4) compare_with_witness<Real50>(each, 45, in_50_digits);
-    }
-    std::printf(
-        "to 12 digits: %d scenes, %d refused, worst %.2g of the amplitude; to 45 digits: %d scenes, %d refused, worst %.2g\n",
-        found.compared, found.refused, found.worst, in_50_digits.compared, in_50_digits.refused, in_50_digits.worst);
-    CHECK(found.worst < tolerance_of_witness(12));
-    CHECK(in_50_digits.worst < tolerance_of_witness(45));
+/// @param digits  asked for
+/// @param most    scenes of more masses are left out
+/// @return        how many were compared
+template <class T>
+int survey_by_witness(const std::vector<RandomScene<double>>& scenes, int digits, std::size_t most) {
+    Found found;
+    for (const RandomScene<double>& each : scenes)
+        if (number_of_masses(each.scene.system) <= most) compare_with_witness<T>(each, digits, found);
+    std::printf("to %d digits: %zu scenes, %d compared, %d refused, worst %.2g of the amplitude\n", digits, scenes.size(),
+                found.compared, found.refused, found.worst);
+    CHECK(found.worst < tolerance_of_witness(digits));
+    return found.compared;
 }
 
 /// @brief The points of a map, and the motions there, against `solve`.

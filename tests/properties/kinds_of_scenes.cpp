@@ -21,15 +21,16 @@ struct Kind {
     std::size_t first;
     std::uint64_t seed_of_stops;
     Taken with_stops;
-    int surveys; // seeds of which every scene is compared
+    int surveys;         // seeds of which every scene is compared
+    int least_in_survey; // as many of these must be comparable to 12 digits
 };
 
 const Kind kinds[] = {
-    {"contact and load as vectors", random_vector_scenes, 20261, {6, 70}, {20, 5}, 120, 20263, {3, 60}, 2},
-    {"damping that couples the modes", random_coupled_scenes, 20262, {7, 60}, {20, 3}, 80, 20264, {3, 40}, 2},
-    {"forces out of phase", random_phased_scenes, 20264, {9, 45}, {24, 4}, 120, 20266, {4, 20}, 1},
-    {"moving bases and walls", random_base_scenes, 20265, {18, 20}, {22, 4}, 110, 20268, {4, 15}, 1},
-    {"any direction of the contact", random_direction_scenes, 20267, {2, 200}, {20, 4}, 120, 20270, {3, 40}, 1}};
+    {"contact and load as vectors", random_vector_scenes, 20261, {6, 70}, {20, 5}, 120, 20263, {3, 60}, 2, 800},
+    {"damping that couples the modes", random_coupled_scenes, 20262, {7, 60}, {20, 3}, 80, 20264, {3, 40}, 2, 700},
+    {"forces out of phase", random_phased_scenes, 20264, {9, 45}, {24, 4}, 120, 20266, {4, 20}, 2, 500},
+    {"moving bases and walls", random_base_scenes, 20265, {18, 20}, {22, 4}, 110, 20268, {4, 15}, 1, 200},
+    {"any direction of the contact", random_direction_scenes, 20267, {2, 200}, {20, 4}, 120, 20270, {3, 40}, 1, 350}};
 
 } // namespace
 
@@ -51,10 +52,25 @@ TEST_CASE("the closed form agrees with the second witness to 45 digits in scenes
     }
 }
 
-TEST_CASE("every scene of every kind agrees with the second witness",
+TEST_CASE("every scene of every kind agrees with the second witness to 12 digits",
           "[.][sweep][vectors][coupled-damping][phases][base][direction][witness]") {
-    for (const Kind& kind : kinds)
-        for (int n = 0; n < kind.surveys; ++n) survey_by_witness(kind.scenes(kind.seed + static_cast<std::uint64_t>(n)));
+    for (const Kind& kind : kinds) {
+        INFO(kind.name);
+        int compared = 0;
+        for (int n = 0; n < kind.surveys; ++n)
+            compared += survey_by_witness<double>(kind.scenes(kind.seed + static_cast<std::uint64_t>(n)), 12, SIZE_MAX);
+        std::printf("%s: %d scenes\n", kind.name, compared);
+        CHECK(compared >= kind.least_in_survey);
+    }
+}
+
+TEST_CASE("every scene of every kind with up to four masses agrees with the second witness to 45 digits",
+          "[.][sweep][vectors][coupled-damping][phases][base][direction][witness]") {
+    for (const Kind& kind : kinds) {
+        INFO(kind.name);
+        for (int n = 0; n < kind.surveys; ++n)
+            CHECK(survey_by_witness<Real50>(kind.scenes(kind.seed + static_cast<std::uint64_t>(n)), 45, 4) > 0);
+    }
 }
 
 TEST_CASE("stick-slip in scenes of every kind is the paper's algorithm's",

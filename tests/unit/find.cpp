@@ -118,6 +118,10 @@ TEST_CASE("an interval that a scene has in part is searched where it has it, the
     REQUIRE(kinds_of(expected) == Kinds{"crossing"});
     REQUIRE(kinds_of(found) == Kinds{"crossing"});
     CHECK(found.places[0].at == Approx(expected.places[0].at).epsilon(1e-5)); // the peak is known to its samples
+    CHECK(expected.left_out == 0);
+    CHECK(found.left_out > 0);
+    CHECK(found.left_out < found.questions);
+    CHECK_THAT(in_words(found.left_out_why), Catch::Matchers::Contains("r must be positive"));
     CHECK(find_places(scene, {"beta", -0.5, 0.5}, in_part, 64).places.size() == 1);
     REQUIRE_THROWS_WITH(find_places(scene, {"beta", 0, 0.5}, wanted_from("largest amplitude of mass 1 over r -2:-1 = 3"), 8),
                         Catch::Matchers::Contains("r must be positive"));

@@ -13,6 +13,23 @@ void invert(std::vector<double>& ratios) {
     for (double& x : ratios) x = 1 / x;
 }
 
+// Whether dampers are a part of the load of what moves.
+bool has_damped_base(const ProtocolQuestion& q) {
+    if (q.base_motion != "alone" && q.base_motion != "wall") return false;
+    const PlainRow dampers = plain_system(q).p_i;
+    return std::ranges::any_of(dampers, [](double x) { return x != 0; });
+}
+
+bool is_in_moving_frame(const ProtocolQuestion& q) {
+    return quantity(q.quantity).absolute && (q.base_motion == "with_wall" || q.base_motion == "wall");
+}
+
+// Absolute motions, where the motion of the frame is added so many times: once is right.
+Answering adding_frame(double times) {
+    return Answering(
+        [times](const ProtocolQuestion& q) { return is_in_moving_frame(q) ? plain_answer_in_frame(q, times) : std::nullopt; });
+}
+
 } // namespace
 
 std::vector<Mistake> mistakes_of_input() {
@@ -146,17 +163,55 @@ std::vector<Mistake> mistakes_of_systems() {
          "A base that moves together with the wall is taken to move alone: the load is K 1 in place of M 1.",
          "which load base_motion makes: \"with_wall\" loads every mass by its inertia, in displacements relative to the wall",
          reading([](ProtocolQuestion& q) {
-             if (q.base_motion != "with_wall") return;
-             q.loads = times(plain_system(q).K, PlainRow(masses_of(q), 1.0));
-             q.base_motion.clear();
+             if (q.base_motion == "with_wall") q.loads = times(plain_system(q).K, PlainRow(masses_of(q), 1.0));
          })},
         {"base-load-without-masses", "4",
          "A base that moves together with the wall loads every mass by the same force: 1 in place of M 1.",
          "the load of a base that moves: masses times its acceleration", reading([](ProtocolQuestion& q) {
-             if (q.base_motion != "with_wall") return;
-             q.loads.assign(masses_of(q), 1);
-             q.base_motion.clear();
+             if (q.base_motion == "with_wall") q.loads.assign(masses_of(q), 1);
          })},
+        {"load-phases-reversed", "1", "The phases of the forces are taken as lags; a force leads cos(tau) by its phase.",
+         "the sign of load_phases: force k is load_k cos(tau + load_phases_k)", reading([](ProtocolQuestion& q) {
+             for (double& theta : q.load_phases) theta = -theta;
+         })},
+        {"load-phases-ignored", "1", "The forces are taken as if they were all in phase.",
+         "how load_phases enter the load: each force is a complex amplitude",
+         reading([](ProtocolQuestion& q) { q.load_phases.clear(); })},
+        {"load-phases-in-degrees", "1", "The phases of the forces are taken for degrees; the protocol has radians.",
+         "the unit of load_phases", reading([](ProtocolQuestion& q) {
+             for (double& theta : q.load_phases) theta *= pi / 180;
+         })},
+        {"base-damper-ignored", "4",
+         "A base or wall that moves alone loads the masses by springs without their dampers: r C 1 is missing.",
+         "the load of base_motion \"alone\": (K + i r C) 1, and of \"wall\": r^2 M 1 less that", reading([](ProtocolQuestion& q) {
+             if (has_damped_base(q)) q.loads = plain_system(q).p;
+         })},
+        {"base-load-taken-real", "4", "The load of a base or wall that moves alone has its size, but not its phase.",
+         "where the complex load (K + i r C) 1 becomes real: its parts are for cos(tau) and -sin(tau)",
+         reading([](ProtocolQuestion& q) {
+             if (!has_damped_base(q)) return;
+             const PlainSystem s = plain_system(q);
+             for (std::size_t k = 0; k < s.size(); ++k) q.loads.push_back(modulus({s.p[k], s.p_i[k]}));
+         })},
+        {"wall-taken-with-base", "4",
+         "A wall that moves alone loads every mass by its inertia alone: the base, which stays, moves in the frame of the wall.",
+         "the load of base_motion \"wall\": r^2 M 1 - (K + i r C) 1", reading([](ProtocolQuestion& q) {
+             if (q.base_motion != "wall") return;
+             const PlainSystem s = plain_system(q);
+             q.loads = times(s.M, PlainRow(s.size(), s.r * s.r));
+         })},
+        {"relative-for-absolute", "4", "Displacements relative to the wall are given for absolute ones.",
+         "what is added to the displacements where the wall moves: its own motion, in phase with the cosine of tau",
+         adding_frame(0)},
+        {"frame-subtracted", "4", "Absolute displacements are the relative ones less the motion of the wall.",
+         "the sign with which the motion of the wall is added to the displacements relative to it", adding_frame(-1)},
+        {"base-amplitude-of-one", "5",
+         "With the wall, the base is taken to move by P / k_1; as P is m_1 omega^2 X there, it moves by 1 / r^2 of that.",
+         "what the transmissibility is divided by: the amplitude of the base in the units of the displacements",
+         changed({"transmissibility"},
+                 [](Value& value, const ProtocolQuestion& q) {
+                     for (double& x : value.numbers) x *= plain_system(q).base;
+                 })},
         {"coupling-neglected", "18",
          "Of the damping matrix the diagonal in the modes alone is taken, as (18) has it where the modes are not coupled.",
          "whether psi^T C psi is taken to be diagonal: it is where K M^-1 C = C M^-1 K", reading([](ProtocolQuestion& q) {

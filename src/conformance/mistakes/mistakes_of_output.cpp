@@ -16,7 +16,8 @@ Answering each_changed(Names touched, std::function<void(double& x, const Protoc
     });
 }
 
-const Names angles{"phase", "phase_monoharmonic"};
+const Names angles_of_paper{"phase", "phase_monoharmonic"}, angles{"phase", "phase_monoharmonic", "absolute_phase"};
+const Names amplitudes{"amplitude", "amplitude_monoharmonic", "absolute_amplitude", "transmissibility"};
 
 double phase_of_contact(const ProtocolQuestion& q) {
     Choices c;
@@ -54,7 +55,7 @@ std::optional<Value> elongation(const ProtocolQuestion& q) {
 // The response to sin(tau) is a quarter of a period late.
 std::optional<Value> under_a_sine(const ProtocolQuestion& q) {
     std::optional<Value> value = plain_answer(q);
-    if (!value || !asks_for(q, {"phase", "phase_monoharmonic", "motion_under_force"})) return std::nullopt;
+    if (!value || !asks_for(q, {"phase", "phase_monoharmonic", "absolute_phase", "motion_under_force"})) return std::nullopt;
     if (q.quantity != "motion_under_force") return Value{{wrapped_angle(value->numbers.front() + pi / 2)}, ""};
     if (q.samples % 4 != 0) return std::nullopt;
     std::rotate(value->numbers.begin(), value->numbers.end() - q.samples / 4, value->numbers.end());
@@ -85,17 +86,15 @@ std::vector<Mistake> mistakes_of_output() {
          each_changed(angles, [](double& x, const ProtocolQuestion&) { x = x < 0 ? x + 2 * pi : x; })},
         {"phase-behind-contact", "47", "Phases are given behind the mass in contact; the protocol has the lag behind the force.",
          "whether phi_j is added in (47) and (53)",
-         each_changed(angles,
+         each_changed(angles_of_paper,
                       [](double& x, const ProtocolQuestion& q) { x = slides(q) ? wrapped_angle(x - phase_of_contact(q)) : x; })},
         {"peak-to-peak", "38", "Amplitudes are given peak to peak; the protocol has the largest displacement.",
-         "a factor of 2 in the amplitude",
-         each_changed({"amplitude", "amplitude_monoharmonic"}, [](double& x, const ProtocolQuestion&) { x *= 2; })},
+         "a factor of 2 in the amplitude", each_changed(amplitudes, [](double& x, const ProtocolQuestion&) { x *= 2; })},
         {"amplitude-halved", "38", "Amplitudes are halved, as if the motion had been taken peak to peak before.",
-         "a factor of 1/2 in the amplitude",
-         each_changed({"amplitude", "amplitude_monoharmonic"}, [](double& x, const ProtocolQuestion&) { x /= 2; })},
+         "a factor of 1/2 in the amplitude", each_changed(amplitudes, [](double& x, const ProtocolQuestion&) { x /= 2; })},
         {"root-mean-square", "38", "Amplitudes are those of a harmonic motion over sqrt(2): its root mean square.",
          "how the amplitude is read off the motion",
-         each_changed({"amplitude", "amplitude_monoharmonic"}, [](double& x, const ProtocolQuestion&) { x /= std::sqrt(2.0); })},
+         each_changed(amplitudes, [](double& x, const ProtocolQuestion&) { x /= std::sqrt(2.0); })},
         {"static-deflection-of-loaded-mass", "5",
          "Displacements are in units of the static deflection of the loaded mass; (5) has P / k_1.",
          "the unit of displacements: the stiffness of the first spring",

@@ -75,21 +75,24 @@ bool slides(const PlainModes& m, const Choices& c) {
     return m.beta < plain_limit(m, {}, plain_demand(m, {}, false));
 }
 
+bool is_absolute(const ProtocolQuestion& q) { return quantity(q.quantity).absolute; }
+
 PlainRow row_of_mass(const ProtocolQuestion& q, const PlainSystem& s) { return q.mass == 0 ? s.w : place_of(q.mass, s.size()); }
 
-// The answer that the last period of a motion shows.
-std::optional<Value> read_off(const PlainContact& motion, const ProtocolQuestion& q) {
+// The answer that the last period of a motion shows, in a frame that moves by frame cos(tau).
+std::optional<Value> read_off(const PlainContact& motion, const ProtocolQuestion& q, double frame = 0) {
     if (q.quantity == "stops_per_period") return Value{{static_cast<double>(motion.stops().size())}, ""};
     if (q.quantity == "stop_durations") return Value{motion.stops(), ""};
     if (q.quantity == "rest_interval") return std::nullopt;
     const PlainRow row = row_of_mass(q, motion.system);
     if (q.quantity == "motion_under_force") return Value{motion.samples(row, q.samples), ""};
-    const auto [tau, x] = motion.largest(row);
+    const auto [tau, x] = motion.largest(row, frame);
     return Value{{q.quantity == "amplitude" ? std::abs(x) : std::remainder(tau + (x < 0 ? pi : 0), 2 * pi)}, ""};
 }
 
 // The answer for a contact that rests permanently, under a force that holds it.
-std::optional<Value> answer_of_stuck_motion(const ProtocolQuestion& q, const PlainSystem& s, const std::vector<Phasor>& held) {
+std::optional<Value> answer_of_stuck_motion(const ProtocolQuestion& q, const PlainSystem& s, const std::vector<Phasor>& held,
+                                            double frame) {
     const double force = modulus(held.back()), compliance = dot(s.w, solved(s.K, s.w));
     if (q.quantity == "rest_interval") return Value{{(s.mu * s.beta - force) * compliance}, ""};
     if (q.quantity == "stops_per_period") return Value{{0}, ""};
@@ -104,6 +107,7 @@ std::optional<Value> answer_of_stuck_motion(const ProtocolQuestion& q, const Pla
     }
     constexpr double rounding = 1e-14;
     if (row == s.w || modulus(X) <= rounding * largest) X = {0, 0};
+    X.re += frame;
     if (q.quantity == "amplitude") return Value{{modulus(X)}, ""};
     if (q.quantity != "phase") return sampled(q, [&](double tau) { return times_cosine(X, tau); });
     return modulus(X) > 0 ? std::optional(Value{{-argument(X)}, ""}) : std::nullopt;
@@ -132,20 +136,32 @@ const std::optional<PlainContact>& settled(const ProtocolQuestion& q) {
 }
 
 // The answer for a contact that rests during a part of every period, or permanently.
-std::optional<Value> answer_of_steady_motion(const ProtocolQuestion& q) {
+std::optional<Value> answer_of_steady_motion(const ProtocolQuestion& q, double frame) {
     const PlainSystem s = plain_system(q);
     const std::vector<Phasor> held = held_response(s);
     const bool may_rest = s.mu * s.beta >= modulus(held.back());
-    if (may_rest && s.mu <= 1) return answer_of_stuck_motion(q, s, held);
+    if (may_rest && s.mu <= 1) return answer_of_stuck_motion(q, s, held, frame);
     const std::optional<PlainContact>& motion = settled(q); // from rest the contact may never come to rest for good
-    if (may_rest && (!motion || motion->rests())) return answer_of_stuck_motion(q, s, held);
-    return motion ? read_off(*motion, q) : std::nullopt;
+    if (may_rest && (!motion || motion->rests())) return answer_of_stuck_motion(q, s, held, frame);
+    return motion ? read_off(*motion, q, frame) : std::nullopt;
 }
 
 Value regime(const ProtocolQuestion& q, const PlainModes& m, const Choices& c) {
     if (c.beyond_the_boundary) return {{}, "continuous"};
     if (m.beta < plain_limit(m, c, plain_demand(m, c, false))) return {{}, "continuous"};
     return {{}, m.beta >= plain_sticking_limit(q, m, c) ? "permanent_sticking" : "stick_slip"};
+}
+
+// What the contact bears of the load where inertia is all that counts, over a unit force on it: (86) is for 1. None where the load
+// of a base or wall grows with the frequency.
+double share_at_high_frequency(const ProtocolQuestion& q) {
+    if (is_of_the_paper(q)) return 1;
+    const PlainSystem s = plain_system(q);
+    const PlainRow dampers = times(s.C, PlainRow(s.size(), 1));
+    const bool damped = std::ranges::any_of(dampers, [](double c) { return c != 0; });
+    if (q.base_motion == "wall" || (q.base_motion == "alone" && damped)) throw NoPlainAnswer();
+    const PlainRow pull = solved(s.M, s.w);
+    return modulus({dot(pull, s.p), dot(pull, s.p_i)}) / dot(pull, s.w);
 }
 
 // Quantities of the modes and of the boundaries, which do not depend on the motion; none for another quantity.
@@ -168,7 +184,7 @@ std::optional<std::vector<double>> without_motion(const ProtocolQuestion& q, con
         return std::vector{plain_limit(m, c, plain_demand(m, c, name == "beta_lim_paper"))};
     if (name == "beta_lim_approximate") return std::vector{plain_approximate_limit(m, c)};
     if (name == "beta_lim_sticking") return std::vector{plain_sticking_limit(q, m, c)};
-    if (name == "beta_lim_high_frequency") return std::vector{2 / elementary::hypot(2 * m.mu, pi)};
+    if (name == "beta_lim_high_frequency") return std::vector{share_at_high_frequency(q) * 2 / elementary::hypot(2 * m.mu, pi)};
     return std::nullopt;
 }
 
@@ -189,19 +205,36 @@ std::vector<double> of_motion(const ProtocolQuestion& q, const PlainModes& m, co
     return {};
 }
 
-std::optional<Value> computed(const ProtocolQuestion& q, const Choices& c) {
-    const PlainModes m = plain_modes(q, c);
+// The answer to a question; of the motion in a frame that moves by frame cos(tau).
+std::optional<Value> computed(const ProtocolQuestion& q, const Choices& c, double frame = 0) {
+    PlainModes m = plain_modes(q, c);
     std::size_t k = m.j;
     if (quantity(q.quantity).of_mass && (q.mass != 0 || q.contact_with == 0)) {
         if (q.mass < 1 || static_cast<std::size_t>(q.mass) > m.masses) return std::nullopt;
         k = static_cast<std::size_t>(q.mass - 1);
     }
+    if (frame != 0) {
+        const PlainSystem s = plain_system(q);
+        const bool as_given = frame == s.frame && q.loads.empty(); // else a mistake is made
+        k = add_row_in_frame(m, k, as_given ? plain_response_from_ground(s)[k] : Phasor{m.V[k].re + frame, m.V[k].im});
+    }
     if (m.coupled && asks_for(q, {"modal_frequency_ratios", "mode_shape_products"})) return std::nullopt;
     if (q.quantity == "regime") return regime(q, m, c);
     if (const std::optional<std::vector<double>> numbers = without_motion(q, m, c, k)) return Value{*numbers, ""};
-    if (is_of_motion(q.quantity) && !slides(m, c)) return c.closed_form_alone ? std::nullopt : answer_of_steady_motion(q);
+    if (is_of_motion(q.quantity) && !slides(m, c)) return c.closed_form_alone ? std::nullopt : answer_of_steady_motion(q, frame);
     if (q.quantity == "rest_interval") return std::nullopt;
     return Value{of_motion(q, m, c, k), ""};
+}
+
+// The answer about the motion that is seen from the ground, where the frame moves so many times as far as it does.
+std::optional<Value> computed_from_ground(ProtocolQuestion q, double times_frame) {
+    if (q.base_motion.empty()) throw NoPlainAnswer();
+    const PlainSystem s = plain_system(q);
+    const bool over_base = q.quantity == "transmissibility";
+    q.quantity = q.quantity == "absolute_phase" ? "phase" : "amplitude";
+    std::optional<Value> value = computed(q, {}, times_frame * s.frame);
+    if (value && over_base) value->numbers.front() /= s.base;
+    return value;
 }
 
 } // namespace
@@ -229,11 +262,16 @@ double wrapped_angle(double angle) {
 }
 
 std::optional<Value> plain_answer(const ProtocolQuestion& q) {
-    return where_finite([&] { return computed(q, {}); });
+    return where_finite([&] { return is_absolute(q) ? computed_from_ground(q, 1) : computed(q, {}); });
+}
+
+std::optional<Value> plain_answer_in_frame(const ProtocolQuestion& q, double times_frame) {
+    return where_finite([&] { return computed_from_ground(q, times_frame); });
 }
 
 std::optional<Value> plain_answer(const ProtocolQuestion& q, const Choices& c) {
-    return is_of_the_paper(q) ? where_finite([&] { return computed(q, c); }) : std::nullopt;
+    if (!is_of_the_paper(q) || is_absolute(q)) return std::nullopt;
+    return where_finite([&] { return computed(q, c); });
 }
 
 std::vector<std::optional<Value>> answers_of_transient(const ProtocolQuestion& q, int first, int last) {

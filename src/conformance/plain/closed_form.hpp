@@ -28,6 +28,10 @@ namespace denhartog::conformance {
 // The answer under a variation, for scenes of the paper.
 [[nodiscard]] std::optional<Value> plain_answer(const ProtocolQuestion& q, const Choices& c);
 
+// The answer to a question of an absolute motion, where the motion of the frame is added so many times: once is right, and not at
+// all gives the relative motion.
+[[nodiscard]] std::optional<Value> plain_answer_in_frame(const ProtocolQuestion& q, double times_frame);
+
 // An answer; none where it has a number that is not finite, or where NoPlainAnswer is thrown.
 [[nodiscard]] std::optional<Value> where_finite(const std::function<std::optional<Value>()>& answer);
 

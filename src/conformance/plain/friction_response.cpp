@@ -21,6 +21,7 @@ PlainMatrix equations_of(const PlainSystem& s, bool held) {
             if (k < N) force[i] = -s.K[i][k];
             if (k >= N && k < 2 * N) force[i] = -s.r * s.C[i][k - N];
             if (k == 2 * N) force[i] = s.p[i];
+            if (k == 2 * N + 1) force[i] = -s.p_i[i];
             if (k == 2 * N + 2) force[i] = -s.w[i];
         }
         PlainRow a = accelerations(std::move(force));

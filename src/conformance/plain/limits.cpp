@@ -133,7 +133,7 @@ double plain_sticking_limit_by_88(const ProtocolQuestion& q) {
 double plain_sticking_limit_without_damping(const ProtocolQuestion& q) {
     const PlainSystem s = plain_system(q);
     const std::vector<Phasor> X = held_response(s);
-    Phasor load{-dot(s.w, s.p), 0};
+    Phasor load{-dot(s.w, s.p), -dot(s.w, s.p_i)};
     for (std::size_t k = 0; k < s.size(); ++k) {
         const double elastic = dot(s.w, s.K[k]);
         load.re += elastic * X[k].re;
@@ -153,7 +153,7 @@ double plain_sticking_limit_by_sub_matrices(const ProtocolQuestion& q) {
             part.K[i][k] -= q.r * q.r * part.M[i][k];
             part.C[i][k] *= q.r;
         }
-    return spring * modulus(solved(part.K, part.C, force)[neighbour]) / q.mu;
+    return spring * modulus(solved(part.K, part.C, force, PlainRow(force.size()))[neighbour]) / q.mu;
 }
 
 double plain_demand(const PlainModes& m, const Choices& c, bool of_paper) {

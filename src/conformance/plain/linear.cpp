@@ -76,11 +76,11 @@ PlainRow solved(PlainMatrix A, PlainRow b) {
     return b;
 }
 
-std::vector<Phasor> solved(const PlainMatrix& A, const PlainMatrix& B, const PlainRow& b) {
+std::vector<Phasor> solved(const PlainMatrix& A, const PlainMatrix& B, const PlainRow& b, const PlainRow& b_i) {
     const std::size_t n = b.size();
     PlainMatrix both = square(2 * n); // of real and imaginary parts
     PlainRow right = b;
-    right.resize(2 * n);
+    right.insert(right.end(), b_i.begin(), b_i.end());
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t k = 0; k < n; ++k) {
             both[i][k] = both[n + i][n + k] = A[i][k];

@@ -27,8 +27,8 @@ struct Phasor {
 // The solution of a system of equations, by elimination with pivots. Not finite where the matrix is singular.
 [[nodiscard]] PlainRow solved(PlainMatrix A, PlainRow b);
 
-// The amplitudes X of (A + i B) X = b.
-[[nodiscard]] std::vector<Phasor> solved(const PlainMatrix& A, const PlainMatrix& B, const PlainRow& b);
+// The amplitudes X of (A + i B) X = b + i b_i.
+[[nodiscard]] std::vector<Phasor> solved(const PlainMatrix& A, const PlainMatrix& B, const PlainRow& b, const PlainRow& b_i);
 
 // The lower triangle L with L L^T = A.
 [[nodiscard]] PlainMatrix triangle_of(const PlainMatrix& A);

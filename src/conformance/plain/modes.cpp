@@ -149,6 +149,10 @@ void sum_modes(PlainModes& m) {
     };
     for (std::size_t k = 0; k < m.psi.size(); ++k) {
         m.V.push_back(response(k, m.l));
+        if (m.l_i != m.l) {
+            const Phasor ahead = response(k, m.l_i);
+            m.V.back() = {m.V.back().re - ahead.im, m.V.back().im + ahead.re};
+        }
         m.U.push_back(sum(k, m.j, [&](std::size_t i) { return m.u[i]; }));
         m.G.push_back(sum(k, m.j, [&](std::size_t i) { return m.g[i]; }));
     }
@@ -159,7 +163,7 @@ void sum_modes(PlainModes& m) {
 // The sums for damping that couples the modes: rows are then those of the masses, without modes.
 void sum_without_modes(PlainModes& m, const PlainSystem& s) {
     m.coupled = std::make_shared<FrictionResponse>(s);
-    const std::vector<Phasor> X = plain_response(s, s.p), Y = plain_response(s, s.w);
+    const std::vector<Phasor> X = plain_response(s), Y = plain_response_to_contact(s);
     const auto of_row = [](const PlainRow& row, const std::vector<Phasor>& all) {
         Phasor sum;
         for (std::size_t k = 0; k < row.size(); ++k) {
@@ -200,7 +204,8 @@ PlainModes plain_modes(const ProtocolQuestion& q, const Choices& c) {
     PlainMatrix rows = square(m.masses);
     for (std::size_t k = 0; k < m.masses; ++k) rows[k][k] = 1;
     m.j = row_of(rows, s.w);
-    m.l = row_of(rows, s.p);
+    m.l = m.l_i = row_of(rows, s.p);
+    if (std::ranges::any_of(s.p_i, [](double x) { return x != 0; })) m.l_i = row_of(rows, s.p_i);
     m.sum_of_squares = dot(s.w, solved(s.M, s.w)) / (q.r * q.r);
     for (std::size_t i = 0; i < m.masses; ++i) m.R.push_back(q.r / m.r_n[i]);
     if (s.coupled) {
@@ -222,6 +227,14 @@ PlainModes plain_modes(const ProtocolQuestion& q, const Choices& c) {
     sum_modes(m);
     if (c.change_sums) c.change_sums(m);
     return m;
+}
+
+std::size_t add_row_in_frame(PlainModes& m, std::size_t k, const Phasor& V) {
+    m.psi.push_back(m.psi[k]);
+    m.V.push_back(V);
+    m.U.push_back(m.U[k]);
+    m.G.push_back(m.G[k]);
+    return m.V.size() - 1;
 }
 
 Phasor response_of_mode(double R, double zeta) { return response_to_harmonic(1, R, zeta); }

@@ -55,6 +55,7 @@ struct PlainModes {
     std::size_t masses = 0;                          // their number
     std::size_t j = 0;                               // the row of the contact, counted from 0
     std::size_t l = 0;                               // the row of the load, counted from 0
+    std::size_t l_i = 0;                             // the row of what of it leads by a quarter of a period; l if nothing does
     double r = 0;                                    // frequency ratio
     double beta = 0;                                 // friction ratio
     double mu = 1;                                   // static over kinetic friction
@@ -76,6 +77,9 @@ struct PlainModes {
 
 // Modes and sums of a question. Not finite at a pole of a mode without damping. Throws NoPlainAnswer if there is no such mass.
 [[nodiscard]] PlainModes plain_modes(const ProtocolQuestion& q, const Choices& c);
+
+// Adds a row: that of a mass in another frame, where its complex response function is V. The row, counted from 0.
+std::size_t add_row_in_frame(PlainModes& m, std::size_t k, const Phasor& V);
 
 // (23).
 [[nodiscard]] Phasor response_of_mode(double R, double zeta);

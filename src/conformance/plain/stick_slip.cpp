@@ -230,16 +230,19 @@ PlainRow PlainContact::samples(const PlainRow& row, int count) const {
     return x;
 }
 
-std::pair<double, double> PlainContact::largest(const PlainRow& row) const {
+std::pair<double, double> PlainContact::largest(const PlainRow& row, double frame) const {
     std::pair<double, double> best{0, 0};
     const auto take = [&](double tau, double x) {
         if (std::abs(x) > std::abs(best.second) * (1 + 1e-12)) best = {tau, x};
     };
-    const bool of_contact = row == system.w && system.beta > 0; // it is at its largest where it comes to rest or turns
-    const PlainRow rates = in_state(row, system.size());
+    const std::size_t N = system.size();
+    const bool of_contact = row == system.w && system.beta > 0 && frame == 0; // it is at its largest where it rests or turns
+    PlainRow places = in_state(row, 0), rates = in_state(row, N);
+    places[2 * N] = frame;
+    rates[2 * N + 1] = -frame;
     for (std::size_t m = 0; m < period.size(); ++m) {
         const PlainStretch& s = period[m];
-        if (of_contact && m > 0 && period[m - 1].direction != 0) take(s.start(), displacement(row, s.states.front().second));
+        if (of_contact && m > 0 && period[m - 1].direction != 0) take(s.start(), dot(places, s.states.front().second));
         for (std::size_t n = 1; n < s.states.size() && !of_contact; ++n) {
             const auto& [tau, z] = s.states[n - 1];
             if (dot(rates, z) * dot(rates, s.states[n].second) > 0) continue;
@@ -247,11 +250,11 @@ std::pair<double, double> PlainContact::largest(const PlainRow& row) const {
             const double dt = s.states[n].first - tau;
             const PlainRow series = series_of(A, z, dt, rates);
             const double t = dt * zero_between([&](double x) { return polynomial(series, x); }, 0, 1);
-            take(tau + t, displacement(row, moved(A, z, t)));
+            take(tau + t, dot(places, moved(A, z, t)));
         }
     }
     for (const auto* end : {&period.front().states.front(), &period.back().states.back()}) // of a motion that is not periodic
-        take(end->first, displacement(row, end->second));
+        take(end->first, dot(places, end->second));
     return best;
 }
 

@@ -31,9 +31,9 @@ public:
     [[nodiscard]] bool rests() const { return period.size() == 1 && period.front().direction == 0; }
 
     // Of the last period: displacements at equal steps from the maximum of the force on; where the row of weights is at its
-    // largest, with the value; lengths of the stops, ascending.
+    // largest, with the value, in a frame that moves by frame cos(tau); lengths of the stops, ascending.
     [[nodiscard]] PlainRow samples(const PlainRow& row, int count) const;
-    [[nodiscard]] std::pair<double, double> largest(const PlainRow& row) const;
+    [[nodiscard]] std::pair<double, double> largest(const PlainRow& row, double frame = 0) const;
     [[nodiscard]] PlainRow stops() const;
 
     PlainSystem system;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "elementary/elementary.hpp"
+
 namespace denhartog::conformance {
 namespace {
 
@@ -34,7 +36,8 @@ void require_system(const ProtocolQuestion& q, std::size_t N) {
     };
     constexpr double positive = 1e-300;
     const bool is_system = is(q.mass_ratios, q.mass_matrix, positive) && is(q.stiffness_ratios, q.stiffness_matrix, positive) &&
-                           is(q.damping_ratios, q.damping_matrix, 0) && (q.loads.empty() || q.loads.size() == N);
+                           is(q.damping_ratios, q.damping_matrix, 0) && (q.loads.empty() || q.loads.size() == N) &&
+                           (q.load_phases.empty() || q.load_phases.size() == q.loads.size());
     if (N == 0 || !is_system || !(q.r > 0) || !std::isfinite(q.r) || (!is_of_the_paper(q) && !(q.beta >= 0)))
         throw NoPlainAnswer();
 }
@@ -68,6 +71,33 @@ void read_damping(PlainSystem& s) {
         s.zeta.push_back(in_modes[i][i] / (2 * s.shapes.r_n[i]));
         for (std::size_t k = 0; k < i; ++k)
             if (std::abs(in_modes[i][k]) > 1e-13 * std::sqrt(in_modes[i][i] * in_modes[k][k])) s.coupled = true;
+    }
+}
+
+// What moves, and the load that it is: by inertia in the frame of a wall, by springs and dampers where it moves alone. The forces
+// of the question come first.
+void read_load(PlainSystem& s, const ProtocolQuestion& q) {
+    const std::size_t N = s.size();
+    const bool with_wall = q.base_motion == "with_wall", wall = q.base_motion == "wall";
+    s.p_i.assign(N, 0);
+    if (!q.base_motion.empty()) {
+        s.base = with_wall ? 1 / (s.r * s.r) : 1; // P is m_1 omega^2 X, or k_1 X
+        s.frame = with_wall || wall ? s.base : 0;
+        s.base_stays = wall;
+    }
+    if (!q.loads.empty() || q.base_motion.empty()) {
+        s.p = q.loads.empty() ? place_of(q.load, N) : q.loads;
+        for (std::size_t k = 0; k < q.load_phases.size(); ++k) {
+            s.p_i[k] = s.p[k] * elementary::sin(q.load_phases[k]);
+            s.p[k] *= elementary::cos(q.load_phases[k]);
+        }
+        return;
+    }
+    const PlainRow ones(N, 1), masses = times(s.M, ones), springs = times(s.K, ones), dampers = times(s.C, ones);
+    s.p = with_wall ? masses : springs;
+    for (std::size_t k = 0; k < N && !with_wall; ++k) {
+        if (wall) s.p[k] = s.r * s.r * masses[k] - springs[k];
+        s.p_i[k] = (wall ? -s.r : s.r) * dampers[k];
     }
 }
 
@@ -109,21 +139,27 @@ PlainSystem plain_system(const ProtocolQuestion& q) {
         const PlainRow other = place_of(q.contact_with, N);
         for (std::size_t i = 0; i < N; ++i) s.w[i] -= other[i];
     }
-    if (!q.base_motion.empty())
-        s.p = times(q.base_motion == "alone" ? s.K : s.M, PlainRow(N, 1.0));
-    else
-        s.p = q.loads.empty() ? place_of(q.load, N) : q.loads;
+    read_load(s, q);
     return s;
 }
 
-std::vector<Phasor> plain_response(const PlainSystem& s, const PlainRow& load) {
-    return solved(dynamic_stiffness(s), scaled(s.C, s.r), load);
+std::vector<Phasor> plain_response(const PlainSystem& s) { return solved(dynamic_stiffness(s), scaled(s.C, s.r), s.p, s.p_i); }
+
+std::vector<Phasor> plain_response_to_contact(const PlainSystem& s) {
+    return solved(dynamic_stiffness(s), scaled(s.C, s.r), s.w, PlainRow(s.size()));
+}
+
+std::vector<Phasor> plain_response_from_ground(const PlainSystem& s) {
+    const PlainRow ones(s.size(), s.base_stays ? 0 : s.base);
+    PlainRow dampers = times(s.C, ones);
+    for (double& x : dampers) x *= s.r;
+    return solved(dynamic_stiffness(s), scaled(s.C, s.r), times(s.K, ones), dampers);
 }
 
 std::vector<Phasor> held_response(const PlainSystem& s) {
     const std::size_t N = s.size();
     PlainMatrix D = dynamic_stiffness(s), C = scaled(s.C, s.r);
-    PlainRow load = s.p;
+    PlainRow load = s.p, load_i = s.p_i;
     for (std::size_t i = 0; i < N; ++i) {
         D[i].push_back(s.w[i]);
         C[i].push_back(0);
@@ -132,7 +168,8 @@ std::vector<Phasor> held_response(const PlainSystem& s) {
     D.back().push_back(0);
     C.emplace_back(N + 1);
     load.push_back(0);
-    return solved(D, C, load);
+    load_i.push_back(0);
+    return solved(D, C, load, load_i);
 }
 
 PlainPart part_of(const ProtocolQuestion& q, const PlainSystem& s, std::size_t from, std::size_t to) {

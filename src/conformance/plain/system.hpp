@@ -1,4 +1,4 @@
-// The system of a question in the units of the paper: r^2 M x'' + r C x' + K x = p cos(tau) - beta w sgn(w x').
+// The system of a question in the units of the paper: r^2 M x'' + r C x' + K x = p cos(tau) - p_i sin(tau) - beta w sgn(w x').
 #pragma once
 
 #include "conformance/plain/linear.hpp"
@@ -10,8 +10,11 @@ namespace denhartog::conformance {
 struct NoPlainAnswer {};
 
 struct PlainSystem {
-    PlainMatrix M, K, C; // (8), (73), (19)
-    PlainRow w, p;       // rows of the contact and the load
+    PlainMatrix M, K, C;     // (8), (73), (19)
+    PlainRow w, p, p_i;      // rows of the contact and the load; p_i leads by a quarter of a period, zeros if all is in phase
+    double base = 0;         // amplitude of the base or wall that moves, units of P / k_1
+    bool base_stays = false; // whether the wall alone moves
+    double frame = 0;        // how far the frame of the displacements moves with it: x + frame cos(tau) are absolute
     double r = 0, beta = 0, mu = 1;
     PlainShapes shapes;   // with natural frequency ratios
     PlainRow zeta;        // modal damping ratios; the diagonal where damping couples the modes
@@ -27,7 +30,12 @@ struct PlainSystem {
 [[nodiscard]] PlainSystem plain_system(const ProtocolQuestion& q);
 
 // The response to the load at the frequency of the question, V_dk without friction; or to a force on the contact.
-[[nodiscard]] std::vector<Phasor> plain_response(const PlainSystem& s, const PlainRow& load);
+[[nodiscard]] std::vector<Phasor> plain_response(const PlainSystem& s);
+[[nodiscard]] std::vector<Phasor> plain_response_to_contact(const PlainSystem& s);
+
+// V_dk and the motion of the frame, without their difference: what springs and dampers hand on of a base that moves. A wall moves
+// no mass but by friction.
+[[nodiscard]] std::vector<Phasor> plain_response_from_ground(const PlainSystem& s);
 
 // The response with the contact held at zero; behind the masses the force that holds it.
 [[nodiscard]] std::vector<Phasor> held_response(const PlainSystem& s);

@@ -8,6 +8,7 @@
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/solve/decision.hpp"
+#include "denhartog/sums/load_of_base.hpp"
 #include "denhartog/version.hpp"
 
 using namespace denhartog;
@@ -126,11 +127,14 @@ SolvedMass c_interface::sliding_at(const dh_system* system, double r, double bet
 Bounded<double> c_interface::limit_at_high_frequency(const dh_system* system, double mu) {
     check_static_friction(mu);
     const System<double>& s = system->prepared.scene().system;
-    if (load_depends_on_frequency(s))
+    const bool changes = load_depends_on_frequency(s);
+    const System<double> at = changes && s.base_motion == BaseMotion::alone ? with_load_at(s, 1) : s; // dampers that load nothing
+    if (changes && (at.base_motion == BaseMotion::wall || !at.load_phases.empty()))
         throw DomainError(
-            "(86) is for one load at all frequencies, not for that of a wall alone, or of a base alone with dampers");
+            "(86) is for one load at all frequencies, not for that of a wall alone, or of a base alone with dampers "
+            "to the base");
     const Bounded<double> limit = paper::friction_ratio_limit_at_high_frequency(Bounded<double>(mu));
-    if (contact_row(s) == load_row(s)) return limit;
+    if (!changes && contact_row(s) == load_row(s)) return limit;
     // V_dj and U_dj fall with w^T M^-1 p and w^T M^-1 w, the sums over the modes.
     const Matrix<Bounded<double>>& phi = system->modes->phi;
     const auto with_contact = [&](Mass row) {
@@ -139,8 +143,14 @@ Bounded<double> c_interface::limit_at_high_frequency(const dh_system* system, do
             sum += phi(static_cast<Eigen::Index>(contact_row(s).index), i) * phi(static_cast<Eigen::Index>(row.index), i);
         return sum;
     };
-    const LoadRows rows = load_rows(s);
-    const Complex<Bounded<double>> load{with_contact(rows.re), rows.im ? with_contact(*rows.im) : Bounded<double>(0)};
+    Complex<Bounded<double>> load{Bounded<double>(0), Bounded<double>(0)};
+    if (changes) {
+        for (std::size_t k = 0; k < at.load_vector.size(); ++k)
+            load.re += Bounded<double>(at.load_vector[k], at.load_error[k]) * with_contact(Mass{k});
+    } else {
+        const LoadRows rows = load_rows(s);
+        load = {with_contact(rows.re), rows.im ? with_contact(*rows.im) : Bounded<double>(0)};
+    }
     if (std::abs(load.re.x) <= load.re.e && std::abs(load.im.x) <= load.im.e)
         throw DomainError("(86) is for a contact that bears the load, j = l: here inertia keeps the load away from the contact");
     return limit * modulus(load) / with_contact(contact_row(s));

@@ -62,7 +62,7 @@ std::string_view sentence(Why says) {
         {rests_only_from, "only from beta = {0~1} on the contact never moves"},
         {nothing_holds, "no friction can hold the contact, because the system resonates with it held"},
         {near_boundary, "beta lies on a boundary to the accuracy computed"},
-        {on_boundary, "beta lies on a boundary"},
+        {on_boundary, "beta lies within the error bound of a boundary"},
         {boundaries_unknown, "the boundaries are not known: "},
         {boundary_out_of_range, "the boundary is beyond the range of the number type, or has no bound in it"},
         {not_sliding, "the contact does not slide throughout: beta = {0} is not below beta_lim = {1}, Eq. (69)"},

@@ -85,7 +85,8 @@ FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, cons
         throw InputError("samples", "must be from 2 to " + std::to_string(most_samples_to_find), std::to_string(samples));
     check_interval("between", varied);
     const Json::json_pointer place = place_of(varied.key, given);
-    long questions = 0;
+    long questions = 0, left_out = 0;
+    Reasons left_out_why;
     std::optional<InputError> inadmissible; // a value in an interval that a scene cannot have
     const auto admitted = [&](const auto& ask) -> SeenAmplitude {
         try {
@@ -109,8 +110,11 @@ FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, cons
             given[place] = x;
             given[second] = own;
             return admitted([&] {
-                AmplitudeSearch search(first_places(*wanted.over, given, samples),
-                                       [&](double y) { return amplitude_with(second, y); });
+                AmplitudeSearch search(first_places(*wanted.over, given, samples), [&](double y) {
+                    SeenAmplitude seen = amplitude_with(second, y);
+                    if (!seen.amplitude && left_out++ == 0) left_out_why = seen.why;
+                    return seen;
+                });
                 return search.amplitude_of_extreme(wanted.of == AmplitudeIs::largest);
             });
         };
@@ -121,6 +125,8 @@ FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, cons
     if (found.places.empty() && inadmissible && found.unanswered.size() >= static_cast<std::size_t>(samples))
         throw InputError(*inadmissible); // all are
     found.questions = questions;
+    found.left_out = left_out;
+    found.left_out_why = left_out_why;
     if (found.places.empty() && !found.unanswered.empty())
         throw PrecisionError("no place was found, and the amplitude is not known at " + std::to_string(found.unanswered.size()) +
                              (found.unanswered.size() == 1 ? " sample: " : " samples: ") + found.why);

@@ -75,6 +75,8 @@ struct FoundPlaces {
     std::vector<double> unanswered; ///< values of the number at which there is no steady motion that is certain
     Reasons why;                    ///< the reason at the first of them
     long questions = 0;             ///< how many motions were asked for
+    long left_out = 0;              ///< how many of them, of a second number, have no answer: what was seen over it lacks them
+    Reasons left_out_why;           ///< the reason at the first of these
 };
 
 /// @brief Seeks the places in the interval.

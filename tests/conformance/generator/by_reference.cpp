@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 
+#include "denhartog/answer/from_ground.hpp"
 #include "denhartog/answer/reference_attempts.hpp"
 #include "denhartog/answer/reference_point.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
@@ -55,10 +56,16 @@ public:
     std::vector<Ball> numbers(const ProtocolQuestion& q) {
         const std::string& name = q.quantity;
         const std::size_t k = q.mass == 0 ? static_cast<std::size_t>(point_.scene.N()) : static_cast<std::size_t>(q.mass - 1);
+        if (quantity(name).absolute &&
+            base_motion() == BaseMotion::alone) { // displacements are absolute, and the base moves by 1
+            ProtocolQuestion relative = q;
+            relative.quantity = name == "absolute_phase" ? "phase" : "amplitude";
+            return numbers(relative);
+        }
         if (guess_) return of_orbit(q, k);
         if (name == "natural_frequency_ratios" || name == "modal_frequency_ratios" || name == "mode_shape_products")
             return of_modes(name, k);
-        if (name == "beta_lim_high_frequency") return {paper::friction_ratio_limit_at_high_frequency(point_.scene.mu)};
+        if (name == "beta_lim_high_frequency") return {limit_at_high_frequency(q)};
         if (name == "beta_lim_sticking") return point_.sticking ? std::vector<Ball>{*point_.sticking} : std::vector<Ball>{};
         if (regime_ == Regime::permanent_sticking) {
             const std::vector<Ball> held = of_held(q, k);
@@ -108,6 +115,31 @@ private:
         return x;
     }
 
+    // (86), times what the contact bears of the load where inertia is all that counts, over a unit force on it.
+    [[nodiscard]] Ball limit_at_high_frequency(const ProtocolQuestion& q) const {
+        const Ball limit = paper::friction_ratio_limit_at_high_frequency(point_.scene.mu);
+        if (is_of_the_paper(q)) return limit; // j = l
+        const ModesInBalls m = modes_in_balls(point_.scene);
+        const auto with_contact = [&](const std::vector<Ball>& row) {
+            Ball sum(0);
+            for (std::size_t i = 0; i < row.size(); ++i) sum += m.at_contact()[i] * row[i];
+            return sum;
+        };
+        const std::vector<Ball>* ahead = m.at_load_i();
+        const Complex<Ball> load{with_contact(m.at_load()), ahead != nullptr ? with_contact(*ahead) : Ball(0)};
+        return limit * modulus(load) / with_contact(m.at_contact());
+    }
+
+    [[nodiscard]] BaseMotion base_motion() const { return source_->scene->system.base_motion; }
+    [[nodiscard]] Ball base() const { return amplitude_of_base(base_motion(), point_.scene.r).value(); }
+
+    // The answer to a question of the motion that is seen from the ground.
+    [[nodiscard]] std::vector<Ball> from_ground(const ProtocolQuestion& q, const Ball& amplitude,
+                                                const std::optional<Ball>& phase) const {
+        if (q.quantity == "absolute_phase") return phase ? std::vector<Ball>{*phase} : std::vector<Ball>{};
+        return {q.quantity == "transmissibility" ? amplitude / base() : amplitude};
+    }
+
     [[nodiscard]] std::vector<Ball> of_modes(const std::string& name, std::size_t k) const {
         const ModesInBalls m = modes_in_balls(point_.scene);
         std::vector<Ball> all;
@@ -122,6 +154,10 @@ private:
         if (!point_.stuck) throw DomainError("the system may resonate with the contact held");
         const Ball reach = point_.scene.mu * *point_.scene.beta - modulus(point_.stuck->load);
         if (q.quantity == "rest_interval") return {reach * point_.stuck->compliance};
+        if (quantity(q.quantity).absolute) {
+            const Complex<Ball> X{point_.stuck->X[k].re + base(), point_.stuck->X[k].im};
+            return from_ground(q, root_of_positive(squared_modulus(X)), wrapped_in_balls(-argument(X)));
+        }
         const Complex<Ball> X = is_contact(k) ? Complex<Ball>{Ball(0), Ball(0)} : point_.stuck->X[k];
         const bool rests = X.re.is_zero() && X.im.is_zero();
         if (q.quantity == "amplitude") return {root_of_positive(squared_modulus(X))};
@@ -139,6 +175,12 @@ private:
             if (q.quantity == "displacement") return {displacement(motion.at(Ball(q.tau) + contact.phi_j), k)};
             return samples(q, k, [&](const Ball& tau) { return motion.at(tau); });
         }
+        if (quantity(q.quantity).absolute) {
+            ResponsesInBalls seen = responses();
+            seen.V[k] = response_from_ground(seen.V[k], base_motion(), base());
+            const SlidingMassInBalls absolute = mass_in_balls(seen, contact, beta, k, false);
+            return from_ground(q, absolute.amplitude, absolute.phase);
+        }
         const SlidingMassInBalls m = mass_in_balls(responses(), contact, beta, k, is_contact(k));
         if (q.quantity == "amplitude") return {m.amplitude};
         if (q.quantity == "phase") return {m.phase};
@@ -155,7 +197,9 @@ private:
             if (!phases_) phases_ = orbit_in_phases(scene, *guess_, bits_);
             return samples(q, k, [&](const Ball& tau) { return phases_->at(tau); });
         }
-        if (!orbit_) orbit_ = proved_orbit(scene, *guess_, bits_, {}, false);
+        const bool frame_moves = base_motion() == BaseMotion::with_wall || base_motion() == BaseMotion::wall;
+        if (!orbit_) orbit_ = proved_orbit(scene, *guess_, bits_, {}, false, frame_moves ? std::optional(base()) : std::nullopt);
+        if (quantity(q.quantity).absolute) return from_ground(q, orbit_->from_ground[k].size, orbit_->from_ground[k].phase);
         if (q.quantity == "amplitude") return {orbit_->amplitude[k]};
         if (q.quantity == "phase") return orbit_->phase[k] ? std::vector<Ball>{*orbit_->phase[k]} : std::vector<Ball>{};
         if (q.quantity == "stops_per_period") return {Ball(orbit_->stops.size())};

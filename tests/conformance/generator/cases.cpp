@@ -53,6 +53,7 @@ std::vector<Case> all_cases() {
         c.first_number = numbers[c.group] + 1;
         numbers[c.group] += static_cast<int>(c.asked.size());
     }
+    std::erase_if(all, [](const Case& c) { return c.withdrawn; });
     return all;
 }
 

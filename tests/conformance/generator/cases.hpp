@@ -32,6 +32,7 @@ struct Case {
     std::vector<std::string> flags;      ///< what the scene has besides what can be seen from its numbers
     std::string reject;                  ///< the rule it breaks; empty where it breaks none
     int first_number = 0;                ///< number of its first question within the group
+    bool withdrawn = false;              ///< whether it is no longer asked; its ids are not used again
 };
 
 /// @brief Numbers that are the same everywhere: SplitMix64.

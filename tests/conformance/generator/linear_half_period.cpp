@@ -107,6 +107,36 @@ T largest_demand(const LinearHalfPeriod<T>& h) {
     return std::max(largest, largest_inside);
 }
 
+template <class T>
+FurthestPlace<T> furthest_turn(const Matrix<T>& A, const Vector<T>& z, const Vector<T>& row, const T& length, int samples) {
+    using std::abs;
+    const Vector<T> rates = A.transpose() * row;
+    const auto rate = [&](const Vector<T>& at) { return T(rates.dot(at)); };
+    const T h = length / samples;
+    const Matrix<T> step = matrix_exponential(Matrix<T>(A * h));
+    FurthestPlace<T> best;
+    Vector<T> now = z;
+    for (int s = 0; s < samples; ++s) {
+        const Vector<T> next = step * now;
+        const bool rises = rate(now) > T(0);
+        if (rises != (rate(next) > T(0))) {
+            T low(0), high(h), dt = h / 2;
+            for (int n = 0; n < 400; ++n) {
+                const Vector<T> at = moved(A, now, dt);
+                ((rate(at) > T(0)) == rises ? low : high) = dt;
+                const T newton = dt - rate(at) / rate(Vector<T>(A * at));
+                const T change = (newton > low && newton < high ? newton : T((low + high) / 2)) - dt;
+                dt += change;
+                if (abs(change) < std::numeric_limits<T>::epsilon() * 16) break;
+            }
+            const T x = row.dot(moved(A, now, dt));
+            if (abs(x) > abs(best.x)) best = {x, T(s * h + dt)};
+        }
+        now = next;
+    }
+    return best;
+}
+
 template int steps_for(const Real50&);
 template int steps_for(const Real100&);
 template LinearHalfPeriod<Real50> linear_half_period(HalfPeriodProblem<Real50>, int);
@@ -121,5 +151,9 @@ template Real50 acceleration_at_start(const LinearHalfPeriod<Real50>&);
 template Real100 acceleration_at_start(const LinearHalfPeriod<Real100>&);
 template Real50 largest_demand(const LinearHalfPeriod<Real50>&);
 template Real100 largest_demand(const LinearHalfPeriod<Real100>&);
+template FurthestPlace<Real50> furthest_turn(const Matrix<Real50>&, const Vector<Real50>&, const Vector<Real50>&, const Real50&,
+                                             int);
+template FurthestPlace<Real100> furthest_turn(const Matrix<Real100>&, const Vector<Real100>&, const Vector<Real100>&,
+                                              const Real100&, int);
 
 } // namespace denhartog::conformance::generator

@@ -58,4 +58,23 @@ template <class T>
 template <class T>
 [[nodiscard]] T largest_demand(const LinearHalfPeriod<T>& h);
 
+/// @brief Where a row over the state is largest in size.
+template <class T>
+struct FurthestPlace {
+    T x{0};       ///< its value there
+    T instant{0}; ///< when, from the start of the stretch
+};
+
+/// @brief The turning points of a row over the state of z' = Az: where its rate changes its sign between equal samples, by Newton's
+/// method, and bisection where that leaves the interval. The ends of the stretch are not among them.
+/// @param A        the matrix
+/// @param z        the state at the start
+/// @param row      weights of the state
+/// @param length   length of the stretch
+/// @param samples  their number
+/// @return         the turning point where the row is largest in size; zero where there is none
+template <class T>
+[[nodiscard]] FurthestPlace<T> furthest_turn(const Matrix<T>& A, const Vector<T>& z, const Vector<T>& row, const T& length,
+                                             int samples);
+
 } // namespace denhartog::conformance::generator

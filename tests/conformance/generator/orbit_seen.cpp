@@ -2,6 +2,7 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
+#include "denhartog/sums/load_of_base.hpp"
 #include "tests/conformance/generator/route.hpp"
 
 namespace denhartog::conformance::generator {
@@ -24,7 +25,7 @@ State cut(State z) {
 
 OrbitSeen orbit_seen(const ProtocolQuestion& q) {
     const Scene<double> scene = scene_of(q);
-    const ContactSystem system = contact_system(scene.system);
+    const ContactSystem system = contact_system(with_load_at(scene.system, q.r));
     ExactSolver solver(system, {q.r, q.beta, q.mu});
     OrbitSearch search;
     search.most_periods = 2000;

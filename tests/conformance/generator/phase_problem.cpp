@@ -39,9 +39,12 @@ public:
 
     std::vector<T> numbers(const ProtocolQuestion& q) override {
         const Vector<T> d = q.mass > 0 ? Vector<T>(Vector<T>::Unit(N_, q.mass - 1)) : w_; // the displacement asked about
-        if (q.quantity == "amplitude") return {T(abs(extremum(d).x))};
-        if (q.quantity == "phase") {
-            const Furthest e = extremum(d);
+        const bool absolute = quantity(q.quantity).absolute;
+        const T frame = absolute ? frame_of<T>(q) : T(0);
+        if (q.quantity == "amplitude" || q.quantity == "absolute_amplitude") return {T(abs(extremum(d, frame).x))};
+        if (q.quantity == "transmissibility") return {T(abs(extremum(d, frame).x) / base_of<T>(q))};
+        if (q.quantity == "phase" || q.quantity == "absolute_phase") {
+            const FurthestPlace<T> e = extremum(d, frame);
             const T instant = e.instant + (e.x < T(0) ? pi<T>() : T(0));
             return {T(atan2(T(sin(instant)), T(cos(instant))))};
         }
@@ -58,10 +61,6 @@ public:
     }
 
 private:
-    struct Furthest {
-        T x, instant;
-    };
-
     HalfPeriodProblem<T> p_;
     Vector<T> w_; ///< displacement of the contact over the masses
     Index N_, j_; ///< a mass that it moves is j
@@ -156,49 +155,26 @@ private:
         return sign * d.dot(moved(of(n), states_[n], T(tau - starts_[n])).head(N_));
     }
 
-    // The contact is furthest where a phase starts; another mass where its velocity, which is continuous, changes its sign.
-    Furthest extremum(const Vector<T>& d) const {
-        const auto velocity = [&](const Vector<T>& z) { return T(d.dot(z.segment(N_, N_))); };
-        Furthest best{T(0), T(0)};
+    // The contact is furthest where a phase starts; another mass, or any in a frame that moves, where its velocity, which is
+    // continuous, changes its sign.
+    FurthestPlace<T> extremum(const Vector<T>& d, const T& frame) const {
+        FurthestPlace<T> best;
         const auto note = [&](const T& x, const T& instant) {
             if (abs(x) > abs(best.x)) best = {x, instant};
         };
+        Vector<T> row = Vector<T>::Zero(2 * N_ + 3);
+        row.head(N_) = d;
+        row(2 * N_) = frame;
         for (std::size_t n = 0; n < states_.size(); ++n) {
-            if (d == w_) { // after a rest it is where it was, but rounded
+            if (d == w_ && frame == T(0)) { // after a rest it is where it was, but rounded
                 if (n == 0 || directions_[n - 1] != 0) note(T(d.dot(states_[n].head(N_))), starts_[n]);
                 continue;
             }
             constexpr int samples = 64;
-            const T h = (end_of(n) - starts_[n]) / samples;
-            const Matrix<T> step = matrix_exponential(Matrix<T>(of(n) * h));
-            Vector<T> z = states_[n];
-            for (int s = 0; s < samples; ++s) {
-                const Vector<T> next = step * z;
-                if ((velocity(z) > T(0)) != (velocity(next) > T(0))) {
-                    const auto [x, dt] = turning_point(of(n), z, d, h);
-                    note(x, T(starts_[n] + s * h + dt));
-                }
-                z = next;
-            }
+            const FurthestPlace<T> turn = furthest_turn<T>(of(n), states_[n], row, T(end_of(n) - starts_[n]), samples);
+            note(turn.x, T(starts_[n] + turn.instant));
         }
         return best;
-    }
-
-    // Between z and a time h later: Newton's method on the velocity, bisection where it leaves the interval.
-    static std::pair<T, T> turning_point(const Matrix<T>& A, const Vector<T>& z, const Vector<T>& d, const T& h) {
-        const Index N = d.size();
-        const auto velocity = [&](const Vector<T>& at) { return T(d.dot(at.segment(N, N))); };
-        const bool rises = velocity(z) > T(0);
-        T low(0), high(h), dt = h / 2;
-        for (int n = 0; n < 400; ++n) {
-            const Vector<T> at = moved(A, z, dt);
-            ((velocity(at) > T(0)) == rises ? low : high) = dt;
-            const T next = dt - velocity(at) / velocity(Vector<T>(A * at));
-            const T change = (next > low && next < high ? next : T((low + high) / 2)) - dt;
-            dt += change;
-            if (abs(change) < std::numeric_limits<T>::epsilon() * 16) break;
-        }
-        return {T(d.dot(moved(A, z, dt).head(N))), dt};
     }
 };
 

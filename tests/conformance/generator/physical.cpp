@@ -42,7 +42,8 @@ public:
         if (name == "beta_lim_paper") return {slides_below(std::max(sum_of_maxima(), held_demand()))};
         if (name == "beta_lim_approximate") return {slides_below(held_demand())};
         if (name == "beta_lim_sticking") return {T(held_load() / mu_)};
-        if (regime_ == Regime::permanent_sticking) return held(q, x);
+        if (regime_ == Regime::permanent_sticking) return quantity(name).absolute ? held_from_ground(q, x) : held(q, x);
+        if (quantity(name).absolute) return sliding_from_ground(q, x);
         if (regime_ == Regime::continuous) return sliding(q, x);
         return {};
     }
@@ -140,6 +141,7 @@ private:
         A.block(2 * N, 0, 1, N) = A.block(2 * N + 1, N, 1, N) = w_.transpose();
         Vector<T> b = Vector<T>::Zero(2 * N + 2);
         b.head(N) = load_vector(p_);
+        b.segment(N, N) = leading_load(p_);
         return Eigen::FullPivLU<Matrix<T>>(A).solve(b);
     }
 
@@ -163,6 +165,33 @@ private:
     }
 
     bool is_contact(const Vector<T>& x) const { return x == w_; }
+
+    std::vector<T> held_from_ground(const ProtocolQuestion& q, const Vector<T>& x) {
+        const Index N = p_.M.rows();
+        const Vector<T> X = held_motion();
+        const T re = frame_of<T>(q) + (is_contact(x) ? T(0) : x.dot(X.head(N))),
+                im = is_contact(x) ? T(0) : x.dot(X.segment(N, N));
+        if (q.quantity == "absolute_phase") return {angle(T(-im), re)};
+        const T size = sqrt(T(re * re + im * im));
+        return {q.quantity == "transmissibility" ? T(size / base_of<T>(q)) : size};
+    }
+
+    // The largest absolute displacement.
+    std::vector<T> sliding_from_ground(const ProtocolQuestion& q, const Vector<T>& x) {
+        const Index N = p_.M.rows();
+        const T frame = frame_of<T>(q), phi = motion().phi_j;
+        FurthestPlace<T> place{x.dot(motion().x_0), T(0)};
+        if (frame != T(0) || !is_contact(x)) {
+            Vector<T> z(2 * N + 3), row = Vector<T>::Zero(2 * N + 3);
+            z << motion().x_0, motion().x_prime_0, cos(phi), sin(phi), T(1);
+            row.head(N) = x;
+            row(2 * N) = frame;
+            place = furthest_turn<T>(augmented_system(p_), z, row, pi<T>(), steps());
+        }
+        const T lag = phi + place.instant + (place.x < T(0) ? pi<T>() : T(0)), size = abs(place.x);
+        if (q.quantity == "absolute_phase") return {angle(T(sin(lag)), T(cos(lag)))};
+        return {q.quantity == "transmissibility" ? T(size / base_of<T>(q)) : size};
+    }
 
     const HalfPeriodMotion<T>& motion() {
         if (!motion_) motion_ = half_period_motion(p_, steps());

@@ -20,4 +20,16 @@ template <>
 template <>
 [[nodiscard]] HalfPeriodProblem<Real100> problem_of(const ProtocolQuestion& q);
 
+/// @brief How far a base or wall moves, in units of P / k_1. @param q the question @return the amplitude of what moves
+template <class T>
+[[nodiscard]] T base_of(const ProtocolQuestion& q) {
+    return q.base_motion == "with_wall" ? T(1 / (T(q.r) * T(q.r))) : T(1);
+}
+
+/// @brief How far the frame of the displacements moves. @param q the question @return the amplitude; 0 of a frame at rest
+template <class T>
+[[nodiscard]] T frame_of(const ProtocolQuestion& q) {
+    return q.base_motion == "with_wall" || q.base_motion == "wall" ? base_of<T>(q) : T(0);
+}
+
 } // namespace denhartog::conformance::generator

@@ -30,9 +30,21 @@ std::optional<Regimes> regimes_of(const ProtocolQuestion& scene) {
 }
 
 bool depends_on_friction(const std::string& quantity) {
-    static const char* const names[] = {
-        "amplitude",    "phase",  "amplitude_monoharmonic", "phase_monoharmonic", "initial_displacement", "initial_velocity",
-        "displacement", "regime", "stops_per_period",       "stop_durations",     "rest_interval",        "motion_under_force"};
+    static const char* const names[] = {"amplitude",
+                                        "phase",
+                                        "amplitude_monoharmonic",
+                                        "phase_monoharmonic",
+                                        "initial_displacement",
+                                        "initial_velocity",
+                                        "displacement",
+                                        "regime",
+                                        "stops_per_period",
+                                        "stop_durations",
+                                        "rest_interval",
+                                        "motion_under_force",
+                                        "absolute_amplitude",
+                                        "absolute_phase",
+                                        "transmissibility"};
     return std::find(std::begin(names), std::end(names), quantity) != std::end(names);
 }
 
@@ -58,6 +70,7 @@ std::vector<Neighbour> neighbours_of(const ProtocolQuestion& scene) {
     add_list("stiffness_ratios", &ProtocolQuestion::stiffness_ratios, 1);
     add_list("damping_ratios", &ProtocolQuestion::damping_ratios, 0);
     add_list("load", &ProtocolQuestion::loads, 0);
+    add_list("load_phases", &ProtocolQuestion::load_phases, 0);
     // Of a matrix both entries of a pair change. Those off the diagonal shrink: a dashpot alone leaves no room for more.
     const auto add_matrix = [&](const char* input, List matrix) {
         const std::size_t N = (scene.*matrix).empty() ? 0 : masses_of(scene);

@@ -31,7 +31,8 @@ Json scene_schema() {
                                      "the mass in contact, j, from 1; or two that rub against each other")},
                     {"load", told({{"oneOf", {integer, list_of(number)}}},
                                   "the loaded mass, l, from 1; or the force on each mass in units of P")},
-                    {"base_motion", told({{"type", "string"}}, "with_wall or alone, in place of load")},
+                    {"load_phases", told(list_of(number), "by how much each of the forces leads cos(tau), radians")},
+                    {"base_motion", told({{"type", "string"}}, "with_wall, alone or wall, in place of load")},
                     {"mu", told(number, "static over kinetic friction, Eq. (3)")},
                     {"r", told(number, "frequency ratio, Eq. (10)")},
                     {"beta", told(number, "friction ratio, Eq. (11)")}};

@@ -28,6 +28,20 @@ void move_base(ProtocolQuestion& q, const std::string& how) {
     if (how == "alone") q.damping_ratios.assign(masses_of(q), 0);
 }
 
+// Multiples of 1/8 of a radian; that of the first force that is not zero is not.
+void put_out_of_phase(Draw& draw, ProtocolQuestion& q) {
+    for (std::size_t k = 0; k < q.loads.size(); ++k) q.load_phases.push_back(draw.fraction(-3, 3, 8));
+    q.load_phases[q.contact == 1 ? 1 : 0] = draw.fraction(0.25, 2.5, 8);
+}
+
+// A base or a wall that moves, alone with its dampers or both together; the contact with the wall stays where the wall moves alone.
+void move_anything(Draw& draw, ProtocolQuestion& q, int n) {
+    static const char* const motions[] = {"alone", "wall", "with_wall"};
+    q.load = 0;
+    q.base_motion = motions[n % 3];
+    if (n % 5 == 4 && q.base_motion != "wall") rub_two_masses(draw, q);
+}
+
 // A spring or a dashpot between two masses, or between one and the ground where the other is 0.
 void put_between(std::vector<double>& matrix, int N, int a, int b, double strength) {
     matrix[at(a, a, N)] += strength;
@@ -110,6 +124,33 @@ void ask_of_rest(Case& c, Draw& draw) {
     c.asked = {ask("amplitude", k), ask("phase", k), ask("rest_interval"), ask("regime"), ask("beta_lim_sticking")};
 }
 
+// The motion of a mass as it is seen from the ground.
+void ask_from_ground(Case& c, int k) {
+    c.asked.insert(c.asked.end(), {ask("absolute_amplitude", k), ask("absolute_phase", k), ask("transmissibility", k)});
+    if (c.scene.base_motion != "alone") c.asked.push_back(ask("transmissibility", c.scene.contact));
+}
+
+// Where (81) to (86) are about: low and high frequencies.
+void add_limits(std::vector<Case>& cases, Draw& draw, const std::string& group, const ProtocolQuestion& scene, bool has_limit) {
+    for (const double r : {0.09375, 12.5, 1000.0}) {
+        Case c;
+        c.group = group;
+        c.scene = scene;
+        c.scene.r = r;
+        c.flags = {r < 1 ? "low-frequency" : "high-frequency"};
+        c.friction = Friction::of_limit;
+        c.part = draw.fraction(0.25, 0.75, 16);
+        const int j = contact_of(c);
+        c.asked = {ask("complex_response", j), ask("amplitude", j), ask("phase", j), ask("beta_lim_exact")};
+        if (!scene.base_motion.empty()) {
+            const int k = another_mass(draw, masses(c), scene.contact);
+            if (r < 100) ask_from_ground(c, k); // beyond, double has too few digits
+        }
+        if (r > 100 && has_limit) c.asked.push_back(ask("beta_lim_high_frequency"));
+        cases.push_back(c);
+    }
+}
+
 template <class Change>
 void add_group(std::vector<Case>& cases, const std::string& group, std::uint64_t seed, int count, const Change& change) {
     Draw draw(seed);
@@ -126,6 +167,7 @@ void add_group(std::vector<Case>& cases, const std::string& group, std::uint64_t
         else
             ask_of_sliding(c, draw, n / 4 * 2 + n % 4);
         if (!c.scene.stiffness_matrix.empty()) c.asked.push_back(ask("natural_frequency_ratios"));
+        if (group == "ground") ask_from_ground(c, another_mass(draw, masses(c), c.scene.contact));
         cases.push_back(c);
     }
 }
@@ -166,6 +208,7 @@ void add_rejections(std::vector<Case>& cases) {
         q.loads.clear();
         q.base_motion = "alone";
     });
+    cases.back().withdrawn = true; // it broke a rule of the kit until content 8
     add_rejected(cases, "the base moves in no known way", [](ProtocolQuestion& q) {
         q.loads.clear();
         q.base_motion = "sideways";
@@ -182,6 +225,23 @@ void add_rejections(std::vector<Case>& cases) {
         q.mass_ratios.clear();
         q.mass_matrix = {1, 1.5, 0, 1.5, 1, 0, 0, 0, 1};
     });
+    add_rejected(cases, "a phase too few", [](ProtocolQuestion& q) { q.load_phases = {0, 0.5}; });
+    add_rejected(cases, "phases of a load on one mass", [](ProtocolQuestion& q) {
+        q.loads.clear();
+        q.load = 1;
+        q.load_phases = {0.5, 0, 0};
+    });
+    add_rejected(cases, "phases of a base that moves", [](ProtocolQuestion& q) {
+        q.loads.clear();
+        q.base_motion = "alone";
+        q.load_phases = {0.5, 0, 0};
+    });
+    add_rejected(cases, "nothing rubs against the wall that moves", [](ProtocolQuestion& q) {
+        q.loads.clear();
+        q.base_motion = "wall";
+    });
+    add_rejected(cases, "neither base nor wall moves", [](ProtocolQuestion&) {});
+    cases.back().asked = {ask("transmissibility", 1)};
 }
 
 } // namespace
@@ -211,6 +271,32 @@ std::vector<Case> cases_of_systems() {
         if (n % 5 == 2) move_base(q, n % 3 == 1 ? "with_wall" : "alone");
     });
     add_rejections(cases);
+    add_group(cases, "phase", 6, 16, [](Draw& draw, ProtocolQuestion& q, int n) {
+        if (n % 5 == 4) rub_two_masses(draw, q);
+        if (n % 3 == 1) put_dashpots(draw, q);
+        load_several(draw, q);
+        put_out_of_phase(draw, q);
+    });
+    add_group(cases, "ground", 7, 24, [](Draw& draw, ProtocolQuestion& q, int n) {
+        if (n % 4 == 1 || n % 8 == 6) put_dashpots(draw, q);
+        move_anything(draw, q, n);
+    });
+    Draw draw(8);
+    ProtocolQuestion phased = drawn_scene(draw, 3, 0), alone = drawn_scene(draw, 3, 1), wall = drawn_scene(draw, 2, 1);
+    load_several(draw, phased);
+    phased.loads[static_cast<std::size_t>(phased.contact - 1)] = 0.75;
+    put_out_of_phase(draw, phased);
+    add_limits(cases, draw, "systems-phase", phased, true);
+    move_anything(draw, alone, 0);
+    alone.contact = 1; // the mass on the base: by inertia alone no other bears its load
+    add_limits(cases, draw, "systems-ground", alone, false);
+    alone.damping_ratios.clear(); // between the masses alone: the base has no dampers, and (86) a limit
+    alone.damping_matrix = {0.25, -0.25, 0, -0.25, 0.375, -0.125, 0, -0.125, 0.125};
+    add_limits(cases, draw, "systems-ground", alone, true);
+    move_anything(draw, wall, 1);
+    add_limits(cases, draw, "systems-ground", wall, false);
+    move_anything(draw, wall, 2);
+    add_limits(cases, draw, "systems-ground", wall, true);
     return cases;
 }
 

@@ -39,6 +39,10 @@ Json found_json(const FoundPlaces& found, const FindOptions& options, const Vari
                 {"unanswered", found.unanswered}};
     if (!found.why.empty()) answer["unanswered_because"] = in_words(found.why);
     answer["questions"] = found.questions;
+    if (found.left_out > 0) {
+        answer["left_out"] = found.left_out;
+        answer["left_out_because"] = in_words(found.left_out_why);
+    }
     return answer;
 }
 
@@ -52,6 +56,10 @@ std::string found_table(const Json& a) {
     if (const std::size_t n = a.at("unanswered").size(); n > 0)
         text += std::to_string(n) + (n == 1 ? " place has" : " places have") + " no answer, the first at " +
                 in_table(a.at("unanswered").front()) + ": " + a.at("unanswered_because").get<std::string>() + "\n";
+    if (a.contains("left_out"))
+        text += std::to_string(a.at("left_out").get<long>()) +
+                " motions over the second number have no answer and are left out, the first: " +
+                a.at("left_out_because").get<std::string>() + "\n";
     return text + std::string(whole) + "; " + std::to_string(a.at("questions").get<long>()) + " motions were asked for\n\n";
 }
 
@@ -96,6 +104,7 @@ void add_find_command(CLI::App& app, ExitStatus& status) {
         "What shows at no sample is not found: more --samples look closer. Displacements are those that\n"
         "`solve` lists, not those seen from the ground. Amplitudes are in the scene's unit of length, or in\n"
         "units of P / k_1 if it is given in ratios. An amplitude over a second number is the largest, or least, that was seen.\n"
+        "Motions over it without an answer are left out, and `left_out` counts them.\n"
         "If nothing was found and some samples have no answer, the exit status is 3.");
     command->callback([options, &status] {
         answer_scenes(

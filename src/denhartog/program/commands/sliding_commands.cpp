@@ -10,6 +10,7 @@
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/json/solution_json.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/solve/condition.hpp"
 
 namespace denhartog::program {
 namespace {
@@ -39,9 +40,11 @@ std::string respond(const SceneText& part, const SceneOptions& options, Effort* 
     add_damping(answer, source);
     add_dimensional(answer, source, found, NumberWriter{options.digits});
     add_place_of_rest(answer, source);
-    return options.json
-               ? answer.dump() + "\n"
-               : response_table(answer) + place_of_rest_lines(answer) + from_ground_table(answer) + dimensional_table(answer);
+    const std::string warning = found.masses.empty() ? "" : warning_of(source, found);
+    if (!warning.empty()) answer["warning"] = warning;
+    return options.json ? answer.dump() + "\n"
+                        : response_table(answer) + warning_line(answer) + place_of_rest_lines(answer) +
+                              from_ground_table(answer) + dimensional_table(answer);
 }
 
 std::string boundary_table(const Json& a) {
@@ -130,7 +133,8 @@ void add_response_command(CLI::App& app, ExitStatus& status) {
         "to the accuracy computed. error_bound is absolute and covers x0, v0 and both amplitudes of the mass: it is computed\n"
         "with the answer. A mass that does not move has no phase. Without --digits the aim is\n"
         "6 digits, and more precision is used if double does not reach them.\n"
-        "dimensional: the same in the units of a scene that was given by masses and stiffnesses.");
+        "dimensional: the same in the units of a scene that was given by masses and stiffnesses.\n"
+        "warning: if a unit in the last place of a number of the scene changes amplitudes by more than a thousandth.");
     command->callback([options, &status] {
         answer_scenes(
             *options, [&](const SceneText& part, Effort* effort) { return respond(part, *options, effort); }, status);

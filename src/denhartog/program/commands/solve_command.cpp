@@ -98,9 +98,8 @@ std::string solved(const SceneText& part, const SolveOptions& options, Effort* e
     if (options.condition) add_condition(answer, part, options, effort);
     if (options.json) return answer.dump() + "\n";
     const std::string damping = damping_line(answer);
-    return solution_table(answer) + (warning.empty() ? "" : "warning: " + warning + "\n\n") + damping +
-           (damping.empty() ? "" : "\n") + place_of_rest_lines(answer) + from_ground_table(answer) + dimensional_table(answer) +
-           energy_table(answer) + condition_table(answer);
+    return solution_table(answer) + warning_line(answer) + damping + (damping.empty() ? "" : "\n") + place_of_rest_lines(answer) +
+           from_ground_table(answer) + dimensional_table(answer) + energy_table(answer) + condition_table(answer);
 }
 
 } // namespace

@@ -144,6 +144,10 @@ std::string units_in_words(const Json& answer) {
            ", phases in radians behind the force\n";
 }
 
+std::string warning_line(const Json& answer) {
+    return answer.contains("warning") ? "warning: " + answer.at("warning").get<std::string>() + "\n\n" : "";
+}
+
 std::string from_ground_table(const Json& answer) {
     if (!answer.contains("from_ground")) return "";
     const Json& seen = answer.at("from_ground");

@@ -62,4 +62,7 @@ void add_dimensional(Json& answer, const SceneSource& source, const Solution& so
 [[nodiscard]] std::string from_ground_table(const Json& answer);
 [[nodiscard]] std::string dimensional_table(const Json& answer);
 
+// The warning of an answer as a line; empty where there is none.
+[[nodiscard]] std::string warning_line(const Json& answer);
+
 } // namespace denhartog::program

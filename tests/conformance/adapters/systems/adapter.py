@@ -21,9 +21,13 @@ QUANTITIES = {  # s: the system; d: the displacement asked about, d^T x; q: the 
     "displacement": lambda s, d, q: s.motion(d, q["tau"])[0, 0],
     "beta_lim_exact": lambda s, d, q: s.beta_lim,
     "beta_lim_sticking": lambda s, d, q: s.held[1],
+    "beta_lim_high_frequency": lambda s, d, q: s.beta_lim_high_frequency,
     "regime": lambda s, d, q: s.regime,
     "rest_interval": lambda s, d, q: s.held[2] if s.regime == "permanent_sticking" else math.nan,
     "motion_under_force": lambda s, d, q: s.motion_under_force(d, 2 * math.pi * np.arange(q["samples"]) / q["samples"]),
+    "absolute_amplitude": lambda s, d, q: s.amplitude_and_phase(d, s.frame)[0],
+    "absolute_phase": lambda s, d, q: wrapped(s.amplitude_and_phase(d, s.frame)[1]),
+    "transmissibility": lambda s, d, q: s.amplitude_and_phase(d, s.frame)[0] / s.base,
 }
 
 
@@ -37,6 +41,8 @@ def reply(q):
         return {"reject": broken}
     if q["quantity"] not in QUANTITIES:
         return {"skip": "not in the closed form"}
+    if q["quantity"] in ("absolute_amplitude", "absolute_phase", "transmissibility") and "base_motion" not in q["scene"]:
+        return {"reject": "nothing moves but the masses"}
     try:
         s = System(q["scene"])
         d = np.eye(s.N)[q["mass"] - 1] if q.get("mass", 0) > 0 else s.w  # mass 0: the contact between two masses

@@ -49,13 +49,20 @@ class System:
         contact = scene["contact"] if isinstance(scene["contact"], list) else [scene["contact"]]
         for mass_in_contact, sign in zip(contact, (1, -1)):
             self.w[mass_in_contact - 1] += sign
-        if "base_motion" in scene:  # masses times the base's acceleration, or springs times its displacement
-            self.p = (mass if scene["base_motion"] == "with_wall" else self.K).sum(axis=1)
+        self.base = self.frame = 0.0  # how far base or wall moves, and with it the frame of the displacements, in units of P / k_1
+        if "base_motion" in scene:
+            inertia, held = self.M.sum(axis=1), (self.K + 1j * self.C).sum(axis=1)  # springs and dampers to the base
+            self.base, alone = 1.0, scene["base_motion"] == "alone"
+            self.p = held if alone else inertia - held
+            if scene["base_motion"] == "with_wall":
+                self.base, self.p = self.r**-2, mass.sum(axis=1)
+            self.frame = 0.0 if alone else self.base
         elif isinstance(scene["load"], list):
-            self.p = np.array(scene["load"], float)
+            leads = np.array(scene.get("load_phases", np.zeros(self.N)), float)
+            self.p = np.array(scene["load"], float) * np.exp(1j * leads)
         else:
             self.p = np.eye(self.N)[scene["load"] - 1]
-        self.X = np.linalg.solve(self.K - self.M + 1j * self.C, self.p)  # x = Re{X exp(i tau)} under p cos tau without friction
+        self.X = np.linalg.solve(self.K - self.M + 1j * self.C, self.p)  # x = Re{X exp(i tau)} under Re{p exp(i tau)} alone
         self.V_j = self.w @ self.X  # (33)
         inverse = np.linalg.inv(self.M)
         self.A = np.block([[np.zeros((self.N, self.N)), np.eye(self.N)], [-inverse @ self.K, -inverse @ self.C]])
@@ -114,31 +121,38 @@ class System:
 
     @cached_property
     def sliding(self):
-        """phi_j, (39), and X exp(i phi_j) with (36), (37): tau = 0 at the maximum of the contact."""
+        """phi_j, (39), and exp(i phi_j) with (36), (37), which X is turned by: tau = 0 at the maximum of the contact."""
         if self.regime != "continuous":
             raise ArithmeticError("the contact does not slide throughout")
         bU = self.beta * self.U_j
         at_contact = complex(math.sqrt((abs(self.V_j) - bU) * (abs(self.V_j) + bU)), -bU)
-        return math.atan2(at_contact.imag, at_contact.real) - np.angle(self.V_j), self.X * (at_contact / self.V_j)
+        return math.atan2(at_contact.imag, at_contact.real) - np.angle(self.V_j), at_contact / self.V_j
 
-    def motion(self, d, tau):
-        """The displacement d^T x and its derivative, (46) as corrected; mirrored after half a period."""
+    def motion(self, d, tau, frame=0.0):
+        """The displacement d^T x and its derivative, (46) as corrected; mirrored after half a period.
+
+        In a frame that moves by frame cos(tau), with tau from the maximum of the force."""
         half, tau = np.divmod(np.atleast_1d(tau), math.pi)
-        W = d @ self.sliding[1] * np.exp(1j * tau)
+        W = (d @ self.X + frame) * self.sliding[1] * np.exp(1j * tau)
         x = W.real + self.beta * self.under_friction(d, tau), -W.imag + self.beta * self.under_friction(d, tau, 1)
         return (1 - 2 * (half % 2)) * np.array(x)
 
-    def amplitude_and_phase(self, d):
+    def amplitude_and_phase(self, d, frame=0.0):
         if self.regime == "permanent_sticking":
-            x = 0j if (d == self.w).all() else d @ self.held[0]  # the contact rests
+            x = frame + (0j if (d == self.w).all() else d @ self.held[0])  # the contact rests
             return abs(x), 0 - np.angle(x)
-        if (d == self.w).all():
+        if (d == self.w).all() and frame == 0:
             return self.motion(d, 0)[0, 0], self.sliding[0]
         def size(tau):
-            x, x_prime = self.motion(d, tau)
+            x, x_prime = self.motion(d, tau, frame)
             return abs(x), x * x_prime
-        amplitude, tau = largest(size, np.linspace(0, math.pi, self.samples + 1)[:-1])
-        return amplitude, self.sliding[0] + tau + (math.pi if self.motion(d, tau)[0, 0] < 0 else 0)  # (47)
+        amplitude, tau = largest(size, np.linspace(0, math.pi, self.samples + 1))
+        return amplitude, self.sliding[0] + tau + (math.pi if self.motion(d, tau, frame)[0, 0] < 0 else 0)  # (47)
+
+    @cached_property
+    def beta_lim_high_frequency(self):  # (86), times what inertia leaves of the load for the contact, over a unit force on it
+        pull = np.linalg.solve(self.M, self.w)
+        return abs(pull @ self.p) / (pull @ self.w) * 2 / math.hypot(2 * self.mu, math.pi)
 
     def motion_under_force(self, d, tau):  # tau = 0 at the maximum of the force
         held = self.regime == "permanent_sticking"
@@ -160,16 +174,18 @@ def broken_rule(scene):
         return "a force for each mass, one of them not zero"
     if not isinstance(load, list) and load not in range(1, N + 1):
         return "a loaded mass from 1 to N"
+    if "load_phases" in scene and (not isinstance(scene.get("load"), list) or len(scene["load_phases"]) != N):
+        return "a phase for each force, where load is a list"
     matrices = [scene[name] for name in ("mass_matrix", "stiffness_matrix", "damping_matrix") if name in scene]
     if not all(is_matrix(A, N) for A in matrices):
         return "matrices symmetric, with a row for each mass"
     for name, least in (("mass_matrix", 0), ("stiffness_matrix", 0), ("damping_matrix", -1e-12)):
         if name in scene and np.linalg.eigvalsh(np.array(scene[name], float)).min() <= least:
             return f"{name} positive definite, of damping semidefinite"
-    if scene.get("base_motion", "alone") not in ("with_wall", "alone"):
-        return "base_motion with_wall or alone"
-    if scene.get("base_motion") == "alone" and np.any(scene.get("damping_matrix", scene.get("damping_ratios"))):
-        return "no damping where the base moves alone"
+    if scene.get("base_motion", "alone") not in ("with_wall", "alone", "wall"):
+        return "base_motion with_wall, alone or wall"
+    if scene.get("base_motion") == "wall" and len(contact) > 1:
+        return "a contact with the wall that moves"
     if scene["mu"] < 1 or scene["r"] <= 0 or scene["beta"] < 0:
         return "mu at least 1, r positive, beta not negative"
     return None
