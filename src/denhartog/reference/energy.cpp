@@ -8,7 +8,6 @@ namespace {
 
 using Number = Complex<Ball>;
 
-Number operator*(const Number& a, const Number& b) { return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re}; }
 Number operator-(const Number& a, const Number& b) { return {a.re - b.re, a.im - b.im}; }
 Number operator/(const Number& a, const Number& b) { return Ball(Ball(1) / squared_modulus(b)) * (a * Number{b.re, -b.im}); }
 Number turned_back(const Ball& tau) { return {cos(tau), -sin(tau)}; } // e^(-i tau)

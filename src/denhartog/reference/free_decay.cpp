@@ -4,10 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
-
-#include "denhartog/number/effort.hpp"
 
 namespace denhartog::reference {
 namespace {

@@ -82,6 +82,126 @@ Ball acceleration_of_contact(const SceneInBalls& s) {
     return (transposed(s.w) * a)(0) / (s.r * s.r);
 }
 
+// z' = A z + b between two turns of the contact, z = (x, x'); b is the acceleration by a unit force on the contact.
+struct StateMatrix {
+    BallMatrix A{}, rest{}; // rest: the static displacements by that force, with velocities zero
+};
+
+StateMatrix state_matrix(const SceneInBalls& s) {
+    const slong N = s.N();
+    StateMatrix m{BallMatrix(2 * N, 2 * N), BallMatrix(2 * N, 1)};
+    const BallMatrix mass = s.M * (s.r * s.r); // (7)
+    BallMatrix of_stiffness, of_damping, at_rest;
+    if (!solved(mass, s.K, of_stiffness) || !solved(mass, s.C * s.r, of_damping))
+        throw Unproved("the mass matrix is not proved regular");
+    if (!solved(s.K, s.w, at_rest)) throw Unproved("the stiffness matrix is not proved regular");
+    for (slong i = 0; i < N; ++i) {
+        m.A(i, N + i) = Ball(1);
+        m.rest(i) = at_rest(i);
+        for (slong k = 0; k < N; ++k) {
+            m.A(N + i, k) = -of_stiffness(i, k);
+            m.A(N + i, N + k) = -of_damping(i, k);
+        }
+    }
+    return m;
+}
+
+// The complex amplitudes of the masses under a harmonic force.
+std::vector<Complex<Ball>> harmonic_response(const SceneInBalls& s, const BallMatrix& force, const BallMatrix& imaginary) {
+    const slong N = s.N();
+    BallMatrix b(2 * N, 1), X;
+    for (slong i = 0; i < N; ++i) b(i) = force(i);
+    for (slong i = 0; i < imaginary.rows(); ++i) b(N + i) = imaginary(i);
+    if (!solved(dynamic_stiffness(s, N), b, X)) throw Unproved("the load may excite a resonance without damping");
+    std::vector<Complex<Ball>> out;
+    for (slong i = 0; i < N; ++i) out.push_back({X(i), X(N + i)});
+    return out;
+}
+
+Complex<Ball> at_contact(const SceneInBalls& s, const std::vector<Complex<Ball>>& X) {
+    Complex<Ball> sum{};
+    for (slong k = 0; k < s.N(); ++k)
+        if (!s.w(k).is_zero()) sum = sum + s.w(k) * X[k];
+    return sum;
+}
+
+// Number of times that A tau is halved until it is small.
+double halvings_of(const BallMatrix& A, const Ball& tau) { return binary_logarithm(std::max(1.0, norm(A) * tau.high())); }
+
+// e^(A tau): a series for a small part of A, squared as often as that was halved. Each squaring takes a bit of what is right.
+BallMatrix state_after(const BallMatrix& A, const Ball& tau, Effort* effort) {
+    const double halvings = halvings_of(A, tau);
+    if (!(halvings < static_cast<double>(ball_bits))) throw Unproved("a mode is too fast for the state to be followed");
+    const double products = halvings + std::sqrt(static_cast<double>(ball_bits)), n = static_cast<double>(A.rows());
+    pay(effort, cost_of_ball_products(n * n * n * products));
+    return exp(A * tau);
+}
+
+// e^(A tau) begin at an instant or over a stretch: by Taylor's series about its middle, z and its derivatives over n!.
+std::vector<Series> states_in_time(const BallMatrix& A, const BallMatrix& begin, const Ball& tau, Effort* effort) {
+    const Ball center = middle(tau), off = tau - center, size(norm(A)), reach = upper_bound_of(size * radius_of(off));
+    if (!(reach < Ball(600))) throw Unproved("a mode is too fast for the state to be followed");
+    BallMatrix term = state_after(A, center, effort) * begin, sum = term;
+    Ball left(norm(term)); // (reach^k / k!) |z|, a bound of the last term taken
+    const Ball enough = left * power_of_two(-ball_bits);
+    for (slong k = 1; !off.is_zero() && !(left < enough) && k < 10 * ball_bits; ++k) {
+        term = A * term * (off / k);
+        sum = sum + term;
+        left *= reach / k;
+    }
+    std::vector<Series> z(A.rows());
+    // the terms after the last are at most the last times the sum of reach^n / n!
+    Ball open = off.is_zero() ? Ball(0) : left * exp(reach);
+    slong factorial = 1;
+    for (std::size_t n = 0; n < 5; ++n, sum = A * sum, open = open * size, factorial *= static_cast<slong>(n))
+        for (slong i = 0; i < A.rows(); ++i) z[i].c[n] = widened(sum(i), open) / factorial;
+    return z;
+}
+
+// Factors of e^(lambda_i tau) in F of each row: -2 (row of R_i) (L_i rest) / (1 + e^(lambda_i pi)).
+void add_free_motions(const SceneInBalls& s, const FreeMotions& free, const BallMatrix& rest, FrictionInTime& f) {
+    const slong N = s.N();
+    std::vector<ComplexBall> shares = free.shares_of(rest);
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        ComplexBall once;
+        acb_mul_arb(once.a, free.lambda(i).a, pi<Ball>().a, ball_bits);
+        acb_exp(once.a, once.a, ball_bits);
+        acb_add_si(once.a, once.a, 1, ball_bits);
+        acb_div(shares[i].a, shares[i].a, once.a, ball_bits);
+        acb_mul_si(shares[i].a, shares[i].a, -2, ball_bits);
+    }
+    for (slong k = 0; k <= N; ++k) { // the last is the contact
+        BallMatrix row(1, 2 * N);
+        for (slong i = 0; i < N; ++i) row(0, i) = k < N ? Ball(i == k ? 1 : 0) : s.w(i);
+        f.constant.push_back((row * rest)(0));
+        f.weight.push_back(free.weights(row, shares));
+    }
+    f.shared = free.in_time();
+}
+
+// Adds the states by the exponential of the matrix, if eigenvalues may coincide.
+void add_states(const SceneInBalls& s, const StateMatrix& m, FrictionInTime& f) {
+    const slong N = s.N();
+    // With more bits the eigenvalues of so fast a system may prove distinct, which costs less.
+    if (!(4 * halvings_of(m.A, pi<Ball>()) < static_cast<double>(ball_bits)))
+        throw Unproved("a mode is too fast for the state to be followed");
+    BallMatrix begin;
+    const BallMatrix once = unit_matrix(2 * N) + state_after(m.A, pi<Ball>(), s.effort);
+    if (!solved(once, m.rest, begin)) throw Unproved("a free motion may mirror itself after half a period");
+    begin = begin * Ball(-2);
+    f.constant.assign(static_cast<std::size_t>(N) + 1, Ball(0));
+    f.weight.assign(static_cast<std::size_t>(N) + 1, std::vector<Ball>(2 * N));
+    for (slong k = 0; k < N; ++k) {
+        f.constant[k] = m.rest(k);
+        f.constant.back() += s.w(k) * m.rest(k);
+        f.weight[k][k] = Ball(1);
+        f.weight.back()[k] = s.w(k);
+    }
+    const auto z = [A = m.A, begin, effort = s.effort](const Ball& tau) { return states_in_time(A, begin, tau, effort); };
+    f.shared =
+        std::make_shared<Remembered<std::vector<Series>>>(z, [z](const std::vector<Series>&, const Ball& tau) { return z(tau); });
+}
+
 } // namespace
 
 void FrictionInTime::widen(std::span<Ball> c, Ball off) const {
@@ -256,130 +376,6 @@ ResponsesInBalls responses_of_modes(const SceneInBalls& s, ModesInBalls m) {
     r.modes = std::move(m);
     return r;
 }
-
-namespace {
-
-// z' = A z + b between two turns of the contact, z = (x, x'); b is the acceleration by a unit force on the contact.
-struct StateMatrix {
-    BallMatrix A{}, rest{}; // rest: the static displacements by that force, with velocities zero
-};
-
-StateMatrix state_matrix(const SceneInBalls& s) {
-    const slong N = s.N();
-    StateMatrix m{BallMatrix(2 * N, 2 * N), BallMatrix(2 * N, 1)};
-    const BallMatrix mass = s.M * (s.r * s.r); // (7)
-    BallMatrix of_stiffness, of_damping, at_rest;
-    if (!solved(mass, s.K, of_stiffness) || !solved(mass, s.C * s.r, of_damping))
-        throw Unproved("the mass matrix is not proved regular");
-    if (!solved(s.K, s.w, at_rest)) throw Unproved("the stiffness matrix is not proved regular");
-    for (slong i = 0; i < N; ++i) {
-        m.A(i, N + i) = Ball(1);
-        m.rest(i) = at_rest(i);
-        for (slong k = 0; k < N; ++k) {
-            m.A(N + i, k) = -of_stiffness(i, k);
-            m.A(N + i, N + k) = -of_damping(i, k);
-        }
-    }
-    return m;
-}
-
-// The complex amplitudes of the masses under a harmonic force.
-std::vector<Complex<Ball>> harmonic_response(const SceneInBalls& s, const BallMatrix& force, const BallMatrix& imaginary) {
-    const slong N = s.N();
-    BallMatrix b(2 * N, 1), X;
-    for (slong i = 0; i < N; ++i) b(i) = force(i);
-    for (slong i = 0; i < imaginary.rows(); ++i) b(N + i) = imaginary(i);
-    if (!solved(dynamic_stiffness(s, N), b, X)) throw Unproved("the load may excite a resonance without damping");
-    std::vector<Complex<Ball>> out;
-    for (slong i = 0; i < N; ++i) out.push_back({X(i), X(N + i)});
-    return out;
-}
-
-Complex<Ball> at_contact(const SceneInBalls& s, const std::vector<Complex<Ball>>& X) {
-    Complex<Ball> sum{};
-    for (slong k = 0; k < s.N(); ++k)
-        if (!s.w(k).is_zero()) sum = sum + s.w(k) * X[k];
-    return sum;
-}
-
-// Number of times that A tau is halved until it is small.
-double halvings_of(const BallMatrix& A, const Ball& tau) { return binary_logarithm(std::max(1.0, norm(A) * tau.high())); }
-
-// e^(A tau): a series for a small part of A, squared as often as that was halved. Each squaring takes a bit of what is right.
-BallMatrix state_after(const BallMatrix& A, const Ball& tau, Effort* effort) {
-    const double halvings = halvings_of(A, tau);
-    if (!(halvings < static_cast<double>(ball_bits))) throw Unproved("a mode is too fast for the state to be followed");
-    const double products = halvings + std::sqrt(static_cast<double>(ball_bits)), n = static_cast<double>(A.rows());
-    pay(effort, cost_of_ball_products(n * n * n * products));
-    return exp(A * tau);
-}
-
-// e^(A tau) begin at an instant or over a stretch: by Taylor's series about its middle, z and its derivatives over n!.
-std::vector<Series> states_in_time(const BallMatrix& A, const BallMatrix& begin, const Ball& tau, Effort* effort) {
-    const Ball center = middle(tau), off = tau - center, size(norm(A)), reach = upper_bound_of(size * radius_of(off));
-    if (!(reach < Ball(600))) throw Unproved("a mode is too fast for the state to be followed");
-    BallMatrix term = state_after(A, center, effort) * begin, sum = term;
-    Ball left(norm(term)); // (reach^k / k!) |z|, a bound of the last term taken
-    const Ball enough = left * power_of_two(-ball_bits);
-    for (slong k = 1; !off.is_zero() && !(left < enough) && k < 10 * ball_bits; ++k) {
-        term = A * term * (off / k);
-        sum = sum + term;
-        left *= reach / k;
-    }
-    std::vector<Series> z(A.rows());
-    // the terms after the last are at most the last times the sum of reach^n / n!
-    Ball open = off.is_zero() ? Ball(0) : left * exp(reach);
-    slong factorial = 1;
-    for (std::size_t n = 0; n < 5; ++n, sum = A * sum, open = open * size, factorial *= static_cast<slong>(n))
-        for (slong i = 0; i < A.rows(); ++i) z[i].c[n] = widened(sum(i), open) / factorial;
-    return z;
-}
-
-// Factors of e^(lambda_i tau) in F of each row: -2 (row of R_i) (L_i rest) / (1 + e^(lambda_i pi)).
-void add_free_motions(const SceneInBalls& s, const FreeMotions& free, const BallMatrix& rest, FrictionInTime& f) {
-    const slong N = s.N();
-    std::vector<ComplexBall> shares = free.shares_of(rest);
-    for (std::size_t i = 0; i < shares.size(); ++i) {
-        ComplexBall once;
-        acb_mul_arb(once.a, free.lambda(i).a, pi<Ball>().a, ball_bits);
-        acb_exp(once.a, once.a, ball_bits);
-        acb_add_si(once.a, once.a, 1, ball_bits);
-        acb_div(shares[i].a, shares[i].a, once.a, ball_bits);
-        acb_mul_si(shares[i].a, shares[i].a, -2, ball_bits);
-    }
-    for (slong k = 0; k <= N; ++k) { // the last is the contact
-        BallMatrix row(1, 2 * N);
-        for (slong i = 0; i < N; ++i) row(0, i) = k < N ? Ball(i == k ? 1 : 0) : s.w(i);
-        f.constant.push_back((row * rest)(0));
-        f.weight.push_back(free.weights(row, shares));
-    }
-    f.shared = free.in_time();
-}
-
-// Adds the states by the exponential of the matrix, if eigenvalues may coincide.
-void add_states(const SceneInBalls& s, const StateMatrix& m, FrictionInTime& f) {
-    const slong N = s.N();
-    // With more bits the eigenvalues of so fast a system may prove distinct, which costs less.
-    if (!(4 * halvings_of(m.A, pi<Ball>()) < static_cast<double>(ball_bits)))
-        throw Unproved("a mode is too fast for the state to be followed");
-    BallMatrix begin;
-    const BallMatrix once = unit_matrix(2 * N) + state_after(m.A, pi<Ball>(), s.effort);
-    if (!solved(once, m.rest, begin)) throw Unproved("a free motion may mirror itself after half a period");
-    begin = begin * Ball(-2);
-    f.constant.assign(static_cast<std::size_t>(N) + 1, Ball(0));
-    f.weight.assign(static_cast<std::size_t>(N) + 1, std::vector<Ball>(2 * N));
-    for (slong k = 0; k < N; ++k) {
-        f.constant[k] = m.rest(k);
-        f.constant.back() += s.w(k) * m.rest(k);
-        f.weight[k][k] = Ball(1);
-        f.weight.back()[k] = s.w(k);
-    }
-    const auto z = [A = m.A, begin, effort = s.effort](const Ball& tau) { return states_in_time(A, begin, tau, effort); };
-    f.shared =
-        std::make_shared<Remembered<std::vector<Series>>>(z, [z](const std::vector<Series>&, const Ball& tau) { return z(tau); });
-}
-
-} // namespace
 
 ResponsesInBalls responses_of_state(const SceneInBalls& s) {
     const StateMatrix m = state_matrix(s);

@@ -42,51 +42,6 @@ BallMatrix stiffnesses_of(const System<Ball>& s) {
     return K;
 }
 
-} // namespace
-
-bool SceneInBalls::is_the_contact(slong k) const {
-    for (slong n = 0; n < N(); ++n)
-        if (!(n == k ? w(n) - Ball(1) : w(n)).is_zero()) return false;
-    return true;
-}
-
-BallMatrix dynamic_stiffness(const SceneInBalls& s, slong n) {
-    BallMatrix A(2 * n, 2 * n);
-    for (slong i = 0; i < s.N(); ++i)
-        for (slong k = 0; k < s.N(); ++k) {
-            A(i, k) = A(n + i, n + k) = s.K(i, k) - s.r * s.r * s.M(i, k);
-            A(n + i, k) = s.r * s.C(i, k);
-            A(i, n + k) = -A(n + i, k);
-        }
-    return A;
-}
-
-SceneInBalls in_matrices(const Scene<Ball>& scene) {
-    const System<Ball>& s = scene.system;
-    SceneInBalls out{masses_of(s), stiffnesses_of(s)};
-    if (s.damping_matrix.size() > 0)
-        out.C = in_balls(s.damping_matrix);
-    else
-        out.zeta = s.damping_ratios;
-    out.w = out.p = BallMatrix(out.N(), 1);
-    if (!s.load_phases.empty()) out.p_i = out.p;
-    const std::vector<Ball> direction = contact_vector(s);
-    const std::vector<Complex<Ball>> load = complex_load(s);
-    for (slong k = 0; k < out.N(); ++k) {
-        out.w(k) = direction[k];
-        out.p(k) = load[k].re;
-        if (!s.load_phases.empty()) out.p_i(k) = load[k].im;
-    }
-    out.base_motion = load_depends_on_frequency(s) ? s.base_motion : BaseMotion::none;
-    out.r = *scene.r;
-    out.mu = scene.mu;
-    out.beta = scene.beta;
-    out.contact = s.contact.index;
-    return out;
-}
-
-namespace {
-
 constexpr std::size_t most_kept = 8; // natural modes of one system: a few precisions, with the contact free and held
 
 // Pays for the work on natural modes, part by part.
@@ -260,6 +215,47 @@ NaturalModesInBalls natural_modes(const SceneInBalls& s) {
 }
 
 } // namespace
+
+bool SceneInBalls::is_the_contact(slong k) const {
+    for (slong n = 0; n < N(); ++n)
+        if (!(n == k ? w(n) - Ball(1) : w(n)).is_zero()) return false;
+    return true;
+}
+
+BallMatrix dynamic_stiffness(const SceneInBalls& s, slong n) {
+    BallMatrix A(2 * n, 2 * n);
+    for (slong i = 0; i < s.N(); ++i)
+        for (slong k = 0; k < s.N(); ++k) {
+            A(i, k) = A(n + i, n + k) = s.K(i, k) - s.r * s.r * s.M(i, k);
+            A(n + i, k) = s.r * s.C(i, k);
+            A(i, n + k) = -A(n + i, k);
+        }
+    return A;
+}
+
+SceneInBalls in_matrices(const Scene<Ball>& scene) {
+    const System<Ball>& s = scene.system;
+    SceneInBalls out{masses_of(s), stiffnesses_of(s)};
+    if (s.damping_matrix.size() > 0)
+        out.C = in_balls(s.damping_matrix);
+    else
+        out.zeta = s.damping_ratios;
+    out.w = out.p = BallMatrix(out.N(), 1);
+    if (!s.load_phases.empty()) out.p_i = out.p;
+    const std::vector<Ball> direction = contact_vector(s);
+    const std::vector<Complex<Ball>> load = complex_load(s);
+    for (slong k = 0; k < out.N(); ++k) {
+        out.w(k) = direction[k];
+        out.p(k) = load[k].re;
+        if (!s.load_phases.empty()) out.p_i(k) = load[k].im;
+    }
+    out.base_motion = load_depends_on_frequency(s) ? s.base_motion : BaseMotion::none;
+    out.r = *scene.r;
+    out.mu = scene.mu;
+    out.beta = scene.beta;
+    out.contact = s.contact.index;
+    return out;
+}
 
 Ball ModesInBalls::lengths_in(const ModeCluster& cluster, const std::vector<Ball>& k, const std::vector<Ball>& n) {
     Ball square_of_k(0), square_of_n(0);

@@ -14,12 +14,18 @@
 #include <optional>
 #include <vector>
 
+#include "denhartog/formulas/complex.hpp"
 #include "denhartog/number/ball_matrix.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/scene/scene.hpp"
 
 namespace denhartog::reference {
+/// @brief Product of complex numbers.
+[[nodiscard]] inline Complex<Ball> operator*(const Complex<Ball>& a, const Complex<Ball>& b) {
+    return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
+
 /// @brief Something that could not be proved with the bits at hand; more bits may help.
 struct Unproved : PrecisionError {
     using PrecisionError::PrecisionError;

@@ -155,6 +155,43 @@ BallMatrix across(const ProvedOrbit& orbit, slong i, const BallMatrix& D) {
     return D + part_of(jump, 0, 0, z, 1) * later;
 }
 
+constexpr slong bits_of_multipliers[] = {64, 192}; // the next, with slopes of its own, if the slopes of the proof do not decide
+
+// An instant moved by whole periods to [0, period), by its midpoint; the other by as many.
+void bring_into_period(Ball& start, Ball& end, const Ball& period) {
+    const Ball shift = Ball(std::floor(static_cast<double>(start) / static_cast<double>(period))) * period;
+    start -= shift;
+    end -= shift;
+}
+
+std::vector<StopInBalls> stops_of(const ProvedOrbit& orbit) {
+    const Ball period = Ball(2 * orbit.at.periods) * PiOf<Ball>::value();
+    std::vector<StopInBalls> stops;
+    for (slong i = 1; i <= orbit.at.m(); ++i) {
+        if (orbit.at.direction(i) != 0) continue;
+        StopInBalls stop{orbit.at.instant(i - 1), orbit.at.instant(i), (orbit.s.place() * orbit.Z[i - 1])(0)};
+        StopInBalls mirrored{stop.start + orbit.at.T(), stop.end + orbit.at.T(), -stop.x};
+        bring_into_period(stop.start, stop.end, period);
+        bring_into_period(mirrored.start, mirrored.end, period);
+        stops.push_back(std::move(stop));
+        if (orbit.at.mirrored) stops.push_back(std::move(mirrored));
+    }
+    std::ranges::sort(stops, {}, [](const StopInBalls& stop) { return static_cast<double>(stop.start); });
+    return stops;
+}
+
+void set_stability(const ProvedOrbit& orbit, OrbitInBalls& r) {
+    for (const slong bits : bits_of_multipliers) {
+        const Bits enough(bits + 4 * orbit.at.m());
+        const MapOfDeviations map =
+            map_of_deviations(orbit, bits == bits_of_multipliers[0] ? orbit.along : linearised(orbit.s, orbit.at));
+        r.multipliers = multipliers_over_period(map, orbit.at.mirrored, orbit.s.effort);
+        r.stable = r.multipliers.front() < Ball(1) || dies_out(map.A, orbit.s.effort);
+        r.unstable = !r.stable && r.multipliers.front() > Ball(1);
+        if ((r.stable || r.unstable) && are_narrow(r.multipliers)) return;
+    }
+}
+
 } // namespace
 
 MapOfDeviations map_of_deviations(const ProvedOrbit& orbit, const Linearised& along) {
@@ -205,47 +242,6 @@ std::vector<Ball> multipliers_over_period(const MapOfDeviations& map, bool mirro
     if (map.from_a_stop) sizes.push_back(Ball(0));
     return descending(sizes);
 }
-
-namespace {
-
-constexpr slong bits_of_multipliers[] = {64, 192}; // the next, with slopes of its own, if the slopes of the proof do not decide
-
-// An instant moved by whole periods to [0, period), by its midpoint; the other by as many.
-void bring_into_period(Ball& start, Ball& end, const Ball& period) {
-    const Ball shift = Ball(std::floor(static_cast<double>(start) / static_cast<double>(period))) * period;
-    start -= shift;
-    end -= shift;
-}
-
-std::vector<StopInBalls> stops_of(const ProvedOrbit& orbit) {
-    const Ball period = Ball(2 * orbit.at.periods) * PiOf<Ball>::value();
-    std::vector<StopInBalls> stops;
-    for (slong i = 1; i <= orbit.at.m(); ++i) {
-        if (orbit.at.direction(i) != 0) continue;
-        StopInBalls stop{orbit.at.instant(i - 1), orbit.at.instant(i), (orbit.s.place() * orbit.Z[i - 1])(0)};
-        StopInBalls mirrored{stop.start + orbit.at.T(), stop.end + orbit.at.T(), -stop.x};
-        bring_into_period(stop.start, stop.end, period);
-        bring_into_period(mirrored.start, mirrored.end, period);
-        stops.push_back(std::move(stop));
-        if (orbit.at.mirrored) stops.push_back(std::move(mirrored));
-    }
-    std::ranges::sort(stops, {}, [](const StopInBalls& stop) { return static_cast<double>(stop.start); });
-    return stops;
-}
-
-void set_stability(const ProvedOrbit& orbit, OrbitInBalls& r) {
-    for (const slong bits : bits_of_multipliers) {
-        const Bits enough(bits + 4 * orbit.at.m());
-        const MapOfDeviations map =
-            map_of_deviations(orbit, bits == bits_of_multipliers[0] ? orbit.along : linearised(orbit.s, orbit.at));
-        r.multipliers = multipliers_over_period(map, orbit.at.mirrored, orbit.s.effort);
-        r.stable = r.multipliers.front() < Ball(1) || dies_out(map.A, orbit.s.effort);
-        r.unstable = !r.stable && r.multipliers.front() > Ball(1);
-        if ((r.stable || r.unstable) && are_narrow(r.multipliers)) return;
-    }
-}
-
-} // namespace
 
 BallMatrix OrbitInPhases::at(const Ball& tau) const {
     const OrbitUnknowns& o = orbit.at;
@@ -300,16 +296,15 @@ OrbitInBalls proved_orbit(const std::function<SceneInBalls()>& scene, const Orbi
     r.periods = orbit.at.periods;
     r.amplitude.resize(s.N + 1);
     r.phase.resize(r.amplitude.size());
-    const auto set = [&](std::size_t k, const PeakInBalls& peak) {
+    const auto set = [&](slong k, const PeakInBalls& peak) {
         r.amplitude[k] = peak.size;
         r.phase[k] = peak.phase;
     };
     const PeakInBalls contact = peak_of_contact(orbit);
-    set(static_cast<std::size_t>(s.N), contact);
-    for (std::size_t k = 0; k < static_cast<std::size_t>(s.N); ++k) {
-        if (!masses.empty() && std::ranges::find(masses, k) == masses.end()) continue;
-        const auto mass = static_cast<slong>(k);
-        set(k, s.on_a_wall && mass == s.lead ? contact : peak_of_mass(orbit, motion.phases, mass));
+    set(s.N, contact);
+    for (slong k = 0; k < s.N; ++k) {
+        if (!masses.empty() && std::ranges::find(masses, static_cast<std::size_t>(k)) == masses.end()) continue;
+        set(k, s.on_a_wall && k == s.lead ? contact : peak_of_mass(orbit, motion.phases, k));
     }
     for (slong k = 0; frame && k < s.N; ++k) r.from_ground.push_back(peak_of_mass(orbit, motion.phases, k, *frame));
     r.stops = stops_of(orbit);

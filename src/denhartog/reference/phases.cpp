@@ -30,6 +30,43 @@ BallMatrix inverse_of(const BallMatrix& M) {
     return inverse;
 }
 
+// e^(lambda tau) and its derivatives over n!, real and imaginary parts.
+void add_free_motion(const ComplexBall& lambda, const Ball& tau, std::vector<Series>& e) {
+    ComplexBall z;
+    acb_mul_arb(z.a, lambda.a, tau.a, ball_bits);
+    acb_exp(z.a, z.a, ball_bits);
+    Series re, im;
+    for (slong n = 0; n < 5; ++n) {
+        re.c[n] = z.re();
+        im.c[n] = z.im();
+        acb_mul(z.a, z.a, lambda.a, ball_bits);
+        acb_div_si(z.a, z.a, n + 1, ball_bits);
+    }
+    e.push_back(std::move(re));
+    e.push_back(std::move(im));
+}
+
+// Adds a free motion over a stretch, from its series in the middle.
+void add_over_stretch(const ComplexBall& lambda, const Series& re, const Series& im, const Ball& tau, std::vector<Series>& e) {
+    const Ball speed = root_of_positive(lambda.re() * lambda.re() + lambda.im() * lambda.im()), off = tau - middle(tau);
+    const Ball size = upper_bound_of(exp(larger(lambda.re() * Ball(tau.low()), lambda.re() * Ball(tau.high()))));
+    for (const Series* part : {&re, &im}) e.push_back(over_stretch(*part, off, Ball(0), size, speed));
+}
+
+constexpr slong inputs_count = 4;
+
+// (lambda - B)^-1 g by free motions, where lambda is i for what turns with the force, and 0 for what is constant.
+std::vector<ComplexBall> divided(std::vector<ComplexBall> shares, const FreeMotions& free, bool turns) {
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        ComplexBall apart;
+        if (turns) acb_onei(apart.a);
+        acb_sub(apart.a, apart.a, free.lambda(i).a, ball_bits);
+        acb_div(shares[i].a, shares[i].a, apart.a, ball_bits);
+        if (acb_is_finite(shares[i].a) == 0) throw Unproved("the force may excite a resonance without damping");
+    }
+    return shares;
+}
+
 } // namespace
 
 ContactMechanics::ContactMechanics(const SceneInBalls& scene)
@@ -83,18 +120,6 @@ BallMatrix ContactMechanics::ending(int before, int after) const {
     return row;
 }
 
-namespace {
-
-// The harmonic part of a modal coordinate, and its rate, where the force has this cosine and sine.
-struct ForcedCoordinate {
-    Ball x, v;
-
-    ForcedCoordinate(const Complex<Ball>& f, const Ball& cosine, const Ball& sine)
-        : x(f.re * cosine - f.im * sine), v(-(f.re * sine + f.im * cosine)) {}
-};
-
-} // namespace
-
 void ContactMechanics::find_sliding(const SceneInBalls& s) {
     if (s.zeta.empty() || !std::ranges::all_of(s.zeta, [](const Ball& zeta) { return zeta < Ball(1); })) return;
     ModesInBalls m = modes_in_balls(s);
@@ -118,19 +143,17 @@ BallMatrix ContactMechanics::after_sliding(const BallMatrix& Z, const Ball& leng
     }
     for (slong i = 0; i < N; ++i) {
         const Ball R = m.R[i], zeta = m.zeta[i], square = R * R;
-        const Complex<Ball> response = paper::complex_response(R, zeta), // (23)
-            load{m.at_load()[i], m.at_load_i() != nullptr ? (*m.at_load_i())[i] : Ball(0)};
-        const Complex<Ball> forced{square * (response.re * load.re - response.im * load.im),
-                                   square * (response.re * load.im + response.im * load.re)};
+        const Complex<Ball> load{m.at_load()[i], m.at_load_i() != nullptr ? (*m.at_load_i())[i] : Ball(0)},
+            forced = square * (paper::complex_response(R, zeta) * load); // (23)
         const Ball held = Ball(-direction) * beta * m.at_contact()[i] * square;
         const Ball d = paper::d(length, R, zeta), q = R * paper::q(length, R, zeta), // (A.8), (A.9)
             d_prime = paper::d_prime(length, R, zeta), q_prime = R * paper::q_prime(length, R, zeta);
         for (slong c = 0; c < columns; ++c) { // (21): what is not forced moves freely
-            const ForcedCoordinate before(forced, Z(2 * N, c), Z(2 * N + 1, c)),
-                then(forced, later(2 * N, c), later(2 * N + 1, c));
-            const Ball rest = held * Z(2 * N + 2, c), from = x(i, c) - before.x - rest, rate = v(i, c) - before.v;
-            x(i, c) = then.x + rest + d * from + q * rate;
-            v(i, c) = then.v + d_prime * from + q_prime * rate;
+            const Complex<Ball> before = forced * Complex<Ball>{Z(2 * N, c), Z(2 * N + 1, c)},
+                                then = forced * Complex<Ball>{later(2 * N, c), later(2 * N + 1, c)};
+            const Ball rest = held * Z(2 * N + 2, c), from = x(i, c) - before.re - rest, rate = v(i, c) + before.im;
+            x(i, c) = then.re + rest + d * from + q * rate;
+            v(i, c) = d_prime * from - then.im + q_prime * rate;
         }
     }
     const BallMatrix places = shapes * x, speeds = shapes * v * (1 / sigma);
@@ -147,33 +170,6 @@ BallMatrix ContactMechanics::propagator(int direction, const Ball& h) const {
     pay(effort, cost_of_ball_products(20 * static_cast<double>(n() * n() * n())));
     return exp_of_sparse(rounded(phase(direction)) * h);
 }
-
-namespace {
-
-// e^(lambda tau) and its derivatives over n!, real and imaginary parts.
-void add_free_motion(const ComplexBall& lambda, const Ball& tau, std::vector<Series>& e) {
-    ComplexBall z;
-    acb_mul_arb(z.a, lambda.a, tau.a, ball_bits);
-    acb_exp(z.a, z.a, ball_bits);
-    Series re, im;
-    for (slong n = 0; n < 5; ++n) {
-        re.c[n] = z.re();
-        im.c[n] = z.im();
-        acb_mul(z.a, z.a, lambda.a, ball_bits);
-        acb_div_si(z.a, z.a, n + 1, ball_bits);
-    }
-    e.push_back(std::move(re));
-    e.push_back(std::move(im));
-}
-
-// Adds a free motion over a stretch, from its series in the middle.
-void add_over_stretch(const ComplexBall& lambda, const Series& re, const Series& im, const Ball& tau, std::vector<Series>& e) {
-    const Ball speed = root_of_positive(lambda.re() * lambda.re() + lambda.im() * lambda.im()), off = tau - middle(tau);
-    const Ball size = upper_bound_of(exp(larger(lambda.re() * Ball(tau.low()), lambda.re() * Ball(tau.high()))));
-    for (const Series* part : {&re, &im}) e.push_back(over_stretch(*part, off, Ball(0), size, speed));
-}
-
-} // namespace
 
 FreeMotions::FreeMotions(const BallMatrix& B, Effort* effort) : effort_(effort) {
     const slong n = B.rows();
@@ -253,24 +249,6 @@ Series weighted_sum(const std::vector<Ball>& weights, const std::vector<Series>&
         for (std::size_t n = 0; n < 5; ++n) arb_addmul(sum.c[n].a, weights[i].a, e[i].c[n].a, ball_bits);
     return sum;
 }
-
-namespace {
-
-constexpr slong inputs_count = 4;
-
-// (lambda - B)^-1 g by free motions, where lambda is i for what turns with the force, and 0 for what is constant.
-std::vector<ComplexBall> divided(std::vector<ComplexBall> shares, const FreeMotions& free, bool turns) {
-    for (std::size_t i = 0; i < shares.size(); ++i) {
-        ComplexBall apart;
-        if (turns) acb_onei(apart.a);
-        acb_sub(apart.a, apart.a, free.lambda(i).a, ball_bits);
-        acb_div(shares[i].a, shares[i].a, apart.a, ball_bits);
-        if (acb_is_finite(shares[i].a) == 0) throw Unproved("the force may excite a resonance without damping");
-    }
-    return shares;
-}
-
-} // namespace
 
 FastPhases::FastPhases(const ContactMechanics& s, int direction) : N_(s.N), lead_(s.lead), slides_(direction != 0), w_(s.w) {
     const BallMatrix A = s.phase(direction);

@@ -108,8 +108,7 @@ Ball stretch(double from, double to) {
     return from < end ? either(Ball(from), pi<Ball>()) : pi<Ball>();
 }
 
-// A function as a search in doubles sees it. As it may be beyond the range of double, the search is of the function over
-// its size.
+// A function as a search in doubles sees it: over its size, as it may be beyond the range of double.
 struct SeenBySearch {
     slong bits; // few, or all if the function is so small a difference of its terms that few show little of it
     Ball size;  // about its largest value, exact
@@ -136,23 +135,18 @@ SeenBySearch seen_by_search(const std::function<Ball(const Ball&)>& f) {
 // From stretches to the largest value in the current bits.
 LargestInBalls refined(const LargestOnStretches& found, const std::function<Ball(const Ball&)>& value, const RateInTime& rate) {
     if (!found.settled || found.stretches.empty()) throw Unproved("a largest value is not settled");
-    LargestInBalls best;
-    bool first = true;
+    std::optional<LargestInBalls> best;
     for (const StretchOfLargest& s : found.stretches) {
         Ball at = stretch(s.from, s.to);
         if (s.trend == TrendOnStretch::one_maximum) at = place_of_zero(at, rate);
         // Next to its maximum a function changes by the square of the distance: the value in the middle, and what curvature adds.
         const Ball here = value(at);
-        if (first) {
+        if (best && arb_overlaps(here.a, best->value.a) != 0) // either may be the largest
+            best = {larger(here, best->value), either(at, best->instant)};
+        else if (!best || here > best->value)
             best = {here, at};
-            first = false;
-        } else if (arb_overlaps(here.a, best.value.a) != 0) { // either may be the largest
-            best = {larger(here, best.value), either(at, best.instant)};
-        } else if (here > best.value) {
-            best = {here, at};
-        }
     }
-    return best;
+    return *best;
 }
 
 // The trend of a function from a to b, by a function with the sign of its rate and the slope of that function.

@@ -3,7 +3,6 @@
 // `boundary_in_balls` has (56), (67) and (69) as they stand, `stuck_in_balls` the equation of motion without row j.
 #include "denhartog/reference/sliding.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -83,12 +82,12 @@ SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContact
 }
 
 BallMatrix harmonic_in_balls(const std::vector<Complex<Ball>>& X, slong N, const Ball& tau) {
-    const Ball c = cos(tau), s = sin(tau);
+    const Complex<Ball> turned{cos(tau), sin(tau)};
     BallMatrix state(2 * N, 1);
     for (slong k = 0; k < N; ++k) {
-        const Complex<Ball>& X_k = X[k];
-        state(k) = X_k.re * c - X_k.im * s;
-        state(N + k) = -(X_k.re * s + X_k.im * c);
+        const Complex<Ball> x = X[k] * turned;
+        state(k) = x.re;
+        state(N + k) = -x.im;
     }
     return state;
 }
@@ -175,6 +174,8 @@ Ball sum_of_largest(const ResponsesInBalls& r) {
     return paper::sum_over_contact<Ball>(m.at_contact(), largest, m.left_open(m.at_contact(), m.at_contact(), largest));
 }
 
+bool same(const BallMatrix& x, const BallMatrix& y) { return arb_mat_eq(x.a, y.a) != 0 && arb_mat_is_exact(x.a) != 0; }
+
 } // namespace
 
 BoundaryInBalls boundary_in_balls(const SceneInBalls& s, const ResponsesInBalls& r) {
@@ -196,12 +197,6 @@ BoundaryInBalls boundary_in_balls(const SceneInBalls& s, const ResponsesInBalls&
         b.binding = BindingCondition::static_friction;
     return b;
 }
-
-namespace {
-
-bool same(const BallMatrix& x, const BallMatrix& y) { return arb_mat_eq(x.a, y.a) != 0 && arb_mat_is_exact(x.a) != 0; }
-
-} // namespace
 
 std::optional<StuckInBalls> stuck_in_balls(const SceneInBalls& s) {
     // (K - M + i C) X + w f = p, w^T X = 0 in real parts and imaginary parts: unknown are X and the force f
