@@ -37,6 +37,7 @@ struct FrictionMotionOfMode {
     Ball largest{};                         ///< a bound of |F - 1| throughout
     std::vector<MotionThatDiesOut> parts{}; ///< of F - 1, from critical damping on
 
+    /// @brief Of a modal frequency ratio and a damping ratio.
     FrictionMotionOfMode(const Ball& R, const Ball& zeta);
     /// @brief The motion and its derivatives at an instant, exact.
     [[nodiscard]] Series at(const Ball& tau) const;

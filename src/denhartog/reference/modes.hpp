@@ -70,7 +70,8 @@ struct SceneInBalls {
 
 /// @brief Modes whose frequencies the bits at hand do not distinguish. They enter every sum as a whole.
 struct ModeCluster {
-    std::size_t first = 0, last = 0; ///< its first mode, and the one behind its last
+    std::size_t first = 0; ///< its first mode
+    std::size_t last = 0;  ///< the mode behind its last
 };
 
 /// @brief The modes of a system at a frequency ratio.
@@ -87,8 +88,9 @@ struct ModesInBalls {
 
     /// @brief Row of the contact, w^T psi_i.
     [[nodiscard]] const std::vector<Ball>& at_contact() const { return psi[N]; }
-    /// @brief Rows of the load, p^T psi_i, and of its imaginary part; null if forces are in phase.
+    /// @brief Row of the load, p^T psi_i.
     [[nodiscard]] const std::vector<Ball>& at_load() const { return psi[static_cast<std::size_t>(N) + 1]; }
+    /// @brief Row of its imaginary part; null if forces are in phase.
     [[nodiscard]] const std::vector<Ball>* at_load_i() const {
         return psi.size() > static_cast<std::size_t>(N) + 2 ? &psi.back() : nullptr;
     }

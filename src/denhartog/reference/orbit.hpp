@@ -25,16 +25,19 @@ struct OrbitUnknowns {
     int periods = 1;               ///< as in `OrbitGuess`
     BallMatrix u{};                ///< x, x'/sigma at event 0, then the instants of events 0 to m - 1
 
-    /// @brief Number of phases in the stretch; of displacements and velocities; the sign that the stretch gives to a state.
+    /// @brief Number of phases in the stretch.
     [[nodiscard]] slong m() const { return static_cast<slong>(directions.size()) - 1; }
+    /// @brief Number of displacements and velocities.
     [[nodiscard]] slong states() const { return u.rows() - m(); }
+    /// @brief Sign that the stretch gives to a state: -1 if it mirrors it.
     [[nodiscard]] int sign() const { return mirrored ? -1 : 1; }
     /// @brief Direction in the phase before event i; that of m + 1 is after event m.
     [[nodiscard]] int direction(slong i) const;
     /// @brief The length of the stretch after which all repeats, mirrored or not.
     [[nodiscard]] Ball T() const;
-    /// @brief Instant of event i, 0 to m; length of phase i, 1 to m, from event i - 1 to event i.
+    /// @brief Instant of event i, 0 to m.
     [[nodiscard]] Ball instant(slong i) const;
+    /// @brief Length of phase i, 1 to m: from event i - 1 to event i.
     [[nodiscard]] Ball length(slong i) const { return instant(i) - instant(i - 1); }
     /// @brief The state at event 0.
     [[nodiscard]] BallMatrix start() const;

@@ -53,6 +53,7 @@ struct SlidingContactInBalls {
 /// @brief The motion of all masses in the sliding regime, at any instant. @eq{25,41,44,45}
 class SlidingMotionInBalls {
 public:
+    /// @brief Of responses, at a friction ratio.
     SlidingMotionInBalls(ResponsesInBalls r, const Ball& beta);
     /// @brief Its state, as `harmonic_in_balls` has it.
     [[nodiscard]] BallMatrix at(const Ball& tau) const;
