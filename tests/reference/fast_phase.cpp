@@ -1,8 +1,6 @@
 // A phase by its free motions is the phase by the exponential of its matrix.
-#include "denhartog/reference/fast_phase.hpp"
+#include "denhartog/reference/phases.hpp"
 
-#include "denhartog/reference/modes.hpp"
-#include "denhartog/reference/orbit_equations.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/reference/proofs.hpp"
@@ -102,7 +100,8 @@ TEST_CASE("a number over a phase has the rates of its matrix, at every instant o
         }
 }
 
-TEST_CASE("a phase of sliding by its modes is the phase by the exponential of its matrix", "[reference][fast_phase][eq:20][eq:21]") {
+TEST_CASE("a phase of sliding by its modes is the phase by the exponential of its matrix",
+          "[reference][fast_phase][eq:20][eq:21]") {
     const Bits enough(256);
     int compared = 0;
     for (const char* text : {scenes[0], scenes[1], out_of_phase})
@@ -112,9 +111,9 @@ TEST_CASE("a phase of sliding by its modes is the phase by the exponential of it
             for (const double length : {0.0, 0.03, 1.75}) {
                 INFO(text << ", direction " << direction << ", length " << length);
                 const BallMatrix expected = by_exponential(s, direction, Ball(length)),
-                                 found = s.sliding->after(some_state(s), Ball(length), direction),
+                                 found = s.after_sliding(some_state(s), Ball(length), direction),
                                  by_matrix = s.propagator(direction, Ball(length)) * some_state(s),
-                                 other = s.sliding->after(some_state(s), Ball(length), -direction);
+                                 other = s.after_sliding(some_state(s), Ball(length), -direction);
                 bool differs = length == 0;
                 for (slong k = 0; k < s.n(); ++k, ++compared) {
                     CHECK(apart(found(k), expected(k)) == 0);
@@ -128,8 +127,9 @@ TEST_CASE("a phase of sliding by its modes is the phase by the exponential of it
     CHECK(compared > 100);
 }
 
-TEST_CASE("sliding is not followed by modes that are damped critically, at a pole or not told apart, or that a damping matrix couples",
-          "[reference][fast_phase]") {
+TEST_CASE(
+    "sliding is not followed by modes that are damped critically, at a pole or not told apart, or that a damping matrix couples",
+    "[reference][fast_phase]") {
     const Bits enough(128);
     CHECK(!mechanics_of(scenes[2]).sliding);
     CHECK(!mechanics_of(scenes[3]).sliding);

@@ -4,7 +4,7 @@
 #include <array>
 #include <random>
 
-#include "denhartog/reference/maximum.hpp"
+#include "denhartog/reference/series.hpp"
 #include "tests/catch.hpp"
 #include "tests/reference/proofs.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "denhartog/orbit/floquet.hpp"
-#include "denhartog/reference/orbit_proof.hpp"
+#include "denhartog/reference/orbit.hpp"
 #include "orbit_cases.hpp"
 #include "tests/catch.hpp"
 

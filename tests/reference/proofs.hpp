@@ -8,7 +8,7 @@
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/number/ball.hpp"
 #include "denhartog/number/certified.hpp"
-#include "denhartog/reference/scene_in_balls.hpp"
+#include "denhartog/reference/modes.hpp"
 #include "tests/support/multiprecision.hpp"
 
 namespace denhartog::tests {

@@ -2,7 +2,7 @@
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/reference/friction.hpp"
-#include "denhartog/reference/maximum.hpp"
+#include "denhartog/reference/series.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/solve/decision.hpp"
 #include "tests/catch.hpp"

@@ -10,7 +10,7 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/why.hpp"
-#include "denhartog/reference/scene_in_balls.hpp"
+#include "denhartog/reference/modes.hpp"
 
 namespace denhartog {
 namespace {

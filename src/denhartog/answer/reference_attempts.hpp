@@ -10,7 +10,7 @@
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/number/ball.hpp"
 #include "denhartog/reference/orbit_guess_data.hpp"
-#include "denhartog/reference/scene_in_balls.hpp"
+#include "denhartog/reference/modes.hpp"
 
 namespace denhartog {
 

@@ -7,7 +7,6 @@
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/reference/series.hpp"
 #include "denhartog/reference/sliding.hpp"
-#include "denhartog/reference/stuck.hpp"
 
 namespace denhartog {
 

@@ -23,7 +23,6 @@ Ball by(Function function, const Ball& x, const Ball& y) {
 struct LastArgument {
     Ball x{};
     slong bits = 0;
-
     bool is(const Ball& other) {
         if (bits == ball_bits && arb_equal(x.a, other.a) != 0) return true;
         x = other;
@@ -31,6 +30,14 @@ struct LastArgument {
         return false;
     }
 };
+
+template <void (*function)(arb_t, const arb_t, slong)>
+const Ball& remembered(const Ball& x) {
+    thread_local LastArgument last;
+    thread_local Ball value;
+    if (!last.is(x)) function(value.a, x.a, ball_bits);
+    return value;
+}
 
 const SineCosine<Ball>& sine_cosine_of(const Ball& x) {
     thread_local LastArgument last;
@@ -79,22 +86,10 @@ double Ball::low() const { return bound(arb_get_lbound_arf, *this, ARF_RND_FLOOR
 
 double Ball::high() const { return bound(arb_get_ubound_arf, *this, ARF_RND_CEIL); }
 
-Ball sqrt(const Ball& x) {
-    thread_local LastArgument last;
-    thread_local Ball root;
-    if (!last.is(x)) arb_sqrt(root.a, x.a, ball_bits);
-    return root;
-}
-
+Ball sqrt(const Ball& x) { return remembered<arb_sqrt>(x); }
 Ball root_of_positive(const Ball& x) { return by(arb_sqrtpos, x); }
 
-Ball exp(const Ball& x) {
-    thread_local LastArgument last;
-    thread_local Ball e;
-    if (!last.is(x)) arb_exp(e.a, x.a, ball_bits);
-    return e;
-}
-
+Ball exp(const Ball& x) { return remembered<arb_exp>(x); }
 Ball sin(const Ball& x) { return sine_cosine_of(x).s; }
 Ball cos(const Ball& x) { return sine_cosine_of(x).c; }
 

@@ -1,62 +1,52 @@
-/// @file
-/// @brief Matrices of balls, by Arb. Nothing here knows of masses or friction.
+// Matrices of balls, by Arb: full ones, those of which few entries are not zero, and complex ones. Nothing here knows of
+// masses or friction.
 #pragma once
 
-#include <arb_mat.h>
+#include <acb_mat.h>
+
+#include <utility>
+#include <vector>
 
 #include "denhartog/number/ball.hpp"
 
 namespace denhartog {
 
-/// @brief A matrix of balls; a column is one of one column.
+// A matrix of balls; a column is one of one column.
 class BallMatrix {
 public:
-    arb_mat_t a; ///< the matrix as Arb has it
+    arb_mat_t a; // the matrix as Arb has it
 
-    /// @brief Zeros.
     explicit BallMatrix(slong rows = 0, slong columns = 0) { arb_mat_init(a, rows, columns); }
-    /// @brief A copy.
     BallMatrix(const BallMatrix& b) : BallMatrix(b.rows(), b.columns()) { arb_mat_set(a, b.a); }
-    /// @brief Takes the entries of another matrix.
     BallMatrix(BallMatrix&& b) noexcept : BallMatrix() { arb_mat_swap(a, b.a); }
-    /// @brief Assigns.
     BallMatrix& operator=(BallMatrix b) noexcept {
         arb_mat_swap(a, b.a);
         return *this;
     }
-    /// @brief Frees the entries.
     ~BallMatrix() { arb_mat_clear(a); }
 
-    /// @brief Number of rows.
     [[nodiscard]] slong rows() const { return arb_mat_nrows(a); }
-    /// @brief Number of columns.
     [[nodiscard]] slong columns() const { return arb_mat_ncols(a); }
-    /// @brief An entry.
     [[nodiscard]] Ball& operator()(slong r, slong c = 0) { return reinterpret_cast<Ball&>(*arb_mat_entry(a, r, c)); }
-    /// @brief An entry.
     [[nodiscard]] const Ball& operator()(slong r, slong c = 0) const {
         return reinterpret_cast<const Ball&>(*arb_mat_entry(a, r, c));
     }
 
-    /// @brief Product.
     friend BallMatrix operator*(const BallMatrix& x, const BallMatrix& y) {
         BallMatrix r(x.rows(), y.columns());
         arb_mat_mul(r.a, x.a, y.a, ball_bits);
         return r;
     }
-    /// @brief Multiple.
     friend BallMatrix operator*(const BallMatrix& x, const Ball& s) {
         BallMatrix r(x.rows(), x.columns());
         arb_mat_scalar_mul_arb(r.a, x.a, s.a, ball_bits);
         return r;
     }
-    /// @brief Sum.
     friend BallMatrix operator+(const BallMatrix& x, const BallMatrix& y) {
         BallMatrix r(x.rows(), x.columns());
         arb_mat_add(r.a, x.a, y.a, ball_bits);
         return r;
     }
-    /// @brief Difference.
     friend BallMatrix operator-(const BallMatrix& x, const BallMatrix& y) {
         BallMatrix r(x.rows(), x.columns());
         arb_mat_sub(r.a, x.a, y.a, ball_bits);
@@ -65,28 +55,26 @@ public:
 };
 static_assert(sizeof(Ball) == sizeof(arb_struct), "an entry of a matrix is a ball");
 
-/// @brief The unit matrix.
 [[nodiscard]] inline BallMatrix unit_matrix(slong n) {
     BallMatrix r(n, n);
     arb_mat_one(r.a);
     return r;
 }
 
-/// @brief Rows for columns.
 [[nodiscard]] inline BallMatrix transposed(const BallMatrix& x) {
     BallMatrix r(x.columns(), x.rows());
     arb_mat_transpose(r.a, x.a);
     return r;
 }
 
-/// @brief Exponential of a square matrix; wide if x is: never exponentiate a wide ball.
+// Exponential of a square matrix; wide if x is: never exponentiate a wide ball.
 [[nodiscard]] inline BallMatrix exp(const BallMatrix& x) {
     BallMatrix r(x.rows(), x.columns());
     arb_mat_exp(r.a, x.a, ball_bits);
     return r;
 }
 
-/// @brief A matrix rounded to the current bits.
+// A matrix rounded to the current bits.
 [[nodiscard]] inline BallMatrix rounded(const BallMatrix& A) {
     BallMatrix r(A.rows(), A.columns());
     for (slong i = 0; i < A.rows(); ++i)
@@ -94,20 +82,28 @@ static_assert(sizeof(Ball) == sizeof(arb_struct), "an entry of a matrix is a bal
     return r;
 }
 
-/// @brief The midpoints, exact.
+// The part of a matrix from a row and a column on.
+[[nodiscard]] inline BallMatrix part_of(const BallMatrix& A, slong row, slong column, slong rows, slong columns) {
+    BallMatrix r(rows, columns);
+    for (slong i = 0; i < rows; ++i)
+        for (slong k = 0; k < columns; ++k) r(i, k) = A(row + i, column + k);
+    return r;
+}
+
+// The midpoints, exact.
 [[nodiscard]] inline BallMatrix middle(const BallMatrix& x) {
     BallMatrix r(x.rows(), x.columns());
     arb_mat_get_mid(r.a, x.a);
     return r;
 }
 
-/// @brief Solves x y = b; false if x may be singular.
+// Solves x y = b; false if x may be singular.
 [[nodiscard]] inline bool solved(const BallMatrix& x, const BallMatrix& b, BallMatrix& y) {
     y = BallMatrix(x.rows(), b.columns());
     return arb_mat_solve(y.a, x.a, b.a, ball_bits) != 0;
 }
 
-/// @brief An upper bound of the largest sum of sizes in a row.
+// An upper bound of the largest sum of sizes in a row.
 [[nodiscard]] inline double norm(const BallMatrix& x) {
     mag_t b;
     mag_init(b);
@@ -116,5 +112,114 @@ static_assert(sizeof(Ball) == sizeof(arb_struct), "an entry of a matrix is a bal
     mag_clear(b);
     return d;
 }
+
+// A matrix whose zeros cost nothing in a product.
+class SparseBalls {
+public:
+    // The entries of a matrix that are not zero.
+    explicit SparseBalls(const BallMatrix& A) : rows_(static_cast<std::size_t>(A.rows())) {
+        for (slong i = 0; i < A.rows(); ++i)
+            for (slong k = 0; k < A.columns(); ++k) {
+                if (A(i, k).is_zero()) continue;
+                Row& row = rows_[static_cast<std::size_t>(i)];
+                row.columns.push_back(k);
+                row.entries.push_back(A(i, k));
+                ++count_;
+            }
+    }
+    // Number of entries that are not zero.
+    [[nodiscard]] long count() const { return count_; }
+    // The product with column `from` of x, which goes to column `to` of y; that may be another one of the same matrix.
+    void times_column(const BallMatrix& x, slong from, BallMatrix& y, slong to) const {
+        std::vector<arb_struct> picked; // copies of the numbers' handles, which own nothing
+        for (std::size_t i = 0; i < rows_.size(); ++i) {
+            picked.clear();
+            for (const slong k : rows_[i].columns) picked.push_back(*x(k, from).a);
+            arb_dot(y(static_cast<slong>(i), to).a, nullptr, 0, picked.empty() ? nullptr : rows_[i].entries.front().a, 1,
+                    picked.data(), 1, static_cast<slong>(picked.size()), ball_bits);
+        }
+    }
+
+private:
+    struct Row {
+        std::vector<slong> columns{}; // of the entries that are not zero
+        std::vector<Ball> entries{};
+    };
+    std::vector<Row> rows_;
+    long count_ = 0;
+};
+
+// Exponential of a square matrix with many zeros, by Taylor's series of a part of it whose norm is at most 1. Never
+// exponentiate a wide ball. What is zero in the result may be uncertain.
+[[nodiscard]] inline BallMatrix exp_of_sparse(const BallMatrix& A) {
+    const slong n = A.rows();
+    BallMatrix part(n, n), sum = unit_matrix(n), product(n, n);
+    double left = norm(A);
+    if (!(left < 1e300)) {
+        arb_mat_indeterminate(sum.a);
+        return sum;
+    }
+    slong squarings = 0;
+    for (; left > 1; left /= 2) ++squarings;
+    const Bits more(ball_bits + 8 + 4 * squarings); // a squaring doubles what is uncertain, and a product widens it
+    arb_mat_scalar_mul_2exp_si(part.a, A.a, -squarings);
+    const SparseBalls B(part);
+    mag_t size, rest;
+    mag_init(size);
+    mag_init(rest);
+    arb_mat_bound_inf_norm(size, part.a);
+    mag_one(rest); // the first term left out; all of them are at most twice that
+    slong terms = 0;
+    while (mag_cmp_2exp_si(rest, -ball_bits) > 0) {
+        mag_mul(rest, rest, size);
+        mag_div_ui(rest, rest, static_cast<ulong>(++terms));
+    }
+    Ball product_of_k(1);
+    for (slong k = terms - 1; k > 0; --k) { // ((B + 3) B + 3 * 2) B + 3 * 2 * 1, over the last number
+        product_of_k *= Ball(k);
+        for (slong c = 0; c < n; ++c) {
+            B.times_column(sum, c, product, c);
+            arb_add(product(c, c).a, product(c, c).a, product_of_k.a, ball_bits);
+        }
+        std::swap(sum, product);
+    }
+    arb_mat_scalar_div_arb(sum.a, sum.a, product_of_k.a, ball_bits);
+    mag_mul_2exp_si(rest, rest, 1);
+    for (slong i = 0; i < n; ++i)
+        for (slong c = 0; c < n; ++c) arb_add_error_mag(sum(i, c).a, rest);
+    mag_clear(size);
+    mag_clear(rest);
+    for (; squarings > 0; --squarings) arb_mat_sqr(sum.a, sum.a, ball_bits);
+    return sum;
+}
+
+// A complex number in a rectangle.
+struct ComplexBall {
+    acb_t a; // the number as Arb has it
+
+    ComplexBall() { acb_init(a); }
+    ComplexBall(const ComplexBall& b) : ComplexBall() { acb_set(a, b.a); }
+    ComplexBall(ComplexBall&& b) noexcept : ComplexBall() { acb_swap(a, b.a); }
+    ComplexBall& operator=(ComplexBall b) noexcept {
+        acb_swap(a, b.a);
+        return *this;
+    }
+    ~ComplexBall() { acb_clear(a); }
+    [[nodiscard]] const Ball& re() const { return reinterpret_cast<const Ball&>(*acb_realref(a)); }
+    [[nodiscard]] const Ball& im() const { return reinterpret_cast<const Ball&>(*acb_imagref(a)); }
+};
+
+// A square matrix of complex numbers, or a row of them.
+class ComplexMatrix {
+public:
+    acb_mat_t a; // the matrix as Arb has it
+    ComplexMatrix(slong rows, slong columns) { acb_mat_init(a, rows, columns); }
+    explicit ComplexMatrix(const BallMatrix& A) : ComplexMatrix(A.rows(), A.columns()) { acb_mat_set_arb_mat(a, A.a); }
+    ComplexMatrix(const ComplexMatrix&) = delete;
+    ComplexMatrix& operator=(const ComplexMatrix&) = delete;
+    ~ComplexMatrix() { acb_mat_clear(a); }
+    // The numbers, row by row.
+    [[nodiscard]] acb_ptr all() const { return a->entries; }
+};
 
 } // namespace denhartog

@@ -3,20 +3,16 @@
 // from the equation of motion (6); `balance` fills in the rest.
 #include "denhartog/reference/energy.hpp"
 
-#include "denhartog/reference/maximum.hpp"
-
 namespace denhartog::reference {
 namespace {
 
 using Number = Complex<Ball>;
 
-Number product(const Number& a, const Number& b) { return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re}; }
-Number difference(const Number& a, const Number& b) { return {a.re - b.re, a.im - b.im}; }
-Number quotient(const Number& a, const Number& b) { return Ball(Ball(1) / squared_modulus(b)) * product(a, {b.re, -b.im}); }
+Number operator-(const Number& a, const Number& b) { return {a.re - b.re, a.im - b.im}; }
+Number operator/(const Number& a, const Number& b) { return Ball(Ball(1) / squared_modulus(b)) * (a * Number{b.re, -b.im}); }
 Number turned_back(const Ball& tau) { return {cos(tau), -sin(tau)}; } // e^(-i tau)
 
-// The size of a complex number, also of one that may be zero.
-Ball size_of(const Number& x) { return root_of_positive(squared_modulus(x)); }
+Ball magnitude(const Number& x) { return root_of_positive(squared_modulus(x)); } // also of a number that may be zero
 
 Number load_on(const SceneInBalls& s, slong k) { return {s.p(k), s.p_i.rows() > 0 ? s.p_i(k) : Ball(0)}; }
 
@@ -46,8 +42,7 @@ struct HarmonicMotions {
     // X, with the first harmonic of friction.
     [[nodiscard]] std::vector<Number> with(const Number& friction) const {
         std::vector<Number> X;
-        for (std::size_t k = 0; k < X_of_load.size(); ++k)
-            X.push_back(difference(X_of_load[k], product(X_of_contact[k], friction)));
+        for (std::size_t k = 0; k < X_of_load.size(); ++k) X.push_back(X_of_load[k] - X_of_contact[k] * friction);
         return X;
     }
 
@@ -100,7 +95,7 @@ void balance(const SceneInBalls& s, const std::vector<Number>& X, const ForceOnB
     for (std::size_t k = 0; k < X.size(); ++k) {
         const Number p = load_on(s, static_cast<slong>(k));
         work += p.im * X[k].re - p.re * X[k].im;
-        e.at_most += pi<Ball>() * size_of(p) * size_of(X[k]);
+        e.at_most += pi<Ball>() * magnitude(p) * magnitude(X[k]);
         work -= 2 * d * force.row_of_v[k] * X[k].re;
     }
     e.dampers = pi<Ball>() * (work + d * force.part_of_d_prime) - e.contact;
@@ -108,11 +103,11 @@ void balance(const SceneInBalls& s, const std::vector<Number>& X, const ForceOnB
 
 // The integral of e^(-i n tau) between two instants.
 Number integral(const Ball& from, const Ball& to, int n) {
-    return Ball(Ball(1) / n) * times_i(difference(turned_back(n * to), turned_back(n * from)));
+    return Ball(Ball(1) / n) * times_i(turned_back(n * to) - turned_back(n * from));
 }
 
 // A_w^T (r^2 M (x' + i x) + r C x) e^(-i tau) of a state.
-Number of_boundary(const SceneInBalls& s, const HarmonicMotions& A, const BallMatrix& Z, const Ball& sigma, const Ball& tau) {
+Number boundary_term(const SceneInBalls& s, const HarmonicMotions& A, const BallMatrix& Z, const Ball& sigma, const Ball& tau) {
     const slong N = s.N();
     Number sum{Ball(0), Ball(0)};
     for (slong k = 0; k < N; ++k) {
@@ -121,9 +116,9 @@ Number of_boundary(const SceneInBalls& s, const HarmonicMotions& A, const BallMa
             re += s.r * s.r * s.M(k, n) * sigma * Z(N + n) + s.r * s.C(k, n) * Z(n);
             im += s.r * s.r * s.M(k, n) * Z(n);
         }
-        sum = sum + product(A.X_of_contact[static_cast<std::size_t>(k)], {re, im});
+        sum = sum + A.X_of_contact[k] * Number{re, im};
     }
-    return product(sum, turned_back(tau));
+    return sum * turned_back(tau);
 }
 
 } // namespace
@@ -147,7 +142,7 @@ EnergiesInBalls energies_of_sliding(const SceneInBalls& s, const ResponsesInBall
     balance(s, X, force, d, e);
     if (force.none) return e;
     if (beta.is_zero()) {
-        e.on_base = size_of(force.of(X));
+        e.on_base = magnitude(force.of(X));
         return e;
     }
     std::vector<SlidingMassInBalls> start;
@@ -176,13 +171,13 @@ EnergiesInBalls energies_of_orbit(const SceneInBalls& s, const OrbitInPhases& mo
     Number conjugate{Ball(0), Ball(0)}, Y{Ball(0), Ball(0)}; // A_w^T conj(p); the integral of the contact's displacement
     for (slong k = 0; k < s.N(); ++k) {
         const Number p = load_on(s, k);
-        conjugate = conjugate + product(A.X_of_contact[static_cast<std::size_t>(k)], {p.re, -p.im});
+        conjugate = conjugate + A.X_of_contact[k] * Number{p.re, -p.im};
     }
     const Ball half = Ball(1) / 2;
     Ball path(0);
     bool stops = false;
     for (slong i = 1; i <= at.m(); ++i) {
-        const BallMatrix &before = orbit.Z[static_cast<std::size_t>(i - 1)], &after = orbit.Z[static_cast<std::size_t>(i)];
+        const BallMatrix &before = orbit.Z[i - 1], &after = orbit.Z[i];
         const Ball from = at.instant(i - 1), to = at.instant(i), x = (place * before)(0);
         const Number once = integral(from, to, 1);
         const int direction = at.direction(i);
@@ -192,10 +187,9 @@ EnergiesInBalls energies_of_orbit(const SceneInBalls& s, const OrbitInPhases& mo
             continue;
         }
         path += Ball(direction) * ((place * after)(0) - x);
-        Y = Y + Ball(half * (to - from)) * A.g + half * product(conjugate, integral(from, to, 2));
-        Y = difference(Y, product(A.h, Ball(Ball(direction) * *s.beta) * once));
-        Y = difference(Y,
-                       difference(of_boundary(s, A, after, orbit.s.sigma, to), of_boundary(s, A, before, orbit.s.sigma, from)));
+        Y = Y + Ball(half * (to - from)) * A.g + half * (conjugate * integral(from, to, 2));
+        Y = Y - A.h * (Ball(Ball(direction) * *s.beta) * once);
+        Y = Y - (boundary_term(s, A, after, orbit.s.sigma, to) - boundary_term(s, A, before, orbit.s.sigma, from));
     }
     const Ball stretches = Ball(at.mirrored ? 2 : 1) / Ball(at.periods); // in a period of the force
     Y = Ball(stretches / pi<Ball>()) * Y;
@@ -204,12 +198,12 @@ EnergiesInBalls energies_of_orbit(const SceneInBalls& s, const OrbitInPhases& mo
     e.friction = stops ? s.mu * *s.beta : *s.beta;
     e.contact = stretches * *s.beta * path;
     e.by_textbooks = A.by_textbooks(*s.beta);
-    balance(s, A.with(quotient(difference(A.g, Y), A.h)), force, d, e);
+    balance(s, A.with((A.g - Y) / A.h), force, d, e);
     if (force.none) return e;
     BallMatrix row(1, orbit.s.n());
     for (slong k = 0; k < s.N(); ++k) {
-        row(0, k) = force.row_of_x[static_cast<std::size_t>(k)];
-        row(0, s.N() + k) = orbit.s.sigma * force.row_of_v[static_cast<std::size_t>(k)];
+        row(0, k) = force.row_of_x[k];
+        row(0, s.N() + k) = orbit.s.sigma * force.row_of_v[k];
     }
     row(0, 2 * s.N()) = -force.part_of_d;
     row(0, 2 * s.N() + 1) = force.part_of_d_prime;
@@ -220,9 +214,9 @@ EnergiesInBalls energies_of_orbit(const SceneInBalls& s, const OrbitInPhases& mo
 EnergiesInBalls energies_of_rest(const SceneInBalls& s, const StuckInBalls& stuck, const Ball& d) {
     const ForceOnBase force(s, d);
     EnergiesInBalls e;
-    e.friction = size_of(stuck.load);
+    e.friction = magnitude(stuck.load);
     balance(s, stuck.X, force, d, e);
-    if (!force.none) e.on_base = size_of(force.of(stuck.X));
+    if (!force.none) e.on_base = magnitude(force.of(stuck.X));
     return e;
 }
 

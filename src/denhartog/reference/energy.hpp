@@ -13,7 +13,6 @@
 #include "denhartog/formulas/complex.hpp"
 #include "denhartog/reference/orbit.hpp"
 #include "denhartog/reference/sliding.hpp"
-#include "denhartog/reference/stuck.hpp"
 
 namespace denhartog::reference {
 
@@ -28,29 +27,22 @@ struct EnergiesInBalls {
     std::optional<Ball> by_textbooks{}; ///< amplitude of the contact by equivalent viscous damping; none if that has none
 };
 
-/// @brief Strain of springs and dampers by the harmonic motion of the base: \f$ d\cos\tau \f$ in the frame of the displacements.
-/// @param motion  the base or the wall, whichever moves
-/// @return        d in units of P / k_1: 1 of a base that moves alone, -1 in the frame of a wall that does, else 0
+/// @brief The motion of the base in the frame of the displacements over cos tau, in units of P / k_1: 1 of a base that moves alone,
+/// -1 in the frame of a wall that does, else 0.
 [[nodiscard]] Ball motion_of_base_in_frame(BaseMotion motion);
 
-/// @brief The sliding motion. @param s the scene, with its damping matrix @param r its responses @param d as
-/// `motion_of_base_in_frame` @return what it dissipates
-/// @throws Unproved if more bits may help
+/// @brief What the sliding motion dissipates. The scene has its damping matrix, and d is that of `motion_of_base_in_frame`.
+/// @throws Unproved if more bits may help, as the next two do
 [[nodiscard]] EnergiesInBalls energies_of_sliding(const SceneInBalls& s, const ResponsesInBalls& r, const Ball& d);
 
-/// @brief A motion from phase to phase.
+/// @brief What a motion from phase to phase dissipates.
 ///
 /// Over a phase of sliding \f$ \mathbf A\int\bar{\mathbf x}e^{-\mathrm i\tau}\mathrm d\tau \f$ is what the forces bring, less the
 /// change of \f$ (r^2\mathbf M(\bar{\mathbf x}' + \mathrm i\bar{\mathbf x}) + r\mathbf C\bar{\mathbf x})e^{-\mathrm i\tau} \f$:
 /// states at events alone determine the first harmonic of the contact.
-/// @param s the scene, with its damping matrix @param motion the motion @param d as `motion_of_base_in_frame` @return what it
-/// dissipates
-/// @throws Unproved if more bits may help
 [[nodiscard]] EnergiesInBalls energies_of_orbit(const SceneInBalls& s, const OrbitInPhases& motion, const Ball& d);
 
-/// @brief The motion with the contact at rest. @param s the scene, with its damping matrix @param stuck its response
-/// @param d as `motion_of_base_in_frame` @return what it dissipates
-/// @throws Unproved if more bits may help
+/// @brief What the motion with the contact at rest dissipates.
 [[nodiscard]] EnergiesInBalls energies_of_rest(const SceneInBalls& s, const StuckInBalls& stuck, const Ball& d);
 
 } // namespace denhartog::reference

@@ -4,10 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
-
-#include "denhartog/number/effort.hpp"
 
 namespace denhartog::reference {
 namespace {
@@ -137,7 +134,7 @@ private:
             std::optional<Ball> end;
             for (std::size_t g = 0; g < guards.size(); ++g) {
                 CurveInBalls curve{series.powers(guards[g])};
-                for (int n = 0; n < order; ++n) curve.powers[static_cast<std::size_t>(n)] = Ball(0);
+                for (int n = 0; n < order; ++n) curve.powers[n] = Ball(0);
                 const std::optional<Ball> fall = first_fall(curve, order);
                 if (!fall || (end && *fall > *end)) continue;
                 if (end && !(*fall < *end)) throw Unproved("two events of the contact may be one");
@@ -206,28 +203,12 @@ private:
 
     [[nodiscard]] std::optional<bool> others_come_to_rest() const {
         if (s_.N == 1) return std::nullopt;
-        const slong N = s_.N, n = N - 1;
-        BallMatrix into(2 * N, 2 * n), from(2 * n, 2 * N), A(2 * N, 2 * N); // coordinates of the others, the contact held at zero
-        for (slong i = 0, k = 0; k < N; ++k) {
-            if (k == s_.lead) continue;
-            for (const slong half : {slong(0), slong(1)}) {
-                into(half * N + k, half * n + i) = from(half * n + i, half * N + k) = Ball(1);
-                into(half * N + s_.lead, half * n + i) = -(s_.w(k) / s_.w(s_.lead));
-            }
-            ++i;
-        }
-        for (slong i = 0; i < 2 * N; ++i)
-            for (slong k = 0; k < 2 * N; ++k) A(i, k) = s_.stuck(i, k);
-        const FreeMotions free(from * A * into, s_.effort);
-        bool damped = free.are_simple();
-        for (std::size_t i = 0; damped && i < static_cast<std::size_t>(2 * n); ++i) damped = free.lambda(i).re() < Ball(0);
-        if (damped) return true;
-        for (slong i = 0; i < N; ++i)
-            for (slong k = 0; k < N; ++k)
-                if (!scene_.C(i, k).is_zero()) return std::nullopt;
+        const std::shared_ptr<FastPhases>& free = s_.by_free_motions(0);
+        if (free && free->die_out()) return true;
+        if (arb_mat_is_zero(scene_.C.a) == 0) return std::nullopt;
         const BallMatrix at = places();
-        for (slong k = 0; k < N; ++k)
-            if (!(Z_(k) - at(k)).may_vanish() || !Z_(N + k).may_vanish()) return false;
+        for (slong k = 0; k < s_.N; ++k)
+            if (!(Z_(k) - at(k)).may_vanish() || !Z_(s_.N + k).may_vanish()) return false;
         return std::nullopt;
     }
 

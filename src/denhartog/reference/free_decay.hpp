@@ -27,8 +27,8 @@ struct FreeDecayInBalls {
     Ball rest_from{};                 ///< tau from which the contact rests for good
     Ball rest_at{};                   ///< displacement of the contact at rest
     std::vector<Ball> x{};            ///< places of rest of all masses with the contact there; units of P / k_1
-    /// Whether the other masses come to rest there: every free motion of theirs is damped, so that they tend to these places and
-    /// never reach them; false if nothing damps them and they move for ever; empty if neither is proved, or there are none
+    /// Whether the other masses come to rest there: every free motion of theirs is damped; false if nothing damps them and they move
+    /// for ever; empty if neither is proved, or there are none
     std::optional<bool> others_come_to_rest{};
     /// Whether the springs pull on the contact at rest with static friction, to all bits: if they are equal, (74) lets it stick
     bool on_limit = false;
@@ -45,16 +45,10 @@ struct FreeDecayInBalls {
 /// \f[ \sqrt{2E\,(\mathbf a^T\mathbf P_K\mathbf a+\mathbf b^T\mathbf P_M\mathbf b)} \f]
 /// (Cauchy and Schwarz). If this and the load of the springs at rest are less than static friction, the rest lasts.
 /// @eq{6,74,75}
-/// @param scene    the scene with its damping matrix; its load p counts for nothing
-/// @param x        displacements at the start, N x 1; units of P / k_1
-/// @param x_prime  velocities there, with respect to tau, N x 1
-/// @param until    an instant up to which the motion is followed; empty: until the contact rests for good, which it may never do
-///                 where nothing damps the other masses
-/// @param last     whether no more bits will be tried: a single mass whose springs pull with static friction to all bits then
-///                 rests, see `on_limit`
-/// @return         the motion
-/// @throws         Unproved if more bits may help; PrecisionError if the work allowed is spent before the motion has come to
-///                 its end
+/// The scene has its damping matrix, and its load counts for nothing. The motion is followed up to `until`, or until the contact rests
+/// for good, which it may never do where nothing damps the other masses. If no more bits will be tried, at `last`, a single mass whose
+/// springs pull with static friction to all bits rests, see `on_limit`.
+/// @throws Unproved if more bits may help; PrecisionError if the work allowed is spent before the motion has come to its end
 [[nodiscard]] FreeDecayInBalls free_decay_in_balls(const SceneInBalls& scene, const BallMatrix& x, const BallMatrix& x_prime,
                                                    const std::optional<Ball>& until, bool last);
 

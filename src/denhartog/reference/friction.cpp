@@ -1,15 +1,16 @@
-// What do load and friction add to the motion if each mode moves by itself? V, U, G and H by (23), (28), (29) and (33)-(35),
-// (64). Read `responses_of_modes` first; `FrictionMotionOfMode` is the brace of (40) and (41) as a function of time.
+// What do load and friction add to the motion? If each mode moves by itself V, U, G and H by (23), (28), (29), (33) to (35) and
+// (64): read `responses_of_modes`; `FrictionMotionOfMode` is the brace of (40) and (41) as a function of time. If damping couples
+// the modes, the motion with the symmetry (25) of z' = A z + b, the state form of (6), over a half-period: `responses_of_state`.
 #include "denhartog/reference/friction.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
 #include "denhartog/formulas/modal_coordinate.hpp"
 #include "denhartog/formulas/superposition.hpp"
-#include "denhartog/number/effort.hpp"
-#include "denhartog/reference/free_motions.hpp"
+#include "denhartog/reference/phases.hpp"
 
 namespace denhartog::reference {
 namespace {
@@ -74,13 +75,134 @@ std::array<Ball, 6> most_of_parts(const std::vector<MotionThatDiesOut>& parts, c
     return most;
 }
 
-} // namespace
-
+// (65): the sum of (w^T psi_i)^2 over the modes is w^T M^-1 w / r^2.
 Ball acceleration_of_contact(const SceneInBalls& s) {
     BallMatrix a;
     if (!solved(s.M, s.w, a)) throw Unproved("the mass matrix is not proved regular");
     return (transposed(s.w) * a)(0) / (s.r * s.r);
 }
+
+// z' = A z + b between two turns of the contact, z = (x, x'); b is the acceleration by a unit force on the contact.
+struct StateMatrix {
+    BallMatrix A{}, rest{}; // rest: the static displacements by that force, with velocities zero
+};
+
+StateMatrix state_matrix(const SceneInBalls& s) {
+    const slong N = s.N();
+    StateMatrix m{BallMatrix(2 * N, 2 * N), BallMatrix(2 * N, 1)};
+    const BallMatrix mass = s.M * (s.r * s.r); // (7)
+    BallMatrix of_stiffness, of_damping, at_rest;
+    if (!solved(mass, s.K, of_stiffness) || !solved(mass, s.C * s.r, of_damping))
+        throw Unproved("the mass matrix is not proved regular");
+    if (!solved(s.K, s.w, at_rest)) throw Unproved("the stiffness matrix is not proved regular");
+    for (slong i = 0; i < N; ++i) {
+        m.A(i, N + i) = Ball(1);
+        m.rest(i) = at_rest(i);
+        for (slong k = 0; k < N; ++k) {
+            m.A(N + i, k) = -of_stiffness(i, k);
+            m.A(N + i, N + k) = -of_damping(i, k);
+        }
+    }
+    return m;
+}
+
+// The complex amplitudes of the masses under a harmonic force.
+std::vector<Complex<Ball>> harmonic_response(const SceneInBalls& s, const BallMatrix& force, const BallMatrix& imaginary) {
+    const slong N = s.N();
+    BallMatrix b(2 * N, 1), X;
+    for (slong i = 0; i < N; ++i) b(i) = force(i);
+    for (slong i = 0; i < imaginary.rows(); ++i) b(N + i) = imaginary(i);
+    if (!solved(dynamic_stiffness(s, N), b, X)) throw Unproved("the load may excite a resonance without damping");
+    std::vector<Complex<Ball>> out;
+    for (slong i = 0; i < N; ++i) out.push_back({X(i), X(N + i)});
+    return out;
+}
+
+Complex<Ball> at_contact(const SceneInBalls& s, const std::vector<Complex<Ball>>& X) {
+    Complex<Ball> sum{};
+    for (slong k = 0; k < s.N(); ++k)
+        if (!s.w(k).is_zero()) sum = sum + s.w(k) * X[k];
+    return sum;
+}
+
+// Number of times that A tau is halved until it is small.
+double halvings_of(const BallMatrix& A, const Ball& tau) { return binary_logarithm(std::max(1.0, norm(A) * tau.high())); }
+
+// e^(A tau): a series for a small part of A, squared as often as that was halved. Each squaring takes a bit of what is right.
+BallMatrix state_after(const BallMatrix& A, const Ball& tau, Effort* effort) {
+    const double halvings = halvings_of(A, tau);
+    if (!(halvings < static_cast<double>(ball_bits))) throw Unproved("a mode is too fast for the state to be followed");
+    const double products = halvings + std::sqrt(static_cast<double>(ball_bits)), n = static_cast<double>(A.rows());
+    pay(effort, cost_of_ball_products(n * n * n * products));
+    return exp(A * tau);
+}
+
+// e^(A tau) begin at an instant or over a stretch: by Taylor's series about its middle, z and its derivatives over n!.
+std::vector<Series> states_in_time(const BallMatrix& A, const BallMatrix& begin, const Ball& tau, Effort* effort) {
+    const Ball center = middle(tau), off = tau - center, size(norm(A)), reach = upper_bound_of(size * radius_of(off));
+    if (!(reach < Ball(600))) throw Unproved("a mode is too fast for the state to be followed");
+    BallMatrix term = state_after(A, center, effort) * begin, sum = term;
+    Ball left(norm(term)); // (reach^k / k!) |z|, a bound of the last term taken
+    const Ball enough = left * power_of_two(-ball_bits);
+    for (slong k = 1; !off.is_zero() && !(left < enough) && k < 10 * ball_bits; ++k) {
+        term = A * term * (off / k);
+        sum = sum + term;
+        left *= reach / k;
+    }
+    std::vector<Series> z(A.rows());
+    // the terms after the last are at most the last times the sum of reach^n / n!
+    Ball open = off.is_zero() ? Ball(0) : left * exp(reach);
+    slong factorial = 1;
+    for (std::size_t n = 0; n < 5; ++n, sum = A * sum, open = open * size, factorial *= static_cast<slong>(n))
+        for (slong i = 0; i < A.rows(); ++i) z[i].c[n] = widened(sum(i), open) / factorial;
+    return z;
+}
+
+// Factors of e^(lambda_i tau) in F of each row: -2 (row of R_i) (L_i rest) / (1 + e^(lambda_i pi)).
+void add_free_motions(const SceneInBalls& s, const FreeMotions& free, const BallMatrix& rest, FrictionInTime& f) {
+    const slong N = s.N();
+    std::vector<ComplexBall> shares = free.shares_of(rest);
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        ComplexBall once;
+        acb_mul_arb(once.a, free.lambda(i).a, pi<Ball>().a, ball_bits);
+        acb_exp(once.a, once.a, ball_bits);
+        acb_add_si(once.a, once.a, 1, ball_bits);
+        acb_div(shares[i].a, shares[i].a, once.a, ball_bits);
+        acb_mul_si(shares[i].a, shares[i].a, -2, ball_bits);
+    }
+    for (slong k = 0; k <= N; ++k) { // the last is the contact
+        BallMatrix row(1, 2 * N);
+        for (slong i = 0; i < N; ++i) row(0, i) = k < N ? Ball(i == k ? 1 : 0) : s.w(i);
+        f.constant.push_back((row * rest)(0));
+        f.weight.push_back(free.weights(row, shares));
+    }
+    f.shared = free.in_time();
+}
+
+// Adds the states by the exponential of the matrix, if eigenvalues may coincide.
+void add_states(const SceneInBalls& s, const StateMatrix& m, FrictionInTime& f) {
+    const slong N = s.N();
+    // With more bits the eigenvalues of so fast a system may prove distinct, which costs less.
+    if (!(4 * halvings_of(m.A, pi<Ball>()) < static_cast<double>(ball_bits)))
+        throw Unproved("a mode is too fast for the state to be followed");
+    BallMatrix begin;
+    const BallMatrix once = unit_matrix(2 * N) + state_after(m.A, pi<Ball>(), s.effort);
+    if (!solved(once, m.rest, begin)) throw Unproved("a free motion may mirror itself after half a period");
+    begin = begin * Ball(-2);
+    f.constant.assign(static_cast<std::size_t>(N) + 1, Ball(0));
+    f.weight.assign(static_cast<std::size_t>(N) + 1, std::vector<Ball>(2 * N));
+    for (slong k = 0; k < N; ++k) {
+        f.constant[k] = m.rest(k);
+        f.constant.back() += s.w(k) * m.rest(k);
+        f.weight[k][k] = Ball(1);
+        f.weight.back()[k] = s.w(k);
+    }
+    const auto z = [A = m.A, begin, effort = s.effort](const Ball& tau) { return states_in_time(A, begin, tau, effort); };
+    f.shared =
+        std::make_shared<Remembered<std::vector<Series>>>(z, [z](const std::vector<Series>&, const Ball& tau) { return z(tau); });
+}
+
+} // namespace
 
 void FrictionInTime::widen(std::span<Ball> c, Ball off) const {
     for (std::size_t n = 0; n < c.size() && !off.is_zero(); ++n) {
@@ -90,7 +212,7 @@ void FrictionInTime::widen(std::span<Ball> c, Ball off) const {
 }
 
 Series FrictionInTime::of(std::size_t row, const std::vector<Series>& e) const {
-    Series F = sum_of(weight[row], e, Series(constant[row]));
+    Series F = weighted_sum(weight[row], e, Series(constant[row]));
     if (!open.empty()) widen(F.c, open[row]);
     return F;
 }
@@ -139,7 +261,7 @@ Series FrictionInTime::at(std::size_t row, const Ball& tau) const {
 Series FrictionInTime::rate_and_third(std::size_t row, const std::vector<Series>& e) const {
     std::vector<Series> each;
     for (std::size_t i = 0; i < e.size(); ++i) each.push_back(modes[i].rate_and_third(e[i]));
-    Series Z = sum_of(weight[row], each, Series());
+    Series Z = weighted_sum(weight[row], each, Series());
     widen(Z.c, open[row] * (fastest + fastest * fastest * fastest));
     return Z;
 }
@@ -253,6 +375,39 @@ ResponsesInBalls responses_of_modes(const SceneInBalls& s, ModesInBalls m) {
     }
     r.modes = std::move(m);
     return r;
+}
+
+ResponsesInBalls responses_of_state(const SceneInBalls& s) {
+    const StateMatrix m = state_matrix(s);
+    ResponsesInBalls r;
+    r.friction.effort = s.effort;
+    r.V = harmonic_response(s, s.p, s.p_i);
+    r.V.push_back(at_contact(s, r.V));
+    r.Y = at_contact(s, harmonic_response(s, s.w, BallMatrix()));
+    const FreeMotions free(m.A, s.effort);
+    if (free.are_simple())
+        add_free_motions(s, free, m.rest, r.friction);
+    else
+        add_states(s, m, r.friction);
+    const std::vector<Series>& e = (*r.friction.shared)(Ball(0));
+    for (std::size_t row = 0; row < r.V.size(); ++row) {
+        const Series start = r.friction.of(row, e);
+        r.G.push_back(-start.rate(0));
+        r.U.push_back(-start.rate(1));
+        if (!(start.rate(0).finite() && start.rate(1).finite()))
+            throw Unproved("a free motion may mirror itself after half a period");
+    }
+    r.squares = acceleration_of_contact(s);
+    r.H = r.friction.of(r.contact(), e).rate(2) - r.squares;
+    return r;
+}
+
+ResponsesInBalls responses_of_one_mass(const Ball& R, const Ball& zeta, Effort* effort) {
+    SceneInBalls one{unit_matrix(1), unit_matrix(1), unit_matrix(1) * (2 * zeta)};
+    one.w = one.p = unit_matrix(1);
+    one.r = R;
+    one.effort = effort;
+    return responses_of_state(one);
 }
 
 } // namespace denhartog::reference

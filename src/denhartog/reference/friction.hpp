@@ -20,7 +20,7 @@ struct MotionThatDiesOut {
     Ball slope{};  ///< d
 };
 
-/// @brief The friction motion of a mode.
+/// @brief The friction motion of a mode whose damping is proved not critical.
 ///
 /// Below critical damping it is that of (41). Beyond, with the rates \f$ \lambda_{1,2} \f$ of the free motion and
 /// \f$ E_n = e^{\lambda_n\tau}/(1 + e^{\lambda_n\pi}) \f$, the motion that mirrors itself is
@@ -37,7 +37,7 @@ struct FrictionMotionOfMode {
     Ball largest{};                         ///< a bound of |F - 1| throughout
     std::vector<MotionThatDiesOut> parts{}; ///< of F - 1, from critical damping on
 
-    /// @brief The motion for a damping ratio that is proved not critical.
+    /// @brief Of a modal frequency ratio and a damping ratio.
     FrictionMotionOfMode(const Ball& R, const Ball& zeta);
     /// @brief The motion and its derivatives at an instant, exact.
     [[nodiscard]] Series at(const Ball& tau) const;
@@ -49,10 +49,9 @@ struct FrictionMotionOfMode {
     ///
     /// They obey \f$ y'' + dy' + \lambda y = 1 \f$, with \f$ d = 2\zeta/R \f$ and \f$ \lambda = 1/R^2 \f$. Their difference
     /// \f$ \delta \f$ obeys it with \f$ -(\Delta d\,y' + \Delta\lambda\,y) \f$ in place of 1. Damping takes energy away, so that
-    /// \f$ \sqrt{\delta'^2 + \lambda\delta^2} \f$ grows by less than the integral of that; at 0 it follows from u and g. The
-    /// derivative of order n is at most so often as large as `changes` to the n.
+    /// \f$ \sqrt{\delta'^2 + \lambda\delta^2} \f$ grows by less than the integral of that; at 0 it follows from u and g.
     [[nodiscard]] Ball apart() const;
-    /// @brief Largest rate of such a difference.
+    /// @brief Largest rate of such a difference: its derivative of order n is at most so often as large as this to the n.
     [[nodiscard]] Ball changes() const { return 4 * (1 + zeta) * (1 + speed); }
     /// @brief Taylor's coefficients that follow from the first three, as many as are wanted.
     void go_on(std::vector<Ball>& c, std::size_t terms) const;
@@ -64,18 +63,19 @@ struct FrictionMotionOfMode {
 /// @brief The motion F_k that a unit of friction adds over the half-period in which the contact moves down, as (41) has it.
 ///
 /// It is a sum of functions of time that all masses share, \f$ F_k(\tau) = c_k + \sum_i a_{ki} e_i(\tau) \f$. Its values at both
-/// ends of the half-period are \f$ -G_k \f$ and \f$ G_k \f$, its rates \f$ -U_{dk} \f$ and \f$ U_{dk} \f$.
+/// ends of the half-period are \f$ -G_k \f$ and \f$ G_k \f$, its rates \f$ -U_{dk} \f$ and \f$ U_{dk} \f$. A row is a mass, or the
+/// contact at N.
 struct FrictionInTime {
-    std::vector<Ball> constant{};                              ///< c_k; N masses, then the contact
-    std::vector<std::vector<Ball>> weight{};                   ///< a_ki, as many rows
+    std::vector<Ball> constant{};                              ///< c_k
+    std::vector<std::vector<Ball>> weight{};                   ///< a_ki
     std::shared_ptr<Remembered<std::vector<Series>>> shared{}; ///< e_i at an instant or over a stretch
     std::vector<FrictionMotionOfMode> modes{};                 ///< those whose motions the e_i are; none of free motions
     std::vector<Ball> open{};                                  ///< of each row, by how much clusters may put it off, see `apart`
     Ball fastest{};                                            ///< how fast that changes, as `changes` has it
     std::vector<bool> cancels{};                               ///< of each row, whether it is a small difference of them
-    Effort* effort = nullptr;                                  ///< what evaluations spend, as of the scene
+    Effort* effort = nullptr;                                  ///< that of the scene
 
-    /// @brief F_k of a mass, or of the contact at N, from what `shared` gave.
+    /// @brief F_k from what `shared` gave.
     [[nodiscard]] Series of(std::size_t row, const std::vector<Series>& e) const;
     /// @brief F_k at an instant or over a stretch; over a stretch of a row that is a small difference of the motions of the modes
     /// from as many derivatives in its middle as the bits show.
@@ -87,11 +87,6 @@ private:
     // Makes the derivatives over n! uncertain by what changes as fast as `fastest`.
     void widen(std::span<Ball> c, Ball off) const;
 };
-
-/// @brief Acceleration of the contact by a unit force on it: the sum of (w^T psi_i)^2 over the modes is w^T M^-1 w / r^2.
-/// @eq{65}
-/// @throws Unproved if the mass matrix is not proved regular
-[[nodiscard]] Ball acceleration_of_contact(const SceneInBalls& scene);
 
 /// @brief Response functions at a frequency ratio, of the N masses and then of the contact, w^T x.
 struct ResponsesInBalls {

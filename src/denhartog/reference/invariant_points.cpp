@@ -1,25 +1,250 @@
-// At which frequencies does the amplitude of a mass not depend on friction? At the zeros of (87) without damping. Read
-// `add_zeros` first, which divides the range of 1/r; `TransmissibilityInBalls` is the function whose zeros are proved.
+// Where does the amplitude of a mass not depend on friction? At the zeros of (87) without damping. Read `add_zeros` first, which
+// divides the range of 1/r; `TransmissibilityInBalls` is the function whose zeros are proved. V and U have a pole for each mode: those
+// next to a stretch of x = 1/r are multiplied out, see `terms`, so that both are sums over modes of power series.
 #include "denhartog/reference/invariant_points.hpp"
+
+#include <arb_poly.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
-#include "denhartog/number/effort.hpp"
-#include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
-#include "denhartog/reference/maximum.hpp"
 #include "denhartog/reference/series.hpp"
 #include "denhartog/search/zeros.hpp"
 
 namespace denhartog::reference {
 namespace {
 
+constexpr slong taylor_order = 8;           // of the Taylor polynomials
+constexpr std::size_t most_seen = 8192;     // modes that are remembered, over all stretches
 constexpr double margin_of_range = 0x1p-40; // by which the search goes on behind the ends of the range
 constexpr double narrowest = 0x1p-46;       // part of x to which a stretch is divided
 constexpr double most_poles = 100'000;
+
+// c_0 + c_1 theta + ..., as many terms as are wanted. Operands have equally many.
+struct PolynomialInBalls {
+    std::vector<Ball> c{};
+
+    explicit PolynomialInBalls(slong terms = 0) : c(terms) {}
+    PolynomialInBalls(slong terms, const Ball& value, const Ball& slope) : PolynomialInBalls(terms) {
+        c[0] = value;
+        if (terms > 1) c[1] = slope;
+    }
+    [[nodiscard]] slong terms() const { return static_cast<slong>(c.size()); }
+    [[nodiscard]] arb_ptr a() { return reinterpret_cast<arb_ptr>(c.data()); } // as Arb has them
+    [[nodiscard]] arb_srcptr a() const { return reinterpret_cast<arb_srcptr>(c.data()); }
+
+    friend PolynomialInBalls operator-(PolynomialInBalls x, const PolynomialInBalls& y) {
+        for (std::size_t n = 0; n < x.c.size(); ++n) x.c[n] -= y.c[n];
+        return x;
+    }
+    friend PolynomialInBalls operator*(const Ball& s, PolynomialInBalls x) {
+        for (Ball& each : x.c) each *= s;
+        return x;
+    }
+    friend PolynomialInBalls operator*(const PolynomialInBalls& x, const PolynomialInBalls& y) {
+        PolynomialInBalls r(x.terms());
+        _arb_poly_mullow(r.a(), x.a(), x.terms(), y.a(), x.terms(), x.terms(), ball_bits);
+        return r;
+    }
+    friend PolynomialInBalls operator/(const PolynomialInBalls& x, const PolynomialInBalls& y) {
+        PolynomialInBalls r(x.terms());
+        _arb_poly_div_series(r.a(), x.a(), x.terms(), y.a(), x.terms(), x.terms(), ball_bits);
+        return r;
+    }
+};
+
+// The range of a function over a stretch, from its terms in the middle, the last one over the whole stretch.
+Ball range_of(const PolynomialInBalls& f, const Ball& off) {
+    Ball value = f.c.back();
+    for (std::size_t n = f.c.size() - 1; n-- > 0;) value = value * off + f.c[n];
+    return value;
+}
+
+// Masses that hang together: no other mass is coupled to them.
+using CoupledMasses = std::vector<slong>;
+
+// The masses of a scene, part by part. One may be left out, which couples no others then.
+std::vector<CoupledMasses> coupled_masses(const SceneInBalls& s, slong held = -1) {
+    std::vector<CoupledMasses> parts;
+    std::vector<bool> taken(s.N(), false);
+    if (held >= 0) taken[held] = true;
+    for (slong first = 0; first < s.N(); ++first) {
+        CoupledMasses part;
+        const auto take = [&](slong k) {
+            if (!taken[k]) part.push_back(k);
+            taken[k] = true;
+        };
+        take(first);
+        for (std::size_t n = 0; n < part.size(); ++n)
+            for (slong k = 0; k < s.N(); ++k)
+                if (!s.M(part[n], k).is_zero() || !s.K(part[n], k).is_zero()) take(k);
+        if (!part.empty()) parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
+// The masses of one part, and what acts on them, at r = 1: R is 1 over the natural frequency ratio then, and psi is phi.
+SceneInBalls part_of(const SceneInBalls& s, const CoupledMasses& masses) {
+    const auto n = static_cast<slong>(masses.size());
+    SceneInBalls part{BallMatrix(n, n), BallMatrix(n, n)};
+    part.w = part.p = BallMatrix(n, 1);
+    part.r = Ball(1);
+    part.effort = s.effort;
+    for (slong a = 0; a < n; ++a) {
+        const slong k = masses[a];
+        part.w(a) = s.w(k);
+        part.p(a) = s.p(k);
+        for (slong b = 0; b < n; ++b) {
+            part.M(a, b) = s.M(k, masses[b]);
+            part.K(a, b) = s.K(k, masses[b]);
+        }
+    }
+    return part;
+}
+
+// A term of each mode over its own factor, times all factors that are multiplied out.
+std::vector<PolynomialInBalls> multiplied_out(std::vector<PolynomialInBalls> numerators,
+                                              const std::vector<PolynomialInBalls>& factors, const std::vector<bool>& out) {
+    for (std::size_t i = 0; i < numerators.size(); ++i) {
+        if (!out[i]) numerators[i] = numerators[i] / factors[i];
+        for (std::size_t n = 0; n < factors.size(); ++n)
+            if (out[n] && n != i) numerators[i] = numerators[i] * factors[n];
+    }
+    return numerators;
+}
+
+// Products of the shapes of the modes at two rows.
+struct WeightsInBalls {
+    std::vector<Ball> sum{};  // of each mode, or of each cluster as a whole
+    std::vector<Ball> open{}; // factor by which the radius of a cluster's function leaves its term open; zero of one mode
+
+    // Whether they are zero and nothing else: the rows have no mode in common.
+    [[nodiscard]] bool vanish() const {
+        return std::ranges::all_of(sum, &Ball::is_zero) && std::ranges::all_of(open, &Ball::is_zero);
+    }
+};
+
+// The sum over modes of weights times functions.
+PolynomialInBalls sum_over_modes(const WeightsInBalls& w, const std::vector<PolynomialInBalls>& f) {
+    PolynomialInBalls total(f.empty() ? 1 : f.front().terms());
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        for (std::size_t n = 0; n < f[i].c.size() && !w.sum[i].is_zero(); ++n)
+            arb_addmul(total.c[n].a, w.sum[i].a, f[i].c[n].a, ball_bits);
+        for (std::size_t n = 0; n < f[i].c.size() && !w.open[i].is_zero(); ++n)
+            total.c[n] = widened(total.c[n], upper_bound_of(w.open[i] * radius_of(f[i].c[n])));
+    }
+    return total;
+}
+
+// v and u of each mode or cluster over x. Up to a common factor, V = x^2 sum w_i v_i and U = sum w_i u_i.
+struct TermsOverX {
+    std::vector<PolynomialInBalls> v{}, u{}; // 1 / (r_n^2 x^2 - 1) and tan(pi r_n x / 2) / r_n, times what is multiplied out
+};
+
+// Which modes or clusters have their poles multiplied out: r_n^2 x^2 - 1 of V, cos(pi r_n x / 2) of U.
+struct FactorsOverX {
+    std::vector<bool> of_V{}, of_U{};
+};
+
+// A stretch of x as it was seen: less its middle, and the functions of the modes in its middle, over it, and at its ends.
+struct SeenOverX {
+    FactorsOverX factors{};
+    Ball off{};
+    TermsOverX middle{}, over{}, at_a{}, at_b{};
+};
+
+// The modes of parts of a system, proved as those of `modes_in_balls`. A row is a mass, N for the contact, N + 1 for the load.
+class UndampedModesInBalls {
+public:
+    UndampedModesInBalls(const SceneInBalls& s, const std::vector<CoupledMasses>& parts) : psi_(s.N() + 2) {
+        const auto N = static_cast<std::size_t>(s.N());
+        for (const CoupledMasses& masses : parts) {
+            const SceneInBalls part = part_of(s, masses);
+            const ModesInBalls m = modes_in_balls(part);
+            const std::size_t before = psi_[N].size(); // modes of the parts before
+            const bool loaded = arb_mat_is_zero(part.p.a) == 0, rubs = arb_mat_is_zero(part.w.a) == 0;
+            const auto copy = [&](const std::vector<Ball>& row, std::vector<Ball>& of_all) {
+                of_all.insert(of_all.end(), row.begin(), row.end());
+            };
+            for (std::size_t k = 0; k < masses.size(); ++k) copy(m.psi[k], psi_[masses[k]]);
+            if (rubs) copy(m.at_contact(), psi_[N]);
+            if (loaded) copy(m.at_load(), psi_[N + 1]);
+            for (std::vector<Ball>& row : psi_) row.resize(before + m.R.size());
+            for (std::size_t first = 0, last = 0; first < m.R.size(); first = last) {
+                last = first + 1;
+                for (const ModeCluster& c : m.clusters)
+                    if (c.first == first) last = c.last;
+                r_n_.push_back(1 / m.R[first]);
+                loaded_.push_back(loaded);
+                clusters_.push_back({before + first, before + last});
+            }
+        }
+        nothing_ = {std::vector<bool>(r_n_.size(), false), std::vector<bool>(r_n_.size(), false)};
+    }
+
+    [[nodiscard]] const std::vector<Ball>& r_n() const { return r_n_; } // one of each mode or cluster
+
+    [[nodiscard]] WeightsInBalls weights(std::size_t a, std::size_t b) const {
+        WeightsInBalls w;
+        for (const ModeCluster& c : clusters_) {
+            Ball& sum = w.sum.emplace_back(0);
+            for (std::size_t i = c.first; i < c.last; ++i) sum += psi_[a][i] * psi_[b][i];
+            w.open.push_back(c.last > c.first + 1 ? ModesInBalls::lengths_in(c, psi_[a], psi_[b]) : Ball(0));
+        }
+        return w;
+    }
+
+    // The functions of the modes at x = 1/r or over a stretch of it.
+    [[nodiscard]] TermsOverX terms(const Ball& x, slong terms, const FactorsOverX& factors) const {
+        std::vector<PolynomialInBalls> one, sines, cosines, q;
+        for (const Ball& r : r_n_) {
+            const Ball rate = pi<Ball>() * r / 2;
+            const PolynomialInBalls angle(terms, rate * x, rate);
+            PolynomialInBalls s(terms), c(terms);
+            _arb_poly_sin_cos_series(s.a(), c.a(), angle.a(), std::min<slong>(terms, 2), terms, ball_bits);
+            sines.push_back((1 / r) * std::move(s));
+            cosines.push_back(std::move(c));
+            q.push_back(PolynomialInBalls(terms, r * x - 1, r) * PolynomialInBalls(terms, r * x + 1, r));
+            one.emplace_back(terms, Ball(1), Ball(0));
+        }
+        return {multiplied_out(std::move(one), q, factors.of_V), multiplied_out(std::move(sines), cosines, factors.of_U)};
+    }
+    // Their values, with nothing multiplied out.
+    [[nodiscard]] TermsOverX values(const Ball& x) const { return terms(x, 1, nothing_); }
+
+    // A stretch, remembered for searches of other masses; it lasts until the next call.
+    const SeenOverX& seen(double a, double b, Effort& effort) {
+        const auto found = all_.find({a, b});
+        if (found != all_.end()) return found->second;
+        effort.spend(static_cast<long>(r_n_.size()) * 50);
+        if (all_.size() * r_n_.size() > most_seen) all_.clear();
+        const Ball X = Ball::within(a, b), m = middle(X);
+        const auto nearly_vanishes = [](const Ball& factor) { return !(abs(middle(factor)) > 2 * radius_of(factor)); };
+        FactorsOverX poles = nothing_;
+        for (std::size_t i = 0; i < r_n_.size(); ++i) {
+            poles.of_V[i] = loaded_[i] && nearly_vanishes((r_n_[i] * X - 1) * (r_n_[i] * X + 1));
+            poles.of_U[i] = nearly_vanishes(cos(pi<Ball>() * r_n_[i] * X / 2));
+        }
+        return all_
+            .insert_or_assign({a, b},
+                              SeenOverX{poles, X - m, terms(m, taylor_order + 1, poles), terms(X, taylor_order + 1, poles),
+                                        terms(Ball(a), 1, poles), terms(Ball(b), 1, poles)})
+            .first->second;
+    }
+
+private:
+    std::vector<Ball> r_n_{};
+    std::vector<bool> loaded_{};
+    std::vector<ModeCluster> clusters_{};  // modes by themselves too
+    std::vector<std::vector<Ball>> psi_{}; // of each row all modes
+    FactorsOverX nothing_{};
+    std::map<std::pair<double, double>, SeenOverX> all_{};
+};
 
 void check_range(const UndampedModesInBalls& modes, double r_a, double r_b) {
     if (!(r_a > 0) || !std::isfinite(r_a))
@@ -48,7 +273,7 @@ public:
           effort_(effort), w_{modes.weights(N, N + 1), modes.weights(k, N + 1), modes.weights(N, N), modes.weights(k, N)},
           kind_(kind) {}
 
-    [[nodiscard]] PolynomialInBalls of(const TermsOverX& t) const {
+    [[nodiscard]] PolynomialInBalls value(const TermsOverX& t) const {
         const PolynomialInBalls U_k = sum_over_modes(w_.U_k, t.u);
         if (kind_ == InvariantPointKind::friction_leaves_it_alone) return U_k;
         return sum_over_modes(w_.V_j, t.v) * U_k - Ball(2) * (sum_over_modes(w_.V_k, t.v) * sum_over_modes(w_.U_j, t.u));
@@ -58,23 +283,21 @@ public:
         if (effort_.exhausted()) return ZerosInStretch::hidden;
         effort_.spend(static_cast<long>(modes_.r_n().size()) * 10);
         const SeenOverX& s = modes_.seen(a, b, effort_);
-        PolynomialInBalls f = of(s.middle);
+        PolynomialInBalls f = value(s.middle);
         const Ball in_the_middle = f.c[0];
-        f.c.back() = of(s.over).c.back();
+        f.c.back() = value(s.over).c.back();
         PolynomialInBalls rate(f.terms() - 1);
-        for (std::size_t n = 1; n < f.c.size(); ++n) rate.c[n - 1] = static_cast<slong>(n) * f.c[n];
-        const Ball value = range_of(f, s.off), slope = range_of(rate, s.off);
-        if (!value.may_vanish()) return ZerosInStretch::none;
+        _arb_poly_derivative(rate.a(), f.a(), f.terms(), ball_bits);
+        const Ball range = range_of(f, s.off), slope = range_of(rate, s.off);
+        if (!range.may_vanish()) return ZerosInStretch::none;
         if (!slope.may_vanish()) {
-            const Ball at_a = of(s.at_a).c[0], at_b = of(s.at_b).c[0];
+            const Ball at_a = value(s.at_a).c[0], at_b = value(s.at_b).c[0];
             if (!at_a.may_vanish() && !at_b.may_vanish())
                 return (at_a > Ball(0)) == (at_b > Ball(0)) ? ZerosInStretch::none : ZerosInStretch::one;
         }
-        const bool rounding_alone = in_the_middle.may_vanish() && abs(value) <= 4 * radius_of(in_the_middle);
+        const bool rounding_alone = in_the_middle.may_vanish() && abs(range) <= 4 * radius_of(in_the_middle);
         return rounding_alone && b - a <= b / 1024 ? ZerosInStretch::hidden : ZerosInStretch::unknown;
     }
-
-    [[nodiscard]] Ball at(double x) const { return of(modes_.terms(Ball(x), 1, modes_.nothing())).c[0]; }
 
     // Its one zero in a stretch.
     [[nodiscard]] Ball zero_in(const StretchOfZeros& s) const {
@@ -82,9 +305,9 @@ public:
             const Bits few(bits_of_search);
             return modes_.seen(s.from, s.to, effort_);
         }();
-        const bool falls = of(seen.at_a).c[0] > Ball(0);
+        const bool falls = value(seen.at_a).c[0] > Ball(0);
         return place_of_zero(Ball::within(s.from, s.to), [&](const Ball& x) {
-            const PolynomialInBalls f = of(modes_.terms(x, 2, seen.factors));
+            const PolynomialInBalls f = value(modes_.terms(x, 2, seen.factors));
             return falls ? ValueAndSlope{f.c[0], f.c[1]} : ValueAndSlope{-f.c[0], -f.c[1]};
         });
     }
@@ -102,7 +325,7 @@ public:
     }
 
     [[nodiscard]] ResponsesAtX<Ball> responses(const Ball& x) const {
-        const TermsOverX t = modes_.terms(x, 1, modes_.nothing());
+        const TermsOverX t = modes_.values(x);
         const auto sum = [](const WeightsInBalls& w, const std::vector<PolynomialInBalls>& f) {
             return sum_over_modes(w, f).c[0];
         };
@@ -118,21 +341,15 @@ private:
 
 // Displacements of the masses if mass c moves by 1 and no load acts; none of a mass in a part with a load, or near a resonance.
 std::vector<std::optional<Ball>> moved_by(const SceneInBalls& s, slong c, const Ball& r) {
-    std::vector<std::optional<Ball>> moved(static_cast<std::size_t>(s.N()));
-    moved[static_cast<std::size_t>(c)] = Ball(1);
+    std::vector<std::optional<Ball>> moved(s.N());
+    moved[c] = Ball(1);
     for (const CoupledMasses& part : coupled_masses(s, c)) {
         const auto n = static_cast<slong>(part.size());
-        BallMatrix D(n, n), by_c(n, 1), x(n, 1);
-        const auto entry = [&](slong a, slong b) { return s.K(a, b) - r * r * s.M(a, b); };
-        bool loaded = false;
-        for (slong a = 0; a < n; ++a) {
-            const slong k = part[static_cast<std::size_t>(a)];
-            loaded = loaded || !s.p(k).is_zero();
-            by_c(a) = -entry(k, c);
-            for (slong b = 0; b < n; ++b) D(a, b) = entry(k, part[static_cast<std::size_t>(b)]);
-        }
-        if (loaded || !solved(D, by_c, x)) continue;
-        for (slong a = 0; a < n; ++a) moved[static_cast<std::size_t>(part[static_cast<std::size_t>(a)])] = x(a);
+        const SceneInBalls apart = part_of(s, part);
+        BallMatrix by_c(n, 1), x;
+        for (slong a = 0; a < n; ++a) by_c(a) = -(s.K(part[a], c) - r * r * s.M(part[a], c));
+        if (arb_mat_is_zero(apart.p.a) == 0 || !solved(apart.K - apart.M * (r * r), by_c, x)) continue;
+        for (slong a = 0; a < n; ++a) moved[part[static_cast<std::size_t>(a)]] = x(a);
     }
     return moved;
 }
@@ -154,20 +371,18 @@ bool is_zero_of_common_factor(const SceneInBalls& s, std::size_t k, const Respon
     return false;
 }
 
-struct RangeOfR {
-    Ball a, b;
-};
+using RangeOfR = std::pair<Ball, Ball>;
 
 // 1/x over a stretch, as far as it is in the range.
 void add_undecided(const Ball& from, const Ball& to, const RangeOfR& range, InvariantPointsOfMass<Ball>& found) {
-    if (to < range.a || from > range.b) return;
-    found.undecided.push_back({larger(range.a, from), -larger(-range.b, -to)});
+    if (to < range.first || from > range.second) return;
+    found.undecided.push_back({larger(range.first, from), -larger(-range.second, -to)});
 }
 
 void add_point(const SceneInBalls& s, const TransmissibilityInBalls& f, const Ball& x, InvariantPointKind kind,
                const RangeOfR& range, InvariantPointsOfMass<Ball>& found) {
     const Ball r = 1 / x;
-    if (r < range.a || r > range.b) return;
+    if (r < range.first || r > range.second) return;
     const bool by_87 = kind == InvariantPointKind::two_effects_cancel;
     const ResponsesAtX<Ball> here = f.responses(x);
     // If a function has no bound the zero may be a pole of it, which the factors have made one.
@@ -188,17 +403,15 @@ void sort_by_midpoint(InvariantPointsOfMass<Ball>& found) {
 // The zeros of one function as points and undecided stretches.
 void add_zeros(const SceneInBalls& s, UndampedModesInBalls& modes, InvariantPointKind kind, const RangeOfR& range, Effort& effort,
                InvariantPointsOfMass<Ball>& found) {
-    const auto N = static_cast<std::size_t>(s.N());
-    const double from = (1 / range.b).low() * (1 - margin_of_range), to = (1 / range.a).high() * (1 + margin_of_range);
+    const double from = (1 / range.second).low() * (1 - margin_of_range), to = (1 / range.first).high() * (1 + margin_of_range);
     ZerosOnStretches zeros;
     {
         const Bits few(bits_of_search);
-        const TransmissibilityInBalls f(modes, found.mass.index, N, kind, effort);
-        const FunctionWithZeros searched{[&](double a, double b) { return f.look(a, b); },
-                                         [&](double x) { return !f.at(x).may_vanish(); }};
-        find_zeros(searched, from, to, narrowest, zeros);
+        const TransmissibilityInBalls f(modes, found.mass.index, s.N(), kind, effort);
+        const auto has_sign = [&](double x) { return !f.value(modes.values(Ball(x))).c[0].may_vanish(); };
+        find_zeros({[&](double a, double b) { return f.look(a, b); }, has_sign}, from, to, narrowest, zeros);
     }
-    const TransmissibilityInBalls f(modes, found.mass.index, N, kind, effort);
+    const TransmissibilityInBalls f(modes, found.mass.index, s.N(), kind, effort);
     for (const StretchOfZeros& each : zeros.single) {
         const Ball x = f.zero_in(each);
         if (kind == InvariantPointKind::friction_leaves_it_alone || !f.is_pole(each, x)) add_point(s, f, x, kind, range, found);

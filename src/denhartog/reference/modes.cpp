@@ -1,19 +1,46 @@
-// Natural frequencies and mode shapes, (15), with proof. `natural_modes` makes the matrix nearly diagonal and bounds what is
-// left; modes that are not proved distinct stay together in a cluster. `damping_matrix_in_balls` is (19).
+// What are the equations of motion, and their natural modes, proved? `in_matrices` has (1), (8) and (73), `natural_modes` (15): it
+// makes the matrix nearly diagonal and bounds what is left; modes that are not proved distinct stay together in a cluster.
+// `damping_matrix_in_balls` is (19).
 #include "denhartog/reference/modes.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <span>
 
-#include "denhartog/number/effort.hpp"
-#include "denhartog/reference/free_motions.hpp"
+#include "denhartog/formulas/system.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 
 namespace denhartog::reference {
 namespace {
+
+BallMatrix in_balls(const Matrix<Ball>& A) {
+    BallMatrix out(A.rows(), A.cols());
+    for (Eigen::Index i = 0; i < A.rows(); ++i)
+        for (Eigen::Index k = 0; k < A.cols(); ++k) out(i, k) = A(i, k);
+    return out;
+}
+
+// (8) without the factor r^2: mass ratios on the diagonal, or the matrix that the scene gives.
+BallMatrix masses_of(const System<Ball>& s) {
+    if (s.mass_matrix.size() > 0) return in_balls(s.mass_matrix);
+    const auto N = static_cast<slong>(s.mass_ratios.size());
+    BallMatrix M(N, N);
+    for (slong k = 0; k < N; ++k) M(k, k) = s.mass_ratios[k];
+    return M;
+}
+
+// (1) with the stiffness ratios (73), or the matrix that the scene gives.
+BallMatrix stiffnesses_of(const System<Ball>& s) {
+    if (s.stiffness_matrix.size() > 0) return in_balls(s.stiffness_matrix);
+    const std::vector<Ball> entries = paper::chain_stiffness_matrix(std::span<const Ball>(s.stiffness_ratios));
+    const auto N = static_cast<slong>(s.stiffness_ratios.size());
+    BallMatrix K(N, N);
+    for (slong i = 0; i < N; ++i)
+        for (slong k = 0; k < N; ++k) K(i, k) = entries[i * N + k];
+    return K;
+}
 
 constexpr std::size_t most_kept = 8; // natural modes of one system: a few precisions, with the contact free and held
 
@@ -179,7 +206,7 @@ NaturalModesInBalls natural_modes(const SceneInBalls& s) {
                 for (slong k = 0; k < part.rows(); ++k, ++row) {
                     Ball length(0);
                     for (slong n = 0; n < N; ++n) length += part(k, n) * part(k, n);
-                    m.phi[static_cast<std::size_t>(row)][i] = widened(part(k, order[i]), turn * root_of_positive(length));
+                    m.phi[row][i] = widened(part(k, order[i]), turn * root_of_positive(length));
                 }
         }
         if (!alone) m.clusters.push_back({first, last});
@@ -188,6 +215,47 @@ NaturalModesInBalls natural_modes(const SceneInBalls& s) {
 }
 
 } // namespace
+
+bool SceneInBalls::is_the_contact(slong k) const {
+    for (slong n = 0; n < N(); ++n)
+        if (!(n == k ? w(n) - Ball(1) : w(n)).is_zero()) return false;
+    return true;
+}
+
+BallMatrix dynamic_stiffness(const SceneInBalls& s, slong n) {
+    BallMatrix A(2 * n, 2 * n);
+    for (slong i = 0; i < s.N(); ++i)
+        for (slong k = 0; k < s.N(); ++k) {
+            A(i, k) = A(n + i, n + k) = s.K(i, k) - s.r * s.r * s.M(i, k);
+            A(n + i, k) = s.r * s.C(i, k);
+            A(i, n + k) = -A(n + i, k);
+        }
+    return A;
+}
+
+SceneInBalls in_matrices(const Scene<Ball>& scene) {
+    const System<Ball>& s = scene.system;
+    SceneInBalls out{masses_of(s), stiffnesses_of(s)};
+    if (s.damping_matrix.size() > 0)
+        out.C = in_balls(s.damping_matrix);
+    else
+        out.zeta = s.damping_ratios;
+    out.w = out.p = BallMatrix(out.N(), 1);
+    if (!s.load_phases.empty()) out.p_i = out.p;
+    const std::vector<Ball> direction = contact_vector(s);
+    const std::vector<Complex<Ball>> load = complex_load(s);
+    for (slong k = 0; k < out.N(); ++k) {
+        out.w(k) = direction[k];
+        out.p(k) = load[k].re;
+        if (!s.load_phases.empty()) out.p_i(k) = load[k].im;
+    }
+    out.base_motion = load_depends_on_frequency(s) ? s.base_motion : BaseMotion::none;
+    out.r = *scene.r;
+    out.mu = scene.mu;
+    out.beta = scene.beta;
+    out.contact = s.contact.index;
+    return out;
+}
 
 Ball ModesInBalls::lengths_in(const ModeCluster& cluster, const std::vector<Ball>& k, const std::vector<Ball>& n) {
     Ball square_of_k(0), square_of_n(0);
@@ -249,7 +317,7 @@ SceneInBalls with_load_of_base(SceneInBalls s) {
 BallMatrix shapes_of(const ModesInBalls& m) {
     BallMatrix Psi(m.N, m.N);
     for (slong k = 0; k < m.N; ++k)
-        for (slong i = 0; i < m.N; ++i) Psi(k, i) = m.psi[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)];
+        for (slong i = 0; i < m.N; ++i) Psi(k, i) = m.psi[k][i];
     return Psi;
 }
 
@@ -259,18 +327,16 @@ BallMatrix damping_matrix_in_balls(const SceneInBalls& s, const ModesInBalls& m)
     BallMatrix D(N, N);
     std::vector<Ball> rates;
     for (slong i = 0; i < N; ++i) {
-        const auto n = static_cast<std::size_t>(i);
-        rates.push_back(2 * m.zeta[n] * s.r / m.R[n]);
+        rates.push_back(2 * m.zeta[i] * s.r / m.R[i]);
         D(i, i) = rates.back();
     }
     const BallMatrix shapes = s.M * (shapes_of(m) * s.r);
     BallMatrix C = shapes * D * transposed(shapes);
-    std::vector<std::vector<Ball>> of_masses(static_cast<std::size_t>(N));
+    std::vector<std::vector<Ball>> of_masses(N);
     for (slong k = 0; k < N; ++k)
-        for (slong i = 0; i < N; ++i) of_masses[static_cast<std::size_t>(k)].push_back(shapes(k, i));
+        for (slong i = 0; i < N; ++i) of_masses[k].push_back(shapes(k, i));
     for (slong k = 0; k < N; ++k)
-        for (slong n = 0; n < N; ++n)
-            C(k, n) += m.left_open(of_masses[static_cast<std::size_t>(k)], of_masses[static_cast<std::size_t>(n)], rates);
+        for (slong n = 0; n < N; ++n) C(k, n) += m.left_open(of_masses[k], of_masses[n], rates);
     return C;
 }
 

@@ -1,15 +1,72 @@
 /// @file
-/// @brief Natural frequencies and mode shapes, proved, (13) to (17), and the modal frequency ratios (22).
+/// @brief The equations of motion (6) with every number a ball, and their natural modes, proved: (13) to (17), (22).
+///
+/// In the paper's case the contact is one mass on a wall and the load acts on one mass: \f$ \mathbf{w} \f$ and
+/// \f$ \mathbf{p} \f$ are unit vectors. A contact between two masses has \f$ \mathbf{w} = \mathbf{e}_j - \mathbf{e}_k \f$, another
+/// one any \f$ \mathbf{w} \f$, and a load may act on several masses; the equations are the same:
+/// \f[ \overline{\mathbf M}\bar{\mathbf x}'' + \overline{\mathbf C}\bar{\mathbf x}' + \overline{\mathbf K}\bar{\mathbf x} =
+/// \mathbf{p}\cos\tau - \mathbf{p}_{\mathrm i}\sin\tau - \beta\,\mathbf{w}\,\mathrm{sgn}(\mathbf{w}^T\bar{\mathbf x}') \f]
 #pragma once
 
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
-#include "denhartog/reference/scene_in_balls.hpp"
+#include "denhartog/formulas/complex.hpp"
+#include "denhartog/number/ball_matrix.hpp"
+#include "denhartog/number/effort.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/scene/scene.hpp"
 
 namespace denhartog::reference {
+/// @brief Product of complex numbers.
+[[nodiscard]] inline Complex<Ball> operator*(const Complex<Ball>& a, const Complex<Ball>& b) {
+    return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
+
+/// @brief Something that could not be proved with the bits at hand; more bits may help.
+struct Unproved : PrecisionError {
+    using PrecisionError::PrecisionError;
+};
+/// @brief A statement that is certainly not so: no number of bits will prove it.
+struct Disproved : Unproved {
+    using Unproved::Unproved;
+};
+
+class KeptModes;
+
+/// @brief A scene, every number a ball.
+/// @eq{6}
+struct SceneInBalls {
+    BallMatrix M{}; ///< masses in units of m_1, N x N; the bar of (7) is a factor r^2
+    BallMatrix K{}; ///< stiffnesses in units of k_1, N x N
+    BallMatrix C{}; ///< damping in units of sqrt(k_1 m_1), N x N; the bar of (7) is a factor r. Empty until (19) if zeta is given
+    std::vector<Ball> zeta{}; ///< damping ratios by ascending natural frequency, Eq. (18); empty if C is given
+    BallMatrix w{};           ///< w^T x is the displacement of the contact, N x 1
+    BallMatrix p{};           ///< force on each mass in units of P, N x 1; its real part if forces are out of phase
+    BallMatrix p_i{};         ///< its imaginary part; empty if forces are in phase
+    BaseMotion base_motion = BaseMotion::none; ///< of whose motion the load is made
+    Ball r{};                                  ///< frequency ratio, Eq. (10)
+    Ball mu{};                                 ///< static over kinetic friction, Eq. (3)
+    std::optional<Ball> beta{};                ///< friction ratio, Eq. (11)
+    std::size_t contact = 0;                   ///< the mass in contact, j
+    std::shared_ptr<KeptModes> kept{};         ///< natural modes found so far, shared by scenes of one system; null: not kept
+    Effort* effort = nullptr;                  ///< the work that may be spent on the scene; null: as much as it takes
+
+    /// @brief The number of masses.
+    [[nodiscard]] slong N() const { return M.rows(); }
+    /// @brief Whether the contact moves as mass k does, and with no other.
+    [[nodiscard]] bool is_the_contact(slong k) const;
+};
+
+/// @brief \f$ \mathbf K - r^2\mathbf M + \mathrm ir\mathbf C \f$ as a real matrix of real and imaginary parts, n rows of each.
+[[nodiscard]] BallMatrix dynamic_stiffness(const SceneInBalls& scene, slong n);
+
+/// @brief The matrices of a scene with r as its author wrote it.
+/// @eq{6,7,8,73}
+[[nodiscard]] SceneInBalls in_matrices(const Scene<Ball>& scene);
 
 /// @brief Modes whose frequencies the bits at hand do not distinguish. They enter every sum as a whole.
 struct ModeCluster {
@@ -30,19 +87,16 @@ struct ModesInBalls {
     Effort* effort = nullptr;             ///< that of the scene
 
     /// @brief Row of the contact, w^T psi_i.
-    [[nodiscard]] const std::vector<Ball>& at_contact() const { return psi[static_cast<std::size_t>(N)]; }
+    [[nodiscard]] const std::vector<Ball>& at_contact() const { return psi[N]; }
     /// @brief Row of the load, p^T psi_i.
     [[nodiscard]] const std::vector<Ball>& at_load() const { return psi[static_cast<std::size_t>(N) + 1]; }
-
-    /// @brief Row of the imaginary part of the load; null if forces are in phase.
+    /// @brief Row of its imaginary part; null if forces are in phase.
     [[nodiscard]] const std::vector<Ball>* at_load_i() const {
         return psi.size() > static_cast<std::size_t>(N) + 2 ? &psi.back() : nullptr;
     }
 
-    /// @brief Error of the sum of psi_ki psi_ni f_i over the modes if all modes of a cluster share one ball f.
-    ///
-    /// With f_i = f + e_i and |e_i| at most e, the sum of psi_ki psi_ni f_i differs from that with f alone by at most e times
-    /// the product of the lengths of both rows in the cluster (Cauchy and Schwarz), whichever basis the shapes are.
+    /// @brief Error of the sum of psi_ki psi_ni f_i over the modes if all modes of a cluster share one ball f: with f_i = f + e_i it is
+    /// at most the largest |e_i| times the lengths of both rows in the cluster (Cauchy and Schwarz), whichever basis the shapes are.
     [[nodiscard]] Ball left_open(const std::vector<Ball>& k, const std::vector<Ball>& n, const std::vector<Ball>& f) const;
     /// @brief The product of the lengths of two rows in a cluster.
     [[nodiscard]] static Ball lengths_in(const ModeCluster& cluster, const std::vector<Ball>& k, const std::vector<Ball>& n);
@@ -56,8 +110,7 @@ struct NaturalModesInBalls {
     long work = 0;                        ///< what they cost, as `Effort` counts
 };
 
-/// @brief The natural modes of one system that were found so far, in each precision. All questions about the system share them,
-/// from any thread.
+/// @brief The natural modes of one system found so far, in each precision. All questions about it share them, from any thread.
 class KeptModes {
 public:
     /// @brief The natural modes of a scene in the current bits. A question pays for them as if it had solved for them: what
@@ -78,7 +131,7 @@ private:
     std::atomic<long> solved_ = 0;
 };
 
-/// @brief The modes of a scene.
+/// @brief The modes of a scene; without damping ratios `zeta` is empty.
 ///
 /// With a Cholesky factor L of M, (15) is the eigenvalue problem of the symmetric matrix
 /// \f$ \mathbf{A} = \mathbf{L}^{-1}\mathbf{K}\mathbf{L}^{-T} \f$. Approximate eigenvectors of A, made orthonormal by a second
@@ -86,7 +139,6 @@ private:
 /// \f$ \varepsilon = \|\mathbf{E}\|_F \f$ and a gap \f$ \delta \f$ about an eigenvalue, Weyl's theorem puts it within
 /// \f$ \varepsilon \f$ of its entry, that of Kato and Temple within \f$ \varepsilon^2/\delta \f$, and that of Davis and Kahan its
 /// vector within \f$ \sqrt2\varepsilon/\delta \f$.
-/// Without damping ratios `zeta` is empty.
 /// @eq{13,14,15,16,17,22}
 /// @throws Unproved if the mass matrix is not proved positive definite, a frequency is not proved positive, or modes of
 ///               one cluster have different damping ratios

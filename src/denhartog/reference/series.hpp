@@ -1,67 +1,64 @@
-/// @file
-/// @brief A function of time by its first terms about an instant: a formula that is written once gives its derivatives too. A
-/// memory of such functions, as searches for several masses look at the same stretches.
+// A function of time by its first terms about an instant: a formula that is written once gives its derivatives too. A memory of such
+// functions, as searches for several masses look at the same stretches; and their largest value, proved.
 #pragma once
 
 #include <array>
 #include <functional>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "denhartog/number/ball.hpp"
 
 namespace denhartog::reference {
 
-/// @brief Cost of so many functions of time at an instant, as `Effort` counts: an exponential, a sine and a cosine each.
+// Cost of so many functions of time at an instant, as `Effort` counts: an exponential, a sine and a cosine each.
 [[nodiscard]] inline long cost_of_evaluations(std::size_t count) { return static_cast<long>(20 * count) * (1 + ball_bits / 256); }
 
-/// @brief Bits with which this thread searches for maxima. Newton's method then finds them with all current bits. The
-/// driver doubles both.
+// Cost of products of balls in the current bits, as `Effort` counts.
+[[nodiscard]] inline long cost_of_ball_products(double products) {
+    return static_cast<long>(products * (0.25 + static_cast<double>(ball_bits) / 1024)) + 1;
+}
+
+// Bits with which this thread searches for maxima. Newton's method then finds them with all current bits. The driver doubles both.
 inline thread_local slong bits_of_search = 64;
 
-/// @brief \f$ c_0 + c_1\theta + \dots + c_4\theta^4 \f$; the terms beyond are left out. c_n is the n-th derivative over n!.
-///
-/// If the instant is a ball, it is a stretch of time. Each c_n then holds the derivative over n! at every instant of the stretch.
+// c_0 + c_1 theta + ... + c_4 theta^4; the terms beyond are left out. c_n is the n-th derivative over n!. If the instant is a ball, it
+// is a stretch of time, and c_n holds the derivative over n! at every instant of it.
 struct Series {
-    std::array<Ball, 5> c{}; ///< the coefficients
+    std::array<Ball, 5> c{};
 
     Series() = default;
-    /// @brief A whole number.
     Series(int n) { c[0] = Ball(n); }
-    /// @brief A number that does not depend on time.
     Series(const Ball& x) { c[0] = x; }
-    /// @brief Time itself, from an instant or a stretch.
+    // Time itself, from an instant or a stretch.
     [[nodiscard]] static Series time(const Ball& instant) {
         Series t(instant);
         t.c[1] = Ball(1);
         return t;
     }
-    /// @brief Whether it is time itself, or differs from it by a constant.
+    // Whether it is time itself, or differs from it by a constant.
     [[nodiscard]] bool is_time() const { return arb_is_one(c[1].a) != 0 && c[2].is_zero() && c[3].is_zero() && c[4].is_zero(); }
-    /// @brief The derivative. Its last coefficient is not known and is zero.
+    // The derivative. Its last coefficient is not known and is zero.
     [[nodiscard]] Series derivative() const {
         Series d;
         for (int n = 0; n < 4; ++n) d.c[n] = (n + 1) * c[n + 1];
         return d;
     }
-    /// @brief Value, slope and curvature: the derivative of order n.
+    // Value, slope and curvature: the derivative of order n.
     [[nodiscard]] Ball rate(int n) const { return n < 2 ? c[n] : 2 * c[2]; }
 
-    /// @brief Sum.
     friend Series operator+(const Series& x, const Series& y) {
         Series r;
         for (int n = 0; n < 5; ++n) r.c[n] = x.c[n] + y.c[n];
         return r;
     }
-    /// @brief Difference.
     friend Series operator-(const Series& x, const Series& y) {
         Series r;
         for (int n = 0; n < 5; ++n) r.c[n] = x.c[n] - y.c[n];
         return r;
     }
-    /// @brief The negative.
     friend Series operator-(const Series& x) { return Series() - x; }
-    /// @brief Product.
     friend Series operator*(const Series& x, const Series& y) {
         Series r;
         for (int n = 0; n < 5; ++n)
@@ -71,41 +68,28 @@ struct Series {
     }
 };
 
-/// @brief A function over a stretch from its series in the middle, where it differs from a constant by what decays and turns: its
-/// derivative of order n is at most size times speed to the n.
-/// `off` are the instants of the stretch less the middle.
-[[nodiscard]] Series over_stretch(const Series& at_middle, const Ball& off, const Ball& constant, const Ball& size,
-                                  const Ball& speed);
-/// @brief A function over a stretch by its series in the middle, with a bound of each derivative of the difference over n!.
+// A function over a stretch by its series in the middle, with a bound of each derivative over n! of its difference from a constant.
+// `off` are the instants of the stretch less the middle.
 [[nodiscard]] Series over_stretch(const Series& at_middle, const Ball& off, const Ball& constant,
                                   const std::array<Ball, 6>& most);
+// The same, if the derivative of order n is at most size times speed to the n.
+[[nodiscard]] Series over_stretch(const Series& at_middle, const Ball& off, const Ball& constant, const Ball& size,
+                                  const Ball& speed);
 
-/// @brief Sine and cosine of a function of time.
-struct SineCosineSeries {
-    Series s{}; ///< sine
-    Series c{}; ///< cosine
-};
-
-/// @brief Both at once.
-[[nodiscard]] SineCosineSeries sine_cosine_series(const Series& x);
-/// @brief Sine.
-[[nodiscard]] inline Series sin(const Series& x) { return sine_cosine_series(x).s; }
-/// @brief Cosine.
-[[nodiscard]] inline Series cos(const Series& x) { return sine_cosine_series(x).c; }
-/// @brief Exponential.
+[[nodiscard]] SineCosine<Series> sine_cosine(const Series& x);
+[[nodiscard]] inline Series sin(const Series& x) { return sine_cosine(x).s; }
+[[nodiscard]] inline Series cos(const Series& x) { return sine_cosine(x).c; }
 [[nodiscard]] Series exp(const Series& x);
-/// @brief A function of time with a memory of all that was asked with the few bits of a search, and of the last that was asked.
+
+// A function of time with a memory of all that was asked with the few bits of a search, and of the last that was asked.
 template <class Value>
 class Remembered {
 public:
-    /// @brief The function at an instant, exact.
-    using AtInstant = std::function<Value(const Ball& tau)>;
-    /// @brief The function over a stretch from what it is in the middle.
+    using AtInstant = std::function<Value(const Ball& tau)>; // at an instant, exact
     using OverStretch = std::function<Value(const Value& in_the_middle, const Ball& tau)>;
 
-    /// @brief At an instant, and over a stretch.
     Remembered(AtInstant at, OverStretch over) : at_(std::move(at)), over_(std::move(over)) {}
-    /// @brief Its value at an instant or over a stretch, which lasts until the next call.
+    // Its value at an instant or over a stretch, which lasts until the next call.
     const Value& operator()(const Ball& tau) {
         // two balls may be so near that their ends are the same in double: each has a value of its own
         const auto is = [&](const Known& k) { return k.bits == ball_bits && arb_equal(k.tau.a, tau.a) != 0; };
@@ -141,5 +125,44 @@ private:
     Known last_{};
     std::map<std::pair<double, double>, Known> all_{};
 };
+
+// A function and its slope, or two functions with the signs of these.
+struct ValueAndSlope {
+    Ball value{}, slope{};
+};
+
+// The place, in all current bits, of the one zero in a stretch of a function that falls through it: a step of Newton's method that
+// leads from a small stretch about the likely place into itself proves it, or halving finds it.
+[[nodiscard]] Ball place_of_zero(const Ball& stretch, const std::function<ValueAndSlope(const Ball&)>& f);
+
+// A largest value, and an instant at which it is taken; if several may be the largest, a ball that holds them all.
+struct LargestInBalls {
+    Ball value{}, instant{};
+};
+
+// A function by its series about an instant or over a stretch.
+using FunctionOfTime = std::function<Series(const Ball& tau)>;
+
+// A function over a stretch, from its middle: the terms of low order there, and that of order 3 over the whole stretch. Next to a
+// resonance a function is a small difference of large terms, and its range by terms is wide.
+[[nodiscard]] Series over_stretch(const FunctionOfTime& f, const Ball& X);
+
+// Z = n'' + n over a stretch; and n with its rate there made narrower: from the middle n goes on as a sine and a cosine do, and is
+// driven by Z.
+[[nodiscard]] Ball narrowed_by_drive(Series& n, const FunctionOfTime& n_of, const FunctionOfTime& Z_of, const Ball& X);
+
+// The largest value of a function and the largest of its negative; none that is certainly not the largest in size.
+struct LargestBothWays {
+    std::optional<LargestInBalls> up{}, down{};
+};
+
+// The largest size of a function on [0, pi], by a search with few bits and then by Newton's method with all. Throws Unproved if the
+// search does not come to its end, as the next does.
+[[nodiscard]] LargestBothWays largest_size_of(const FunctionOfTime& f);
+
+// (57): the largest value on [0, pi] of n / sin for a function n that is zero at both ends, where the quotient is the rate of n over
+// the cosine. W = n' sin - n cos has the sign of the rate of the quotient, and W' = (n'' + n) sin. Z is n'' + n with its slope and
+// curvature, where that is a small difference of large terms.
+[[nodiscard]] LargestInBalls largest_over_sine(const FunctionOfTime& n, const FunctionOfTime& Z = {});
 
 } // namespace denhartog::reference

@@ -1,18 +1,20 @@
-// What is the sliding motion, proved? (38) and (39) for the contact, `contact_in_balls`; (44) and (45) for the start of the
-// others; (46) at any instant. The largest displacement of a mass comes from maximum.cpp.
+// What is the motion if the contact slides throughout, up to which friction ratio does it, and from which one is it held for ever?
+// (38) and (39) for the contact, `contact_in_balls`; (44) and (45) for the start of the others; (46) at any instant.
+// `boundary_in_balls` has (56), (67) and (69) as they stand, `stuck_in_balls` the equation of motion without row j.
 #include "denhartog/reference/sliding.hpp"
 
 #include <cmath>
 #include <utility>
 
+#include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/contact.hpp"
+#include "denhartog/formulas/mode.hpp"
 #include "denhartog/formulas/motion.hpp"
 #include "denhartog/formulas/other_masses.hpp"
-#include "denhartog/number/effort.hpp"
-#include "denhartog/reference/maximum.hpp"
+#include "denhartog/formulas/stuck.hpp"
+#include "denhartog/formulas/superposition.hpp"
 
 namespace denhartog::reference {
-
 SlidingContactInBalls contact_in_balls(const ResponsesInBalls& r, const Ball& beta) {
     const std::size_t j = r.contact();
     return {paper::displacement_transmissibility_of_contact(r.V[j], r.U[j], r.G[j], beta),
@@ -80,12 +82,12 @@ SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContact
 }
 
 BallMatrix harmonic_in_balls(const std::vector<Complex<Ball>>& X, slong N, const Ball& tau) {
-    const Ball c = cos(tau), s = sin(tau);
+    const Complex<Ball> turned{cos(tau), sin(tau)};
     BallMatrix state(2 * N, 1);
     for (slong k = 0; k < N; ++k) {
-        const Complex<Ball>& X_k = X[static_cast<std::size_t>(k)];
-        state(k) = X_k.re * c - X_k.im * s;
-        state(N + k) = -(X_k.re * s + X_k.im * c);
+        const Complex<Ball> x = X[k] * turned;
+        state(k) = x.re;
+        state(N + k) = -x.im;
     }
     return state;
 }
@@ -107,8 +109,7 @@ BallMatrix SlidingMotionInBalls::at(const Ball& tau) const {
         const Ball within = from_maximum - Ball(halves) * pi;
         if (within < Ball(0) || within > pi) continue;
         for (slong k = 0; k < N; ++k) {
-            const auto row = static_cast<std::size_t>(k);
-            const Series x = displacement_in_balls(r_, start_[row], beta_, row, within);
+            const Series x = displacement_in_balls(r_, start_[k], beta_, k, within);
             for (const int n : {0, 1}) {
                 const Ball rate = std::fmod(halves, 2) == 0 ? x.rate(n) : -x.rate(n); // (25)
                 Ball& entry = state(n * N + k);
@@ -118,6 +119,132 @@ BallMatrix SlidingMotionInBalls::at(const Ball& tau) const {
         found = true;
     }
     return state;
+}
+
+namespace {
+
+// (54)a: the contact moves down while X_j + beta G_j is above beta (U_dj cos + F_j') / sin. The quotient is (57) before its
+// maximum is taken, summed over the modes as in (56).
+Series numerator(const Ball& U, const Series& F, const Ball& tau) { return Series(U) * cos(Series::time(tau)) + F.derivative(); }
+
+// Whether n'' + n is a small difference of large terms, as next to a resonance.
+bool is_hidden(const FunctionOfTime& Z, const FunctionOfTime& n, const Ball& U) {
+    const Ball tau(1.5);
+    const auto size = [](const Ball& x) { return upper_bound_of(abs(x)); };
+    return 64 * size(Z(tau).rate(0)) < larger(size(U), size(n(tau).rate(0)));
+}
+
+Ball largest_demand(const ResponsesInBalls& r, LargestInBalls& found) {
+    const Ball U = r.U[r.contact()];
+    const auto n = [&](const Ball& tau) { return numerator(U, r.friction.of(r.contact(), (*r.friction.shared)(tau)), tau); };
+    const auto Z = [&](const Ball& tau) { return r.friction.rate_and_third(r.contact(), (*r.friction.shared)(tau)); };
+    const bool hides = !r.friction.modes.empty() && is_hidden(Z, n, U);
+    found = largest_over_sine(n, hides ? FunctionOfTime(Z) : FunctionOfTime());
+    return found.value;
+}
+
+// The largest value of (57) of a mode that may be damped critically: R^2 times the demand of one mass with r = R.
+Ball largest_about_critical(const Ball& R, const Ball& zeta, Effort* effort) {
+    LargestInBalls found;
+    return R * R * largest_demand(responses_of_one_mass(R, zeta, effort), found);
+}
+
+// (56): each mode by itself.
+Ball sum_of_largest(const ResponsesInBalls& r) {
+    const ModesInBalls& m = r.modes;
+    std::vector<Ball> largest;
+    for (std::size_t i = 0; i < m.R.size(); ++i) {
+        if (!is_told_from_critical(m.zeta[i])) {
+            largest.push_back(largest_about_critical(m.R[i], m.zeta[i], m.effort));
+            continue;
+        }
+        const Ball R = m.R[i];
+        const FrictionMotionOfMode mode(R, m.zeta[i]);
+        Remembered<Series> F(
+            [&](const Ball& tau) {
+                pay(m.effort, cost_of_evaluations(1));
+                return mode.at(tau);
+            },
+            [&](const Series& in_the_middle, const Ball& tau) { return mode.over(in_the_middle, tau); });
+        const auto numerator_of_mode = [&](const Ball& tau) { return numerator(mode.u, F(tau), tau); };
+        const auto Z = [&](const Ball& tau) { return mode.rate_and_third(F(tau)); };
+        const bool hides = is_hidden(Z, numerator_of_mode, mode.u);
+        largest.push_back(R * R * largest_over_sine(numerator_of_mode, hides ? FunctionOfTime(Z) : FunctionOfTime()).value);
+    }
+    return paper::sum_over_contact<Ball>(m.at_contact(), largest, m.left_open(m.at_contact(), m.at_contact(), largest));
+}
+
+bool same(const BallMatrix& x, const BallMatrix& y) { return arb_mat_eq(x.a, y.a) != 0 && arb_mat_is_exact(x.a) != 0; }
+
+} // namespace
+
+BoundaryInBalls boundary_in_balls(const SceneInBalls& s, const ResponsesInBalls& r) {
+    const std::size_t j = r.contact();
+    LargestInBalls found;
+    BoundaryInBalls b;
+    b.S = largest_demand(r, found);
+    const Ball held = paper::static_friction_demand(r.H, s.mu, r.squares);
+    b.exact = paper::friction_ratio_limit(r.V[j], r.U[j], larger(b.S, held));
+    // With one mode (56) is the maximum that was found; with a damping matrix see `paper_limit_of_modes`.
+    const Ball S_paper = r.modes.R.size() > 1 ? sum_of_largest(r) : b.S;
+    b.paper = paper::friction_ratio_limit(r.V[j], r.U[j], larger(S_paper, held));
+    b.approximate = paper::friction_ratio_limit(r.V[j], r.U[j], held);
+    if (found.instant.is_zero())
+        b.binding = s.mu == Ball(1) ? BindingCondition::both : BindingCondition::static_friction;
+    else if (b.S > held)
+        b.binding = BindingCondition::velocity;
+    else if (b.S < held)
+        b.binding = BindingCondition::static_friction;
+    return b;
+}
+
+std::optional<StuckInBalls> stuck_in_balls(const SceneInBalls& s) {
+    // (K - M + i C) X + w f = p, w^T X = 0 in real parts and imaginary parts: unknown are X and the force f
+    const slong N = s.N(), n = N + 1;
+    BallMatrix A = dynamic_stiffness(s, n), b(2 * n, 1), x, at_rest;
+    for (slong i = 0; i < N; ++i) {
+        b(i) = s.p(i);
+        if (s.p_i.rows() > 0) b(n + i) = s.p_i(i);
+        A(i, N) = A(N, i) = A(n + i, n + N) = A(n + N, n + i) = s.w(i);
+    }
+    if (!solved(A, b, x)) return std::nullopt;
+    if (!solved(s.K, s.w, at_rest)) throw Unproved("the stiffness matrix is not proved regular");
+    StuckInBalls out;
+    for (slong k = 0; k < N; ++k) out.X.push_back({x(k), x(n + k)});
+    out.load = {x(N), x(n + N)};
+    out.compliance = (transposed(s.w) * at_rest)(0);
+    return out;
+}
+
+Ball sticking_limit_in_balls(const SceneInBalls& s, const StuckInBalls& stuck) {
+    return s.p_i.rows() == 0 && same(s.w, s.p) ? paper::sticking_limit_under_load(s.mu) : paper::sticking_limit(stuck.load, s.mu);
+}
+
+Ball sticking_limit_by_88(const SceneInBalls& s, std::size_t load) {
+    if (load == s.contact) return paper::sticking_limit_under_load(s.mu);
+    const bool before = load < s.contact;
+    const auto j = static_cast<slong>(s.contact), l = static_cast<slong>(load), first = before ? 0 : j + 1,
+               count = before ? j : s.N() - j - 1;
+    SceneInBalls moving{part_of(s.M, first, first, count, count), part_of(s.K, first, first, count, count)};
+    moving.r = s.r;
+    moving.kept = s.kept;
+    moving.effort = s.effort;
+    moving.w = moving.p = BallMatrix(count, 1);
+    moving.w(before ? count - 1 : 0) = Ball(1); // the mass next to the contact
+    moving.p(l - first) = Ball(1);
+    const ModesInBalls m = modes_in_balls(moving);
+    if (!m.clusters.empty())
+        throw Unproved("modes beside the contact are not told apart"); // those of a chain are, with more bits
+    std::vector<Complex<Ball>> v;
+    for (std::size_t i = 0; i < m.R.size(); ++i) { // (18) on the diagonal: 2 zeta omega = phi^T C phi, phi = r psi, omega = r / R
+        Ball c(0);
+        for (slong k = 0; k < count; ++k)
+            for (slong n = 0; n < count; ++n) c += m.psi[k][i] * s.C(first + k, first + n) * m.psi[n][i];
+        v.push_back(paper::complex_response(m.R[i], Ball(c * s.r * m.R[i] / 2)));
+    }
+    const Complex<Ball> X = paper::complex_response_of_mass<Ball>(m.at_contact(), m.at_load(), m.R, v);
+    const Ball kappa = -s.K(j, before ? j - 1 : j + 1);
+    return paper::sticking_limit_by_spring(kappa, modulus(X), s.mu);
 }
 
 } // namespace denhartog::reference

@@ -1,5 +1,6 @@
 /// @file
-/// @brief The steady state of the sliding regime, proved: (38), (39), (41), (44) to (53), and its boundary: (54) to (58), (67), (69).
+/// @brief The steady motions without stops, proved: that of the sliding regime, (38), (39), (41), (44) to (53), its boundary, (54) to
+/// (58), (67), (69), and the motion with the contact held, (88).
 #pragma once
 
 #include <optional>
@@ -9,7 +10,6 @@
 #include "denhartog/sliding/regime_at_point.hpp"
 
 namespace denhartog::reference {
-
 /// @brief Motion of a mass in the sliding regime.
 struct SlidingMassInBalls {
     Ball amplitude{};              ///< largest |x_k|, Eqs. (46), (47)
@@ -36,8 +36,7 @@ struct SlidingContactInBalls {
 [[nodiscard]] SlidingMassInBalls start_of_mass_in_balls(const ResponsesInBalls& r, const SlidingContactInBalls& contact,
                                                         const Ball& beta, std::size_t row, bool is_contact);
 
-/// @brief The displacement of a mass and its derivatives at an instant in [0, pi], or over a stretch.
-/// @eq{41}
+/// @brief The displacement of a mass and its derivatives at an instant in [0, pi], or over a stretch. @eq{41}
 [[nodiscard]] Series displacement_in_balls(const ResponsesInBalls& r, const SlidingMassInBalls& m, const Ball& beta,
                                            std::size_t row, const Ball& tau);
 
@@ -47,13 +46,11 @@ struct SlidingContactInBalls {
 [[nodiscard]] SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContactInBalls& contact, const Ball& beta,
                                                std::size_t row, bool is_contact);
 
-/// @brief A harmonic motion, \f$ \mathrm{Re}(X_k\mathrm e^{\mathrm i\tau}) \f$.
-///
-/// tau counts from a maximum of the force. The state has N displacements, then N velocities, 2 N x 1.
+/// @brief A harmonic motion, \f$ \mathrm{Re}(X_k\mathrm e^{\mathrm i\tau}) \f$: N displacements, then N velocities, 2 N x 1. tau counts
+/// from a maximum of the force.
 [[nodiscard]] BallMatrix harmonic_in_balls(const std::vector<Complex<Ball>>& X, slong N, const Ball& tau);
 
-/// @brief The motion of all masses in the sliding regime, at any instant.
-/// @eq{25,41,44,45}
+/// @brief The motion of all masses in the sliding regime, at any instant. @eq{25,41,44,45}
 class SlidingMotionInBalls {
 public:
     /// @brief Of responses, at a friction ratio.
@@ -77,9 +74,25 @@ struct BoundaryInBalls {
     BindingCondition binding = BindingCondition::both; ///< which condition of (54) ends the regime first
 };
 
-/// @brief The boundary from the response functions.
-/// @eq{54,56,57,58,67,69}
+/// @brief The boundary from the response functions. @eq{54,56,57,58,67,69}
 /// @throws Unproved if a maximum is not settled
 [[nodiscard]] BoundaryInBalls boundary_in_balls(const SceneInBalls& s, const ResponsesInBalls& r);
+
+/// @brief The motion with the contact held.
+struct StuckInBalls {
+    std::vector<Complex<Ball>> X{}; ///< complex amplitudes of the masses: x_k = Re(X_k e^{i tau})
+    Complex<Ball> load{};           ///< complex amplitude of the force that holds the contact
+    Ball compliance{};              ///< static displacement of the contact by a unit force on it
+};
+
+/// @brief The response if a force holds the contact, \f$ \mathbf w^T\mathbf X = 0 \f$; none if the system may resonate. @eq{88}
+[[nodiscard]] std::optional<StuckInBalls> stuck_in_balls(const SceneInBalls& s);
+
+/// @brief The friction ratio from which the contact can rest for ever: 1 / mu if the load acts on the contact alone. @eq{88}
+[[nodiscard]] Ball sticking_limit_in_balls(const SceneInBalls& s, const StuckInBalls& stuck);
+
+/// @brief (88) as printed, for a chain with one loaded mass and a contact on the wall. @eq{88}
+/// @throws Unproved as `modes_in_balls`
+[[nodiscard]] Ball sticking_limit_by_88(const SceneInBalls& s, std::size_t load);
 
 } // namespace denhartog::reference

@@ -4,9 +4,7 @@
 #include "denhartog/answer/reference_point.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/reference/orbit.hpp"
-#include "denhartog/reference/orbit_equations.hpp"
 #include "denhartog/reference/sliding.hpp"
-#include "denhartog/reference/stuck.hpp"
 #include "denhartog/solve/decision.hpp"
 #include "tests/benchmark/generator/motion.hpp"
 
