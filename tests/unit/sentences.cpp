@@ -31,9 +31,10 @@ TEST_CASE("numbers stand in a sentence as it asks for them", "[messages]") {
 
 TEST_CASE("reasons follow each other as sentences do", "[messages]") {
     const Reasons why = Why::in_double + Reasons(Why::bound, true, 6, false, false) + Why::but + Why::on_boundary;
-    CHECK(in_words(why + Reasons(Why::proved, 128)) ==
-          "in double: the error bound guarantees the 6 digits aimed at, but beta lies on a boundary; every number is proved, with "
-          "balls of 128 bits");
+    CHECK(
+        in_words(why + Reasons(Why::proved, 128)) ==
+        "in double: the error bound guarantees the 6 digits aimed at, but beta lies on a boundary; every number is proved, with "
+        "balls of 128 bits");
     CHECK(in_words(Reasons(Why::so_many_certain, 3) + Why::no_bound + Why::end_of_brackets) ==
           "only 3 are certain (a number has no bound)");
     CHECK(in_words(Why::not_proved + Reasons("as somebody says")) == "the reference does not prove it: as somebody says");

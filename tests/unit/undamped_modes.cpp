@@ -2,11 +2,11 @@
 #include <cmath>
 
 #include "denhartog/answer/modes_in_double.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
+#include "denhartog/sliding/coupled_sums.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
-#include "denhartog/sums/coupled_sums.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
@@ -29,7 +29,8 @@ State with_share(const Scene<double>& scene, const Solution& s, double part) {
     State z = sliding_at_maximum_of_force(sums, *scene.beta);
     const auto i = static_cast<Eigen::Index>(s.kept_mode->mode), j = static_cast<Eigen::Index>(scene.system.contact.index);
     const double n = std::round(basis->r_n[s.kept_mode->mode].x / *scene.r), phase = s.phase(scene.system.contact)->value;
-    const double share = part * (s.kept_mode->contact_at_most.value - s.amplitude(scene.system.contact).value) / basis->phi(j, i).x;
+    const double share =
+        part * (s.kept_mode->contact_at_most.value - s.amplitude(scene.system.contact).value) / basis->phi(j, i).x;
     for (std::size_t k = 0; k < z.x.size(); ++k) {
         const double of_mass = share * basis->phi(static_cast<Eigen::Index>(k), i).x;
         z.x[k] += of_mass * std::cos(n * phase);

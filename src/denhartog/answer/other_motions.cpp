@@ -8,8 +8,8 @@
 #include "denhartog/answer/held_solution.hpp"
 #include "denhartog/number/tried.hpp"
 #include "denhartog/number/why.hpp"
+#include "denhartog/sliding/coupled_sums.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
-#include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "denhartog/sums/bounded_modes.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
 #include "elementary/elementary.hpp"
 
 namespace denhartog {

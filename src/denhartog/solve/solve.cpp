@@ -9,9 +9,9 @@
 #include "denhartog/number/effort.hpp"
 #include "denhartog/scene/converted.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/sliding/coupled_sums.hpp"
 #include "denhartog/solve/decision.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
-#include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {
 namespace {

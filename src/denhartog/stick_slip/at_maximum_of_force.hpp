@@ -4,9 +4,9 @@
 
 #include <utility>
 
+#include "denhartog/sliding/coupled_sums.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/stick_slip/motion_record.hpp"
-#include "denhartog/sums/coupled_friction.hpp"
 
 namespace denhartog {
 

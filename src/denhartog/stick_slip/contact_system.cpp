@@ -1,8 +1,8 @@
 /// @file
 /// @brief A system with its modes, sliding and stuck, for the exact solver.
 #include "denhartog/model/linear_algebra.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
 
 namespace denhartog {
 
