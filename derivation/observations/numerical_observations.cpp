@@ -5,7 +5,7 @@
 
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
-#include "denhartog/sliding/regime.hpp"
+#include "denhartog/sliding/boundary.hpp"
 #include "derivation/observations/observed_systems.hpp"
 
 namespace denhartog::derivation {

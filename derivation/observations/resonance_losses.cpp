@@ -7,6 +7,7 @@
 #include "denhartog/evaluation/resonance.hpp"
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
+#include "denhartog/sliding/instants_of_maxima.hpp"
 
 namespace denhartog::derivation {
 

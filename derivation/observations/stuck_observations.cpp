@@ -22,14 +22,17 @@ Outcome stuck_modes() {
     for (const StuckSystem& s : stuck_systems()) {
         outcome.steps.push_back({s.name + ": " + std::to_string(s.stuck.masses.size()) + " stuck modes, " +
                                      (s.stuck.modes_diagonalise_damping ? "uncoupled" : "coupled") +
-                                     ", largest |D_ik| / sqrt(D_ii D_kk) = " + rounded(s.stuck.coupling),
+                                     ", largest |D_ik| / sqrt(D_ii D_kk) = " + rounded(largest_coupling(s.stuck.damping)),
                                  ""});
-        if (!s.stuck.modes_diagonalise_damping && (worst == nullptr || s.stuck.coupling > worst->stuck.coupling)) worst = &s;
+        if (!s.stuck.modes_diagonalise_damping &&
+            (worst == nullptr || largest_coupling(s.stuck.damping) > largest_coupling(worst->stuck.damping)))
+            worst = &s;
     }
     outcome.witness = {{"systems", std::to_string(stuck_systems().size())}};
     if (worst == nullptr) return outcome;
     outcome.verdict = Verdict::refuted;
-    outcome.witness = with(outcome.witness, {{"system", worst->name}, {"largest coupling", text(worst->stuck.coupling)}});
+    outcome.witness =
+        with(outcome.witness, {{"system", worst->name}, {"largest coupling", text(largest_coupling(worst->stuck.damping))}});
     return outcome;
 }
 

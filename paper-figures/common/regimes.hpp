@@ -13,7 +13,7 @@
 #include "denhartog/number/parallel.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
-#include "denhartog/sliding/regime.hpp"
+#include "denhartog/sliding/boundary.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
 #include "markers.hpp"

@@ -3,7 +3,7 @@
 # which are made in it, and the questions include nothing of the library, whose faults they would share. The rooms from the bottom
 # to the top; those of one line know nothing of each other.
 set(rank 0)
-foreach(rooms version elementary number "search;formulas" evaluation scene model sums sliding stick_slip orbit "paper_algorithm;reference" answer "solve;ledger" map messages denhartog "c;conformance" program)
+foreach(rooms version elementary number "search;formulas" evaluation scene model sliding stick_slip orbit "paper_algorithm;reference" answer "solve;ledger" map messages denhartog "c;conformance" program)
   math(EXPR rank "${rank} + 1")
   foreach(room IN LISTS rooms)
     set(rank_of_${room} ${rank})

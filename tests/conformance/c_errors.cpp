@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "denhartog/sums/mode_sums.hpp"
+#include "denhartog/sliding/mode_sums.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 #include "tests/conformance/vector_folder.hpp"

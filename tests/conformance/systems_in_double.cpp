@@ -4,12 +4,12 @@
 
 #include "conformance/scene_of.hpp"
 #include "denhartog/model/contact_and_load.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
+#include "denhartog/sliding/coupled_sums.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
-#include "denhartog/sums/coupled_sums.hpp"
-#include "denhartog/sums/load_of_base.hpp"
+#include "denhartog/sliding/load_of_base.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 
 namespace denhartog::tests {

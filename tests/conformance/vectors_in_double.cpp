@@ -7,7 +7,7 @@
 #include "denhartog/formulas/high_frequency.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/sliding/regime.hpp"
+#include "denhartog/sliding/boundary.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"

@@ -4,8 +4,8 @@
 
 #include "denhartog/answer/exact_cycles.hpp"
 #include "denhartog/map/regime_map.hpp"
+#include "denhartog/sliding/friction_motion.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/sums/friction_motion.hpp"
 #include "tests/integration/orbit_scenes.hpp"
 #include "tests/support/second_witness.hpp"
 #include "tests/unit/response_fixtures.hpp"

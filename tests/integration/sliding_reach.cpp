@@ -6,7 +6,9 @@
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/orbit/orbit_map.hpp"
 #include "denhartog/sliding/boundary.hpp"
-#include "denhartog/sums/coupled_sums.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
+#include "denhartog/sliding/coupled_sums.hpp"
+#include "denhartog/sliding/instants_of_maxima.hpp"
 #include "tests/integration/orbit_scenes.hpp"
 #include "tests/support/coupled_scenes.hpp"
 

@@ -160,7 +160,7 @@ TEST_CASE("matrices with a contact held along any direction are off by two units
         Matrix<Real50> O = Matrix<Real50>::Identity(N, N);
         const std::vector<Real50>& w = exact.contact_direction;
         for (Eigen::Index k = 0; k < N; ++k) O(a, k) = (k == a ? Real50(1) : Real50(-w[static_cast<std::size_t>(k)])) / w[held.a];
-        const HeldMatrices found = held_matrices(s, held, Matrix<double>(Matrix<double>::Zero(N, N)));
+        const NonDimensionalMatrices found = held_matrices(s, held, Matrix<double>(Matrix<double>::Zero(N, N)));
         INFO(each.name);
         for (const auto& [in_double, A] :
              {std::pair{found.M, mass_of<Real50, Real50>(exact)}, {found.K, stiffness_of<Real50, Real50>(exact)}}) {

@@ -2,7 +2,7 @@
 #include "denhartog/reference/friction.hpp"
 
 #include "denhartog/formulas/motion.hpp"
-#include "denhartog/sums/mode_sums.hpp"
+#include "denhartog/sliding/mode_sums.hpp"
 #include "tests/catch.hpp"
 #include "tests/reference/surveyed_scenes.hpp"
 #include "tests/support/closed_form.hpp"

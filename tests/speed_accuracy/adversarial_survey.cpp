@@ -18,11 +18,11 @@
 #include "denhartog/denhartog.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/effort.hpp"
+#include "denhartog/sliding/mode_sums.hpp"
 #include "denhartog/solve/decision.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
-#include "denhartog/sums/mode_sums.hpp"
 #include "tests/speed_accuracy/answer_numbers.hpp"
 #include "tests/support/invariant_points.hpp"
 

@@ -11,9 +11,9 @@
 #include <thread>
 
 #include "denhartog/evaluation/mode_arrays.hpp"
-#include "denhartog/map/contact_arrays.hpp"
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/number/number.hpp"
+#include "denhartog/sliding/contact_alone.hpp"
 #include "tests/support/paper_systems.hpp"
 
 namespace denhartog::tests {

@@ -12,10 +12,10 @@
 
 #include "denhartog/evaluation/mode_arrays.hpp"
 #include "denhartog/evaluation/vector_functions.hpp"
-#include "denhartog/map/contact_arrays.hpp"
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/number/number.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
+#include "denhartog/sliding/contact_alone.hpp"
 #include "tests/speed_accuracy/bare_functions.hpp"
 #include "tests/speed_accuracy/batch_cost.hpp"
 #include "tests/speed_accuracy/own_functions.hpp"

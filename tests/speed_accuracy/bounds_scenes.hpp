@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/sums/bounded_modes.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
 
 namespace denhartog::tests {
 

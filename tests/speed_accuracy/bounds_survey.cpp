@@ -5,8 +5,10 @@
 #include <optional>
 
 #include "denhartog/number/errors.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
+#include "denhartog/sliding/coupled_sums.hpp"
+#include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/solve/quantities_of_sums.hpp"
-#include "denhartog/sums/coupled_sums.hpp"
 #include "tests/speed_accuracy/bounds_scenes.hpp"
 #include "tests/support/closed_form.hpp"
 

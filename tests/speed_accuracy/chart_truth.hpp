@@ -2,7 +2,7 @@
 /// @brief The truth at a point of the chart and how far a method is from it.
 #pragma once
 
-#include "denhartog/sliding/regime.hpp"
+#include "denhartog/sliding/boundary.hpp"
 #include "tests/speed_accuracy/peers/peer.hpp"
 
 namespace denhartog::tests {

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "denhartog/sliding/regime.hpp"
+#include "denhartog/sliding/boundary.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "tests/support/multiprecision.hpp" // NOLINT(misc-include-cleaner): the number types
 
@@ -29,12 +29,6 @@ template <ManyDigits T>
 /// @brief Modes and sums over modes at a frequency ratio. @eq{22,23,28,29,33,34,35,64,65}
 template <ManyDigits T>
 [[nodiscard]] ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, const LoadRows& load, const T& r);
-
-/// @brief The same with all forces in phase.
-template <ManyDigits T>
-[[nodiscard]] ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r) {
-    return mode_sums(basis, contact, LoadRows{load}, r);
-}
 
 /// @brief The expression of (57) summed over the modes, at an instant in [0, pi]. @eq{56,57}
 template <ManyDigits T>

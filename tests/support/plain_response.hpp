@@ -9,7 +9,7 @@
 
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/sliding/regime.hpp"
+#include "denhartog/sliding/boundary.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "tests/support/closed_form.hpp"
 
@@ -27,12 +27,16 @@ struct Response {
     std::optional<SteadyState<T>> steady_state; ///< the steady state, in the sliding regime only
 };
 
-/// @brief What rounding alone does to a boundary, where nothing better is known.
+/// @brief A boundary with bounds of what rounding alone does to it, where nothing better is known.
 /// @param boundary  the boundary
-/// @return          16 units in the last place
-[[nodiscard]] inline BoundaryError rounding_of(const RegimeBoundary<double>& boundary) {
+/// @return          the same, off by 16 units in the last place
+[[nodiscard]] inline Boundary<Bounded<double>> with_rounding(const Boundary<double>& boundary) {
     const double few = 16 * std::numeric_limits<double>::epsilon();
-    return {few * boundary.exact, boundary.sticking ? few * *boundary.sticking : 0};
+    Boundary<Bounded<double>> b{};
+    b.exact = {boundary.exact, few * boundary.exact};
+    if (boundary.sticking) b.sticking = Bounded<double>(*boundary.sticking, few * *boundary.sticking);
+    b.binding = boundary.binding;
+    return b;
 }
 
 /// @brief The response at the point of a scene, as the number type rounds it.
@@ -49,7 +53,7 @@ template <class T>
     Response<T> all{*scene.r, scene.mu, scene.beta, scene.system.contact, boundary(sums, scene.mu), std::nullopt, std::nullopt};
     if (!scene.beta) return all;
     if constexpr (std::same_as<T, double>)
-        all.regime = regime_at(all.boundary, *scene.beta, rounding_of(all.boundary));
+        all.regime = regime_at(with_rounding(all.boundary), *scene.beta);
     else
         all.regime = RegimeAtPoint{regime_of(all.boundary, *scene.beta), {}, false, {}};
     if (all.regime->regime == Regime::continuous) all.steady_state = steady_state(sums, all.boundary, *scene.beta, only);

@@ -6,6 +6,8 @@
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
+#include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"

@@ -1,5 +1,5 @@
 // Bounds of the modes and of their functions against 50 and 100 digits, light and heavy masses among them.
-#include "denhartog/sums/bounded_modes.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
 
 #include <cmath>
 #include <random>

@@ -1,4 +1,4 @@
-#include "denhartog/map/contact_arrays.hpp"
+#include "denhartog/sliding/contact_alone.hpp"
 
 #include <limits>
 

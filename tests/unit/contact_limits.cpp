@@ -1,12 +1,12 @@
-#include "denhartog/map/contact_arrays.hpp"
+#include "denhartog/sliding/contact_alone.hpp"
 
 #include <random>
 
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/sliding/boundary.hpp"
-#include "denhartog/sliding/regime.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
+#include "denhartog/sliding/instants_of_maxima.hpp"
 #include "tests/catch.hpp"
 #include "tests/speed_accuracy/table.hpp"
 #include "tests/unit/response_fixtures.hpp"

@@ -164,7 +164,7 @@ TEST_CASE("over any motion the gain of energy is the work of load, damping and f
         const NonDimensionalMatrices m = non_dimensional_matrices(p.system, system.basis, p.e.r);
         const Energy e = energy_of(solver, motion, m, p.system.contact, p.system.load, p.e.beta);
         INFO("N = " << system.basis.r_n.size() << ", r = " << p.e.r << ", phases " << motion.phases.size() << ", coupling "
-                    << system.stuck.coupling);
+                    << largest_coupling(system.stuck.damping));
         CHECK(motion.phases.size() >= 2);
         CHECK(std::abs(e.work - e.gain) <= 1e-9 * e.size);
     }

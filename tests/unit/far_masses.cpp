@@ -1,7 +1,7 @@
 // Far above the natural frequencies of a chain double has no digit of what a far mass does, and the reference answers.
+#include "denhartog/solve/decision.hpp"
 #include "denhartog/solve/quantities.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/solve/decision.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 

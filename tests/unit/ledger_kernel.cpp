@@ -55,8 +55,9 @@ TEST_CASE("a claim is checked where the kernel accepted its lemmas, and not expo
     CHECK(entries[0].at("kernel").at("certificates") == 1);
     CHECK(entries[1].at("kernel").at("status") == "not_exported");
     CHECK(entries[1].at("kernel").at("reason") == "definition: there is nothing to prove");
-    CHECK(derivation::kernel_sentence(entries) == "The kernel has checked the certificates of 1 of 2 claims; 1 are not exported. Of "
-                                                  "2 equations 1 have a certificate or a theorem that it has checked.");
+    CHECK(derivation::kernel_sentence(entries) ==
+          "The kernel has checked the certificates of 1 of 2 claims; 1 are not exported. Of "
+          "2 equations 1 have a certificate or a theorem that it has checked.");
 }
 
 TEST_CASE("a lemma that the kernel refuses makes its claim and its equation red", "[ledger][kernel]") {

@@ -6,7 +6,7 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/scene/converted.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/closed_form.hpp"
 #include "tests/support/rotations.hpp"

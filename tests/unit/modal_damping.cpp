@@ -2,7 +2,6 @@
 
 #include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/model/modal_basis.hpp"
-#include "denhartog/model/modal_damping.hpp"
 #include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/closed_form.hpp"

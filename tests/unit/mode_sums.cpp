@@ -1,4 +1,4 @@
-#include "denhartog/sums/mode_sums.hpp"
+#include "denhartog/sliding/mode_sums.hpp"
 
 #include <Eigen/Dense>
 

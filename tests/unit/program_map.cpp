@@ -248,7 +248,8 @@ TEST_CASE("absolute phases of a map are those of solve", "[program][map][base]")
 }
 
 TEST_CASE("without friction the ratio of static to kinetic friction makes no difference to a map with phases", "[program][map]") {
-    const std::string begin = R"({"mass_ratios": [1, 1.1], "stiffness_ratios": [1, 2.7], "damping_ratios": 0, "contact": 1, "load": 2, )";
+    const std::string begin =
+        R"({"mass_ratios": [1, 1.1], "stiffness_ratios": [1, 2.7], "damping_ratios": 0, "contact": 1, "load": 2, )";
     const std::string asked = "map - --r 0.61:0.61:1 --beta 0:0:1 --phases";
     const Run larger = run_program(asked, begin + R"("mu": 1.15})");
     CHECK(larger.output.find("continuous,0,1") != std::string::npos);

@@ -397,7 +397,7 @@ TEST_CASE("stretches that a column answers together have the numbers and the reg
                 const double beta = grid.beta[k];
                 INFO("r = " << hexadecimal(grid.r[m]) << ", beta = " << hexadecimal(beta) << ", zeta = " << hexadecimal(zeta));
                 const Regime expected = regime_of(sure, Real50(beta));
-                near += on_boundary(boundaries[m], beta, rounding_of(boundaries[m])); // the digits of double do not tell
+                near += regime_at(with_rounding(boundaries[m]), beta).on_boundary; // the digits of double do not tell
                 ++points;
                 ++regimes[static_cast<int>(expected)];
                 if (map.points[point].status == PointStatus::not_converged) {

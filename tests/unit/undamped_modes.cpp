@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include "denhartog/answer/modes_in_double.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
+#include "denhartog/sliding/coupled_sums.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
-#include "denhartog/sums/coupled_sums.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 

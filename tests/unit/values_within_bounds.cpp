@@ -7,7 +7,7 @@
 #include "denhartog/answer/sliding_point.hpp"
 #include "denhartog/scene/scene_json.hpp"
 #include "denhartog/sliding/boundary.hpp"
-#include "denhartog/sums/mode_sums.hpp"
+#include "denhartog/sliding/mode_sums.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/closed_form.hpp"
 #include "tests/unit/program_runs.hpp"

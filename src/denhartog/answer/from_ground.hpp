@@ -9,7 +9,7 @@
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/answer/solution.hpp"
-#include "denhartog/sums/mode_sums.hpp"
+#include "denhartog/sliding/mode_sums.hpp"
 
 namespace denhartog {
 

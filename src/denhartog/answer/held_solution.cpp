@@ -10,9 +10,9 @@
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/number/why.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
+#include "denhartog/sliding/coupled_sums.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
-#include "denhartog/sums/coupled_sums.hpp"
 #include "elementary/elementary.hpp"
 
 namespace denhartog {

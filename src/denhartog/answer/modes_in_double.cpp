@@ -7,9 +7,9 @@
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/answer/modes_by_reference.hpp"
-#include "denhartog/model/modal_damping.hpp"
+#include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/tried.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
 
 namespace denhartog {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "denhartog/answer/solution.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
 
 namespace denhartog {
 

@@ -9,7 +9,7 @@
 #include "denhartog/number/tried.hpp"
 #include "denhartog/number/why.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
-#include "denhartog/sums/coupled_sums.hpp"
+#include "denhartog/sliding/coupled_sums.hpp"
 
 namespace denhartog {
 namespace {

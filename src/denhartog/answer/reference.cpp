@@ -14,7 +14,7 @@
 #include "denhartog/number/why.hpp"
 #include "denhartog/reference/orbit.hpp"
 #include "denhartog/reference/sliding.hpp"
-#include "denhartog/sliding/regime.hpp"
+#include "denhartog/sliding/boundary.hpp"
 
 namespace denhartog {
 namespace {
@@ -42,11 +42,11 @@ void write_regime(const PointInBalls& p, Solution& s) {
     const Ball& beta = *p.scene.beta;
     const auto shown = static_cast<double>(beta);
     const Regime regime = regime_by(beta, p.boundary->exact, p.sticking);
-    Boundary<double> b{};
+    Boundary<Bounded<double>> b{};
     b.exact = parted(p.boundary->exact, shown, beta < p.boundary->exact);
     if (p.sticking) b.sticking = parted(*p.sticking, shown, !(beta >= *p.sticking));
     b.binding = p.boundary->binding;
-    s.regime = regime_at(b, shown, BoundaryError{0, 0});
+    s.regime = regime_at(b, shown);
     s.regime.regime = regime;
     const bool certain = beta < p.boundary->paper || beta >= p.boundary->paper;
     if (!certain || !p.sticking) return;

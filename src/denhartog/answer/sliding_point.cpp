@@ -6,11 +6,11 @@
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/answer/from_ground.hpp"
-#include "denhartog/model/modal_damping.hpp"
+#include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/why.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/sliding/coupled_sums.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
-#include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {
 namespace {

@@ -11,10 +11,10 @@
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/answer/solution.hpp"
-#include "denhartog/sliding/regime.hpp"
+#include "denhartog/sliding/boundary.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
+#include "denhartog/sliding/friction_motion.hpp"
 #include "denhartog/sliding/steady_state.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
-#include "denhartog/sums/friction_motion.hpp"
 
 namespace denhartog {
 

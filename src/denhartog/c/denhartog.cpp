@@ -8,7 +8,7 @@
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/solve/decision.hpp"
-#include "denhartog/sums/load_of_base.hpp"
+#include "denhartog/sliding/load_of_base.hpp"
 #include "denhartog/version.hpp"
 
 using namespace denhartog;

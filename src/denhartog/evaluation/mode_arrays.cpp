@@ -86,29 +86,6 @@ template <bool large_ratios>
     return number_of_large(p.R, n) > 0 ? compute<true>(m, p, n) : compute<false>(m, p, n);
 }
 
-using Compute = Left (*)(const ModeConstants&, const Pointers&, std::size_t);
-
-Left compute_baseline(const ModeConstants& m, const Pointers& p, std::size_t n) { return compute_any(m, p, n); }
-
-#if defined(__x86_64__)
-[[gnu::target("avx2")]] Left compute_avx2(const ModeConstants& m, const Pointers& p, std::size_t n) {
-    return compute_any(m, p, n);
-}
-
-[[gnu::target("avx512f,avx512dq,avx512vl,prefer-vector-width=512")]] Left compute_avx512(const ModeConstants& m,
-                                                                                         const Pointers& p, std::size_t n) {
-    return compute_any(m, p, n);
-}
-#endif
-
-Compute compute_with(Vectors vectors) {
-#if defined(__x86_64__)
-    if (vectors == Vectors::avx512) return compute_avx512;
-    if (vectors == Vectors::avx2) return compute_avx2;
-#endif
-    return vectors == Vectors::baseline ? compute_baseline : nullptr;
-}
-
 void check_arguments(std::span<const double> R, double zeta, const ModeArrays& out, Vectors vectors) {
     if (!(zeta >= 0 && std::isfinite(zeta))) throw InputError("zeta", "must be finite and at least 0", number_to_text(zeta));
     for (const std::size_t size : {out.v_re.size(), out.v_im.size(), out.u.size(), out.g.size(), out.at_pole.size()})
@@ -157,13 +134,13 @@ std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArr
     evaluated += static_cast<long>(R.size());
     const ModeConstants m = constants_of(zeta);
     const bool without_vectors = damping_beyond_vectors(zeta, vector_range);
-    const Compute compute_block = compute_with(vectors);
     std::size_t scalar = 0;
     for (std::size_t start = 0; start < R.size(); start += block) {
         const std::size_t n = std::min(block, R.size() - start);
         const Pointers p{R.data() + start, out.v_re.data() + start, out.v_im.data() + start, out.u.data() + start,
                          out.g.data() + start};
-        const Left left = compute_block(m, p, n);
+        const Left left = run_with(
+            vectors, [&]() __attribute__((always_inline)) { return compute_any(m, p, n); });
         if (left.outside == 0 && left.poles == 0 && !without_vectors) continue;
         for (std::size_t i = start; i < start + n; ++i) {
             const bool outside = without_vectors || ratio_beyond_vectors(R[i], vector_range);

@@ -37,6 +37,31 @@ enum class Vectors : std::uint8_t {
 /// @brief The widths that this processor has. @return in ascending order; `baseline` is always there
 [[nodiscard]] const std::vector<Vectors>& supported_vectors();
 
+#if defined(__x86_64__)
+/// @brief Runs a kernel, which is inlined, with 256 bits. Every processor with these vectors has the fused multiply-add; it is used
+/// where a form asks for it, and in no other place. @param kernel what is run @return what it returns
+template <class Kernel>
+[[gnu::target("avx2,fma")]] auto run_with_avx2(const Kernel& kernel) {
+    return kernel();
+}
+/// @brief Runs a kernel, which is inlined, with 512 bits. @param kernel what is run @return what it returns
+template <class Kernel>
+[[gnu::target("avx512f,avx512dq,avx512vl,fma,prefer-vector-width=512")]] auto run_with_avx512(const Kernel& kernel) {
+    return kernel();
+}
+#endif
+
+/// @brief Runs a kernel, an inlined function without arguments, with vectors of a width that the processor has: the digits are the
+/// same with each. @param vectors the width @param kernel what is run @return what it returns
+template <class Kernel>
+auto run_with(Vectors vectors, const Kernel& kernel) {
+#if defined(__x86_64__)
+    if (vectors == Vectors::avx512) return run_with_avx512(kernel);
+    if (vectors == Vectors::avx2) return run_with_avx2(kernel);
+#endif
+    return kernel();
+}
+
 /// @brief Frequency ratios from here on go through the vectors. @return the least of them
 [[nodiscard]] constexpr double least_vector_ratio() { return 0x1p-26; }
 

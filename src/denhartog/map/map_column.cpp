@@ -10,18 +10,38 @@
 #include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/answer/sliding_point.hpp"
 #include "denhartog/evaluation/contact.hpp"
-#include "denhartog/map/contact_arrays.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/tried.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
+#include "denhartog/sliding/contact_alone.hpp"
+#include "denhartog/sliding/coupled_sums.hpp"
+#include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/solve/decision.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
-#include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {
 namespace {
 
 constexpr double least_accuracy = 1e-6; // relative to an amplitude: what has less is left to `solve`
+
+// A periodic orbit by its state at tau = 0.
+struct OrbitAt {
+    State start;
+    double beta;
+};
+
+// Where the next orbit of a column is looked for: the state on the line through two orbits; none far from both.
+std::optional<State> on_line_through(const std::optional<OrbitAt>& a, const std::optional<OrbitAt>& b, double beta) {
+    if (!a || !b) return std::nullopt;
+    const double part = (beta - b->beta) / (b->beta - a->beta);
+    if (!(std::abs(part) <= 2)) return std::nullopt;
+    State z = b->start;
+    for (std::size_t k = 0; k < z.x.size(); ++k) {
+        z.x[k] += part * (b->start.x[k] - a->start.x[k]);
+        z.x_prime[k] += part * (b->start.x_prime[k] - a->start.x_prime[k]);
+    }
+    return z;
+}
 
 // What comes of a computation in double that answers, or does not: `failed` is one that is left to `decide`.
 template <class Compute>

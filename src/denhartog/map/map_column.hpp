@@ -3,14 +3,12 @@
 #pragma once
 
 #include <atomic>
-#include <cmath>
 #include <optional>
 #include <span>
 
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/sliding/boundary.hpp"
 #include "denhartog/solve/prepared_system.hpp"
-#include "denhartog/stick_slip/motion_record.hpp"
 
 namespace denhartog {
 
@@ -47,26 +45,5 @@ void compute_column(const MapSystem& map, double r, const std::optional<ContactC
 
 /// @brief The point of a map that an answer makes; one without numbers where there is none.
 [[nodiscard]] MapPoint map_point(const AnswerOrNone& answer);
-
-/// @brief A periodic orbit by its state at tau = 0, with its friction ratio.
-struct OrbitAt {
-    State start; ///< the state
-    double beta;         ///< the friction ratio
-};
-
-/// @brief Where the next orbit of a column is looked for: the state on the line through two orbits at a friction ratio; none far
-/// from both, or where one is missing.
-[[nodiscard]] inline std::optional<State> on_line_through(const std::optional<OrbitAt>& a,
-                                                                  const std::optional<OrbitAt>& b, double beta) {
-    if (!a || !b) return std::nullopt;
-    const double part = (beta - b->beta) / (b->beta - a->beta);
-    if (!(std::abs(part) <= 2)) return std::nullopt;
-    State z = b->start;
-    for (std::size_t k = 0; k < z.x.size(); ++k) {
-        z.x[k] += part * (b->start.x[k] - a->start.x[k]);
-        z.x_prime[k] += part * (b->start.x_prime[k] - a->start.x_prime[k]);
-    }
-    return z;
-}
 
 } // namespace denhartog

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/map/contact_arrays.hpp"
 #include "denhartog/map/map_column.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/parallel.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/sliding/contact_alone.hpp"
 #include "denhartog/solve/decision.hpp"
 
 namespace denhartog {

@@ -108,12 +108,12 @@ Contact contact_of(const std::vector<double>& w, const Matrix<double>& M) {
     return contact;
 }
 
-HeldMatrices held_matrices(const System<double>& s, const Contact& held, const Matrix<double>& C) {
+NonDimensionalMatrices held_matrices(const System<double>& s, const Contact& held, const Matrix<double>& C) {
     const Matrix<double> K = stiffness_matrix(s);
     const std::vector<double> none(number_of_masses(s), 0.0);
-    std::vector<double> of_springs = none;
-    for (std::size_t k = 0; k < of_springs.size(); ++k) of_springs[k] = rest_of_stiffness(s, K, k);
-    return {with_contact(held, mass_matrix(s), none), with_contact(held, C, none), with_contact(held, K, of_springs)};
+    std::vector<double> rests_of_springs = none;
+    for (std::size_t k = 0; k < rests_of_springs.size(); ++k) rests_of_springs[k] = rest_of_stiffness(s, K, k);
+    return {with_contact(held, mass_matrix(s), none), with_contact(held, C, none), with_contact(held, K, rests_of_springs)};
 }
 
 } // namespace denhartog

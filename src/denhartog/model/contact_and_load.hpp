@@ -3,11 +3,10 @@
 /// masses \f$ \mathrm{Re}\{\mathbf{p}\,e^{\mathrm{i}\tau}\} \f$.
 ///
 /// In the paper w and p are unit vectors. Between two masses the displacement of the contact is \f$ x_j - x_k \f$; w may be any
-/// vector, and friction then acts on the masses along it. All that the
-/// paper derives from (6) holds of them, with \f$ \mathbf{w}^T\boldsymbol\psi_i \f$ for \f$ \psi_{ji} \f$ and
-/// \f$ \mathbf{p}^T\boldsymbol\psi_i \f$ for \f$ \psi_{li} \f$, which is complex where forces are out of phase. Where w or p is no
-/// unit vector it has a row of its own behind those of the masses, wherever there is a row per mass: first that of w, then that of
-/// p, and of a complex p those of its real and its imaginary part.
+/// vector, and friction then acts on the masses along it. All that the paper derives from (6) holds of them, with
+/// \f$ \mathbf{w}^T\boldsymbol\psi_i \f$ for \f$ \psi_{ji} \f$ and \f$ \mathbf{p}^T\boldsymbol\psi_i \f$ for \f$ \psi_{li} \f$,
+/// complex where forces are out of phase. Where w or p is no unit vector it has a row of its own behind those of the masses: first
+/// that of w, then that of p, and of a complex p those of its real and its imaginary part.
 #pragma once
 
 #include <algorithm>
@@ -42,8 +41,7 @@ template <class T>
     return p;
 }
 
-/// @brief Bounds of what errors of phases in the last place make of p, and of those that the system has besides; N values, or none
-/// of a load whose entries are off by units in the last place.
+/// @brief Bounds of the errors of p, N values; none of a load whose entries are off by units in the last place.
 [[nodiscard]] std::vector<double> error_of_load(const System<double>& s);
 
 /// @brief w, N values.
@@ -89,8 +87,11 @@ template <class T>
 
 /// @brief The rows of a load: that of its real part and, where forces are out of phase, that of its imaginary part.
 struct LoadRows {
-    Mass re;                  ///< the row of `load_row`
-    std::optional<Mass> im{}; ///< the one behind it, or none
+    Mass re;                ///< the row of `load_row`
+    std::optional<Mass> im; ///< the one behind it, or none
+
+    /// @brief Of a load in phase its one row.
+    LoadRows(Mass re_, std::optional<Mass> im_ = std::nullopt) : re(re_), im(im_) {} // NOLINT(google-explicit-constructor)
 };
 
 /// @brief The rows of the load of a system.
@@ -182,15 +183,16 @@ private:
 /// @brief The contact of a vector w, one entry a mass, in a system of the mass matrix M.
 [[nodiscard]] Contact contact_of(const std::vector<double>& w, const Matrix<double>& M);
 
-/// @brief Matrices of a system with y in the place of x_a, \f$ \mathbf{O}^T\mathbf{A}\mathbf{O} \f$ with
-/// \f$ \mathbf{x} = \mathbf{O}\mathbf{y} \f$: every entry is off by no more than two units in its last place.
-struct HeldMatrices {
-    Matrix<double> M; ///< masses in units of m_1
-    Matrix<double> C; ///< damping in units of sqrt(k_1 m_1)
-    Matrix<double> K; ///< stiffnesses in units of k_1
+/// @brief Mass, damping and stiffness matrices of (6).
+struct NonDimensionalMatrices {
+    Matrix<double> M; ///< r^2 times the mass matrix in units of m_1
+    Matrix<double> C; ///< non-dimensional damping matrix, Eq. (19), or r times the damping matrix given
+    Matrix<double> K; ///< stiffness matrix in units of k_1
 };
 
-/// @brief The matrices of a system whose contact may be held, with its damping matrix C, given or (19) at r = 1.
-[[nodiscard]] HeldMatrices held_matrices(const System<double>& s, const Contact& held, const Matrix<double>& C);
+/// @brief The matrices of a system whose contact may be held, at r = 1, with its damping matrix C, given or (19): those with y in the
+/// place of x_a, \f$ \mathbf{O}^T\mathbf{A}\mathbf{O} \f$ with \f$ \mathbf{x} = \mathbf{O}\mathbf{y} \f$. Every entry is off by no
+/// more than two units in its last place.
+[[nodiscard]] NonDimensionalMatrices held_matrices(const System<double>& s, const Contact& held, const Matrix<double>& C);
 
 } // namespace denhartog

@@ -39,11 +39,9 @@ public:
     /// scaled. Its exponentials spend of `effort`, if there is one.
     CoupledMotion(const Matrix<double>& A, double rate, Asked asked, Effort* const* effort);
 
-    /// @brief What follows is not paid for.
-    void pay_no_more() { effort_ = nullptr; }
+    void pay_no_more() { effort_ = nullptr; } ///< what follows is not paid for
 
-    /// @brief Starts at t = 0 with a state.
-    void start(Column z);
+    void start(Column z); ///< starts at t = 0 with a state
 
     /// @brief The state at time t from the start; not a number where t has no digits left for a step.
     [[nodiscard]] Column at(double t);

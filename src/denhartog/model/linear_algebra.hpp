@@ -19,8 +19,7 @@ struct SymmetricEigenproblem {
     Matrix<double> vectors;     ///< orthonormal eigenvectors, a column each
 };
 
-/// @brief Solves an eigenproblem by the lower triangle of a symmetric matrix, paid from a budget; PrecisionError where the iteration
-/// does not converge.
+/// @brief Solves an eigenproblem by the lower triangle of a symmetric matrix; PrecisionError where it does not converge.
 [[nodiscard]] SymmetricEigenproblem symmetric_eigenproblem(const Matrix<double>& A, Effort* effort = nullptr);
 
 /// @brief \f$ L^{-1}XL^{-T} \f$ with a lower triangular L: a matrix in coordinates in which \f$ LL^T \f$ is the unit matrix.
@@ -58,11 +57,9 @@ struct SymmetricEigenproblem {
 /// @brief A square matrix with its factors, by Gaussian elimination with row exchanges.
 class LinearSystem {
 public:
-    /// @brief Factors a square matrix.
-    explicit LinearSystem(const Matrix<double>& A);
+    explicit LinearSystem(const Matrix<double>& A); ///< factors a square matrix
     ~LinearSystem();
-    /// @brief Takes the factors of another system, which is left without.
-    LinearSystem(LinearSystem&& other) noexcept;
+    LinearSystem(LinearSystem&& other) noexcept; ///< takes the factors of another system, which is left without
 
     /// @brief The solution of \f$ Ax=b \f$.
     [[nodiscard]] Column solve(const Column& b) const;

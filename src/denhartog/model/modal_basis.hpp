@@ -5,8 +5,11 @@
 /// whole map.
 #pragma once
 
+#include <limits>
 #include <vector>
 
+#include "denhartog/model/contact_and_load.hpp"
+#include "denhartog/model/natural_modes.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/work_counted.hpp"
 #include "denhartog/scene/scene.hpp"
@@ -22,7 +25,8 @@ struct ModalBasis {
     Matrix<T> phi;               ///< mode shapes, mass by mode, phi^T M phi = 1, N x N; `further_rows` of the system behind them
     std::vector<T> zeta;         ///< modal damping ratios, N values; of a damping matrix those that its diagonal has
     Matrix<T> D{};               ///< phi^T C phi where a damping matrix counts, N x N; else empty
-    T distance_from_classical{}; ///< of a damping matrix, as `set_modal_damping` measures it; 0 without one
+    T distance_from_classical{}; ///< of a damping matrix, \f$ \|AB - BA\|_F / (\|A\|_F \|B\|_F) \f$, 0 to sqrt 2, where A and B are
+                                 ///< K and C with the square root of M divided out on both sides; 0 without one
     bool couples{}; ///< whether D couples two modes by more than rounding tells: they then have no functions of their own
 
     /// @brief Whether a damping matrix counts: the modes then are not taken to move by themselves, whatever it does to them.
@@ -55,23 +59,51 @@ template <class T>
 /// @eq{14,15}
 [[nodiscard]] ModalBasis<double> modal_basis(const System<double>& s, Effort* effort = nullptr);
 
-/// @brief The basis with the shapes at a few masses alone, a row for each in that order, and each mode with any sign: on a chain
-/// in O(N^2) in place of O(N^3). @eq{14,15}
+/// @brief The basis of a chain of two masses and more with damping ratios, with the shapes at a few masses alone, a row for each in
+/// that order, and each mode with any sign: O(N^2) operations in place of O(N^3). @eq{14,15}
 [[nodiscard]] ModalBasis<double> modal_basis_at(const System<double>& s, const std::vector<Mass>& masses,
                                                 Effort* effort = nullptr);
 
 /// @brief Number of eigenproblems (15) solved since the program started; tests gate on it.
 [[nodiscard]] inline long eigen_solves() { return work_counted.eigen_solves; }
 
-/// @brief Non-dimensional mass, damping and stiffness matrices (7), (8), (19) at a frequency ratio.
-struct NonDimensionalMatrices {
-    Matrix<double> M; ///< r^2 times the mass matrix in units of m_1
-    Matrix<double> C; ///< non-dimensional damping matrix, Eq. (19), or r times the damping matrix given
-    Matrix<double> K; ///< stiffness matrix in units of k_1
-};
-
 /// @brief Matrices M, C, K of (6) at a frequency ratio; InputError where that is not positive and finite. The basis is used where
 /// damping is given by ratios. @eq{7,8,19}
 [[nodiscard]] NonDimensionalMatrices non_dimensional_matrices(const System<double>& s, const ModalBasis<double>& basis, double r);
+
+/// @brief What the natural frequencies of an eigen-solver are good to.
+enum class FrequencyErrors {
+    each,   ///< units in the last place of each, as those of a chain are
+    highest ///< squares good to units in the last place of the highest one
+};
+
+/// @brief What rounding makes of the entries of \f$ D = \phi^T C \phi \f$ between modes: the rounding of the shapes, and the angle by
+/// which the solver may turn two modes towards each other; zero on the diagonal. @eq{18}
+[[nodiscard]] Matrix<double> rounding_between_modes(const Matrix<double>& C, const Matrix<double>& D, const NaturalModes& modes,
+                                                    FrequencyErrors errors);
+
+/// @brief Whether an entry of D between two modes is larger than rounding makes it, however small it is beside those of stiffer
+/// modes. @eq{18}
+[[nodiscard]] bool couples_a_pair(const Matrix<double>& D, const Matrix<double>& rounding);
+
+/// @brief How much damping couples modes: the largest \f$ |D_{ik}| / \sqrt{D_{ii} D_{kk}} \f$ of \f$ D = \phi^T C \phi \f$. It is
+/// from 0 to 1. A product of two diagonal entries below the square of `rounding`, the error of the entries, counts as that.
+/// @eq{18}
+[[nodiscard]] double largest_coupling(const Matrix<double>& D, double rounding);
+
+/// @brief What rounding may make of natural frequencies, of the entries of D and of the distance from classical damping, beside the
+/// largest of its kind: some units in the last place for each mode.
+[[nodiscard]] inline double rounding_of_modes(std::size_t N) {
+    return 8 * static_cast<int>(N) * std::numeric_limits<double>::epsilon();
+}
+
+/// @brief The same of entries that are as good as rounding lets them be.
+[[nodiscard]] inline double largest_coupling(const Matrix<double>& D) {
+    if (D.size() == 0) return 0;
+    return largest_coupling(D, rounding_of_modes(static_cast<std::size_t>(D.rows())) * D.cwiseAbs().maxCoeff());
+}
+
+/// @brief Turns the shapes of modes whose natural frequencies coincide to those that diagonalise C among them.
+void turn_coinciding_modes(const Matrix<double>& C, double tolerance, const std::vector<double>& r_n, Matrix<double>& phi);
 
 } // namespace denhartog

@@ -16,28 +16,27 @@ struct NaturalModes {
     Matrix<double> phi;      ///< mode shapes, mass by mode, phi^T M phi = 1
 };
 
-/// @brief Modes of a chain: each natural frequency comes with an error of about N eps of itself, however stiff its springs.
+/// @brief Modes of a chain with the shapes at some masses, a row for each in that order, and each mode with any sign: N^2
+/// operations a row. PrecisionError where the iteration does not converge.
 ///
 /// The stiffness matrix of a chain is a product F^T F with F bidiagonal, one row a spring: its elongation times the root of its
 /// stiffness, on displacements times the roots of the masses. No entry of F is a difference, so that its singular values, the
-/// natural frequency ratios, come with high relative accuracy. There are N springs where the last mass is free, N + 1 where the
-/// last spring joins it to the ground. The work is paid from a budget, as in all that follows. PrecisionError where the iteration
-/// does not converge.
-/// @eq{14,15}
-[[nodiscard]] NaturalModes chain_modes(const std::vector<double>& gamma, const std::vector<double>& kappa,
-                                       Effort* effort = nullptr);
-
-/// @brief The same with the shapes at a few masses alone, a row for each in that order, and each mode with any sign, in O(N^2) in
-/// place of O(N^3). Frequencies are as above to the last bit. @eq{14,15}
+/// natural frequency ratios, come with an error of about N eps of themselves, however stiff the springs. There are N springs where
+/// the last mass is free, N + 1 where the last spring joins it to the ground. The work is paid from a budget, as in all that
+/// follows. @eq{14,15}
 [[nodiscard]] NaturalModes chain_modes(const std::vector<double>& gamma, const std::vector<double>& kappa,
                                        const std::vector<Mass>& masses, Effort* effort = nullptr);
+
+/// @brief The same with the shapes at all masses. @eq{14,15}
+[[nodiscard]] NaturalModes chain_modes(const std::vector<double>& gamma, const std::vector<double>& kappa,
+                                       Effort* effort = nullptr);
 
 /// @brief Modes of any system: errors of the squared frequencies are about N eps of the highest one, but of masses of very
 /// different size, see `graded_modes`. L is the factor of the mass matrix. PrecisionError where the digits do not tell the
 /// lowest from zero, or the iteration does not converge. @eq{14,15}
 [[nodiscard]] NaturalModes general_modes(const Matrix<double>& L, const Matrix<double>& K, Effort* effort = nullptr);
 
-/// @brief Ratio of the largest mass to the least from which modes are graded, see `graded_modes`.
+/// @brief Ratio of the largest mass to the least from which modes are graded.
 inline constexpr double least_contrast_of_masses = 1024;
 
 /// @brief By how much the springs multiply relative errors of their entries on the way to those of squared natural frequencies:
@@ -50,13 +49,30 @@ inline constexpr double least_contrast_of_masses = 1024;
 /// With \f$ \mathbf K = \mathbf G\mathbf G^T \f$ and lumped masses, the natural frequency ratios are the singular values of
 /// \f$ \mathbf G^T\mathbf M^{-1/2} \f$, whose columns are as small as the masses are large. One-sided Jacobi rotations keep the
 /// digits of each column: the error of every natural frequency is a fraction of itself, however light a mass is; see J. Demmel
-/// and K. Veselić, SIAM Journal on Matrix Analysis and Applications 13 (1992), 1204.
-/// @eq{14,15}
+/// and K. Veselić, SIAM Journal on Matrix Analysis and Applications 13 (1992), 1204. @eq{14,15}
 [[nodiscard]] std::optional<NaturalModes> graded_modes(const Matrix<double>& L, const Matrix<double>& K,
                                                        Effort* effort = nullptr);
 
 /// @brief Fixes the signs of mode shapes: positive is the first component that has more than three eighths of the size of the
 /// largest.
 void fix_signs(Matrix<double>& phi);
+
+/// @brief Singular values, ascending, with their right singular vectors.
+struct SingularValues {
+    std::vector<double> sigma; ///< singular values, ascending, N values
+    Matrix<double> V;          ///< rows of the right singular vectors; column i belongs to sigma[i]
+    long sweeps = 0;           ///< QR sweeps that it took
+};
+
+/// @brief Singular values of the upper bidiagonal matrix with diagonal d and superdiagonal e, with V of the rows wanted.
+///
+/// Implicit-zero-shift QR iteration, J. Demmel and W. Kahan, "Accurate singular values of bidiagonal matrices", SIAM J. Sci.
+/// Stat. Comput. 11 (1990) 873-912. The entries of a bidiagonal matrix determine each of its singular values to the relative
+/// accuracy that they have themselves, however far apart the values lie. A sweep without shift keeps that accuracy; a sweep with
+/// a shift costs a factor of largest over smallest value of its block and is used only where that factor is at most 4 N. d has N
+/// >= 1 values, finite and not zero, and e has N - 1. The values cost N^2, a row another N^2; each sweep is paid from a budget.
+/// PrecisionError where the iteration does not converge.
+[[nodiscard]] SingularValues bidiagonal_singular_values(std::vector<double> d, std::vector<double> e,
+                                                        const std::vector<std::size_t>& rows, Effort* effort = nullptr);
 
 } // namespace denhartog

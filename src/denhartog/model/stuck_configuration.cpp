@@ -5,7 +5,7 @@
 #include <string>
 
 #include "denhartog/model/linear_algebra.hpp"
-#include "denhartog/model/modal_damping.hpp"
+#include "denhartog/model/modal_basis.hpp"
 #include "denhartog/model/natural_modes.hpp"
 #include "denhartog/number/why.hpp"
 #include "denhartog/number/work_counted.hpp"
@@ -14,7 +14,6 @@
 namespace denhartog {
 namespace {
 
-using std::abs;
 using std::sqrt;
 
 std::vector<Eigen::Index> indices_of(const std::vector<Mass>& masses) {
@@ -66,16 +65,11 @@ NaturalModes stuck_modes(const System<double>& s, const StuckConfiguration& stuc
     return general_modes(factor_of_masses(stuck.M), stuck.K, effort);
 }
 
-/// Whether the modes couple, and how much; an entry below the rounding of the largest is compared with that rounding.
+/// Whether D couples no modes; an entry below the rounding of the largest is no coupling.
 void set_coupling(StuckConfiguration& stuck, FrequencyErrors errors, double tolerance) {
     const Matrix<double>& D = stuck.damping;
-    const double rounding = tolerance * D.cwiseAbs().maxCoeff();
-    stuck.coupling = largest_coupling(D, rounding);
     const Matrix<double> between = rounding_between_modes(stuck.C, D, {stuck.r_n, stuck.phi}, errors);
-    stuck.modes_diagonalise_damping = !couples_a_pair(D, between);
-    for (Eigen::Index i = 0; i < D.rows(); ++i)
-        for (Eigen::Index k = 0; k < i; ++k)
-            stuck.modes_diagonalise_damping = stuck.modes_diagonalise_damping && abs(D(i, k)) <= rounding;
+    stuck.modes_diagonalise_damping = !couples_a_pair(D, between.cwiseMin(tolerance * D.cwiseAbs().maxCoeff()));
     if (!stuck.modes_diagonalise_damping) return;
     stuck.left_out = between + D.cwiseAbs();
     stuck.left_out.diagonal().setZero();
@@ -91,8 +85,7 @@ void set_modes(const System<double>& s, StuckConfiguration& stuck, Effort* effor
     stuck.phi = std::move(modes.phi);
     const Matrix<double> D = in_coordinates(stuck.phi, stuck.C);
     stuck.damping = (D + D.transpose()) / 2.0;
-    set_coupling(stuck, is_chain(s) && !contact_moves_apart(s) ? FrequencyErrors::of_each : FrequencyErrors::of_highest,
-                 tolerance);
+    set_coupling(stuck, is_chain(s) && !contact_moves_apart(s) ? FrequencyErrors::each : FrequencyErrors::highest, tolerance);
 }
 
 /// The same from elsewhere.
@@ -100,8 +93,7 @@ void set_modes(const RoundedModes& held, StuckConfiguration& stuck) {
     stuck.r_n = held.r_n;
     stuck.phi = held.phi;
     stuck.damping = held.damping;
-    stuck.coupling = largest_coupling(held.damping);
-    stuck.modes_diagonalise_damping = stuck.coupling == 0;
+    stuck.modes_diagonalise_damping = is_diagonal(held.damping);
 }
 
 void require_finite(const StuckConfiguration& stuck) {
@@ -121,7 +113,7 @@ StuckConfiguration stuck_configuration(const System<double>& s, const ModalBasis
     const std::size_t N = number_of_masses(s);
     StuckConfiguration stuck{};
     stuck.contact = contact_of(contact_vector(s), mass_matrix(s));
-    HeldMatrices all = held_matrices(s, stuck.contact, non_dimensional_matrices(s, basis, 1.0).C);
+    NonDimensionalMatrices all = held_matrices(s, stuck.contact, non_dimensional_matrices(s, basis, 1.0).C);
     if (held) all.C = held->C;
     const auto j = static_cast<Eigen::Index>(stuck.contact.a);
     for (std::size_t k = 0; k < N; ++k)
@@ -138,7 +130,6 @@ StuckConfiguration stuck_configuration(const System<double>& s, const ModalBasis
     if (!s.load_vector.empty()) stuck.load = complex_load(s);
     stuck.carried.assign(N, 0.0);
     stuck.carried[stuck.contact.a] = stuck.contact.over(1);
-    stuck.coupling = 0.0;
     stuck.modes_diagonalise_damping = true;
     const auto n = static_cast<Eigen::Index>(N);
     stuck.shapes = Matrix<double>::Zero(n, n - 1);

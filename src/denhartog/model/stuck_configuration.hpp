@@ -35,8 +35,7 @@ struct StuckConfiguration {
     std::vector<double> carried;       ///< how far each of the N masses goes with the contact while the modes are at rest
     std::vector<Complex<double>> load; ///< force on each mass where it acts on several, N values; else none
     Matrix<double> damping;            ///< phi^T C phi; its diagonal is 2 zeta*_i r_n,i
-    double coupling;                   ///< largest off-diagonal |D_ik| / sqrt(D_ii D_kk) of `damping`; zero for fewer than two
-    bool modes_diagonalise_damping{};  ///< whether `coupling` is explained by rounding: zeta*_i then describe the motion
+    bool modes_diagonalise_damping{};  ///< whether `damping` is diagonal but for rounding: zeta*_i then describe the motion
     Matrix<double> left_out{};         ///< bounds of the entries of `damping` between modes where they do; else empty
 };
 
@@ -56,14 +55,14 @@ struct RoundedModes {
 
 /// @brief What a load brings to each stuck mode, phi^T p.
 [[nodiscard]] inline std::vector<Complex<double>> load_on_stuck_modes(const StuckConfiguration& stuck, Mass load) {
-    std::vector<Complex<double>> of_modes(stuck.masses.size(), {0, 0});
+    std::vector<Complex<double>> loads(stuck.masses.size(), {0, 0});
     for (Eigen::Index k = 0; k < stuck.shapes.rows(); ++k) {
         const Complex<double> force = force_on(stuck, Mass{static_cast<std::size_t>(k)}, load);
         if (force.re == 0 && force.im == 0) continue;
-        for (std::size_t i = 0; i < of_modes.size(); ++i)
-            of_modes[i] = of_modes[i] + stuck.shapes(k, static_cast<Eigen::Index>(i)) * force;
+        for (std::size_t i = 0; i < loads.size(); ++i)
+            loads[i] = loads[i] + stuck.shapes(k, static_cast<Eigen::Index>(i)) * force;
     }
-    return of_modes;
+    return loads;
 }
 
 /// @brief The part of a load that acts on the contact itself, delta_lj, or p_j of a load on several.

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "denhartog/stick_slip/exact_motion.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
 #include "elementary/elementary.hpp"
 
 namespace denhartog {

@@ -1,5 +1,6 @@
-// Up to which friction ratio does the contact slide throughout? `boundary_at` has the formulas (56), (67), (69) and (88) with
-// the maxima known; `boundary` and `regime_boundary` find the maxima first, with `largest_demand.cpp`.
+// Up to which friction ratio does the contact slide throughout, and from which on does it never move? `regime_boundary_at` is
+// (69) and (88) with the largest demand (57) known, `boundary_at` has the other limits (56), (67) besides, and `boundary` finds
+// the largest demands first, by `instants_of_maxima.cpp`, where `regime_at` stands too.
 #include "denhartog/sliding/boundary.hpp"
 
 #include <algorithm>
@@ -11,22 +12,12 @@
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/scene/point_rules.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
-#include "denhartog/sums/coupled_friction.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
+#include "denhartog/sliding/coupled_sums.hpp"
+#include "denhartog/sliding/instants_of_maxima.hpp"
 
 namespace denhartog {
 namespace {
-
-// Zero in place of a number without a digit; of one with a bound, with what it may be.
-double zero_for(double) { return 0; }
-Bounded<double> zero_for(const Bounded<double>& x) { return {0.0, x.most()}; }
-
-// V_dj without a digit: by the size of its terms or, if there is one, by its bound.
-bool unmoved(const ModeSums<double>& s) { return contact_is_unmoved(s); }
-bool unmoved(const ModeSums<Bounded<double>>& s) {
-    const Bounded<double> size = modulus(s.V[s.contact.index]);
-    return !(size.x > size.e);
-}
 
 template <class T>
 T static_demand(const ModeSums<T>& s, const T& mu) {
@@ -36,18 +27,7 @@ T static_demand(const ModeSums<T>& s, const T& mu) {
 template <class T>
 Complex<T> response_that_counts(const ModeSums<T>& s) {
     const Complex<T>& V_dj = s.V[s.contact.index];
-    return unmoved(s) ? Complex<T>{zero_for(V_dj.re), zero_for(V_dj.im)} : V_dj;
-}
-
-template <class T>
-RegimeBoundary<T> regime_boundary_at(const ModeSums<T>& s, const T& mu, const Complex<T>& V_dj, const T& demand) {
-    RegimeBoundary<T> b{};
-    b.exact = paper::friction_ratio_limit(V_dj, s.U[s.contact.index], demand);
-    if (s.load == s.contact)
-        b.sticking = mu == 1 ? T(1) : paper::sticking_limit_under_load(mu);
-    else if (!stuck_system_resonates(s))
-        b.sticking = evaluation::sticking_limit_by_responses(V_dj, s.Y_jj, mu);
-    return b;
+    return contact_is_unmoved(s) ? Complex<T>{zero_for(V_dj.re), zero_for(V_dj.im)} : V_dj;
 }
 
 // The demands of the modes, summed over the contact.
@@ -67,32 +47,36 @@ T sliding_demand(const ModeSums<T>& s, const T& tau) {
 }
 
 template <class T>
-Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, std::vector<T> instants) {
+RegimeBoundary<T> regime_boundary_at(const ModeSums<T>& s, const T& mu, const T& S) {
     check_static_friction(mu);
-    const std::size_t j = s.contact.index;
-    const T held = static_demand(s, mu);
     const Complex<T> V_dj = response_that_counts(s);
+    RegimeBoundary<T> b{};
+    b.exact = paper::friction_ratio_limit(V_dj, s.U[s.contact.index], larger(S, static_demand(s, mu)));
+    if (s.load == s.contact)
+        b.sticking = mu == 1 ? T(1) : paper::sticking_limit_under_load(mu);
+    else if (!stuck_system_resonates(s))
+        b.sticking = evaluation::sticking_limit_by_responses(V_dj, s.Y_jj, mu);
+    return b;
+}
+
+template <class T>
+Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, std::vector<T> instants) {
     Boundary<T> b{};
     b.S_exact = found_by_search(sliding_demand(s, instant));
-    static_cast<RegimeBoundary<T>&>(b) = regime_boundary_at(s, mu, V_dj, larger(b.S_exact, held));
+    static_cast<RegimeBoundary<T>&>(b) = regime_boundary_at(s, mu, b.S_exact);
     b.S_paper =
         s.coupled ? b.S_exact : sum_of_demands(s, [&](std::size_t i) { return found_by_search(s_d_of_mode(s, i, instants[i])); });
     b.instant = instant;
     b.instants = std::move(instants);
-    b.paper = paper::friction_ratio_limit(V_dj, s.U[j], larger(b.S_paper, held));
-    b.approximate = paper::friction_ratio_limit(V_dj, s.U[j], held);
+    const T held = static_demand(s, mu), &U_dj = s.U[s.contact.index];
+    const Complex<T> V_dj = response_that_counts(s);
+    b.paper = paper::friction_ratio_limit(V_dj, U_dj, larger(b.S_paper, held));
+    b.approximate = paper::friction_ratio_limit(V_dj, U_dj, held);
     if (instant == 0)
         b.binding = mu > 1 ? BindingCondition::static_friction : BindingCondition::both;
     else
         b.binding = b.S_exact > held ? BindingCondition::velocity : BindingCondition::static_friction;
     return b;
-}
-
-RegimeBoundary<Bounded<double>> regime_boundary(const ModeSums<Bounded<double>>& s, const Bounded<double>& mu) {
-    check_static_friction(mu);
-    const double instant = largest_at_start(s) ? 0.0 : instant_of_largest_demand(values_of(s));
-    const Bounded<double> S_exact = found_by_search(sliding_demand(s, Bounded<double>(instant)));
-    return regime_boundary_at(s, mu, response_that_counts(s), larger(S_exact, static_demand(s, mu)));
 }
 
 Boundary<double> boundary(const ModeSums<double>& s, double mu) {

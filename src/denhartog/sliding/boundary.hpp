@@ -1,5 +1,6 @@
 /// @file
-/// @brief The boundary of the sliding regime at one frequency ratio, four ways: (56), (57), (67), (69), and permanent sticking.
+/// @brief The boundary of the sliding regime at one frequency ratio, four ways: (56), (57), (67), (69), and permanent sticking (88);
+/// the regime of the steady state at one point (r, beta), with the reason.
 #pragma once
 
 #include <optional>
@@ -7,10 +8,8 @@
 
 #include "denhartog/evaluation/demand.hpp"
 #include "denhartog/number/bounded.hpp"
-#include "denhartog/number/work_counted.hpp"
+#include "denhartog/sliding/mode_sums.hpp"
 #include "denhartog/sliding/regime_at_point.hpp"
-#include "denhartog/sums/friction_motion.hpp"
-#include "denhartog/sums/mode_sums.hpp"
 
 namespace denhartog {
 
@@ -33,37 +32,6 @@ struct Boundary : RegimeBoundary<T> {
     BindingCondition binding; ///< the condition that ends the sliding regime first
 };
 
-/// @brief The boundary at a frequency ratio, with both maxima guaranteed by `global_maximum`.
-///
-/// The contact can rest if a force f of at most mu beta makes its displacement zero: \f$ V_{dj} - f Y_{jj} = 0 \f$, hence
-/// `sticking` \f$ = |V_{dj}/Y_{jj}|/\mu \f$, which is \f$ 1/\mu \f$ if the load acts on the contact. All four boundaries are zero
-/// if the load does not reach the contact: V_dj is then below the rounding errors of its own terms. If damping couples the modes,
-/// (56) has no modes to sum over, and `paper` is `exact`. InputError if mu is below 1 or not finite.
-/// @eq{54,56,57,58,67,69,71,72}
-[[nodiscard]] Boundary<double> boundary(const ModeSums<double>& sums, double mu);
-
-/// @brief The two friction ratios alone, which is what a map asks for: the maxima of the modes by themselves are not sought, and
-/// the maximum of their sum only if `largest_at_start` does not decide it. The numbers are those of `boundary`, with bounds of
-/// their errors; PrecisionError if the maximum is not settled. @eq{54,57,58,67,69,71,72}
-[[nodiscard]] RegimeBoundary<Bounded<double>> regime_boundary(const ModeSums<Bounded<double>>& sums, const Bounded<double>& mu);
-
-/// @brief Whether (57) of every mode is certain to be largest for tau -> 0, by `evaluation::excess_at_the_end`: so is the sum.
-/// False says nothing. @eq{57,71}
-template <class T>
-[[nodiscard]] bool largest_at_start(const ModeSums<T>& sums);
-
-/// @brief The instant in [0, pi] of the largest sum of (57)'s expression over the modes, by `global_maximum`; 0 stands for
-/// the limit. The search has its share of `effort`. PrecisionError if the maximum is not settled. @eq{56,57}
-[[nodiscard]] double instant_of_largest_demand(const ModeSums<double>& sums, Effort* effort = nullptr);
-
-/// @brief Number of searches for the largest demand since the program started; tests gate on it.
-[[nodiscard]] inline long demand_searches() { return work_counted.demand_searches; }
-
-/// @brief The boundary, in double or with bounds of its errors, if the instants of the maxima are known. `instant` is that of
-/// the sum, where 0 stands for the limit, and `instants` are those of each mode.
-template <class T>
-[[nodiscard]] Boundary<T> boundary_at(const ModeSums<T>& sums, const T& mu, const T& instant, std::vector<T> instants);
-
 /// @brief The expression of (57) of one mode at an instant, the limits at 0 and pi included. @eq{57,71}
 template <class T>
 [[nodiscard]] T s_d_of_mode(const ModeSums<T>& s, std::size_t i, const T& tau) {
@@ -74,9 +42,35 @@ template <class T>
 template <class T>
 [[nodiscard]] T sliding_demand(const ModeSums<T>& sums, const T& tau);
 
-/// @brief N + 1 instants in [0, pi]: where the sum over the modes of (57)'s expression is largest, and where that of each mode
-/// is; 0 stands for the limit. What `y` remembers serves the next search. PrecisionError if a maximum is not settled.
-/// @eq{56,57}
-[[nodiscard]] std::vector<double> instants_of_demands(FrictionMotions& y);
+/// @brief (69) and (88) with S, the largest `sliding_demand`, known.
+///
+/// The contact can rest if a force f of at most mu beta makes its displacement zero: \f$ V_{dj} - f Y_{jj} = 0 \f$, hence
+/// `sticking` \f$ = |V_{dj}/Y_{jj}|/\mu \f$, which is \f$ 1/\mu \f$ if the load acts on the contact. Both are zero if the load does
+/// not reach the contact. InputError if mu is below 1 or not finite. @eq{54,58,69,88}
+template <class T>
+[[nodiscard]] RegimeBoundary<T> regime_boundary_at(const ModeSums<T>& sums, const T& mu, const T& S);
+
+/// @brief The boundary if the instants of the maxima are known: `instant` is that of the sum, where 0 stands for the limit, and
+/// `instants` are those of each mode. If damping couples the modes, (56) has no modes to sum over, and `paper` is `exact`.
+/// @eq{54,56,57,58,67,69,71,72}
+template <class T>
+[[nodiscard]] Boundary<T> boundary_at(const ModeSums<T>& sums, const T& mu, const T& instant, std::vector<T> instants);
+
+/// @brief The boundary, with both maxima guaranteed by `global_maximum`. @eq{54,56,57,58,67,69,71,72}
+[[nodiscard]] Boundary<double> boundary(const ModeSums<double>& sums, double mu);
+
+/// @brief The regime at a friction ratio and nothing else: what a map asks for at every point. @eq{54,69,88}
+template <class T>
+[[nodiscard]] Regime regime_of(const RegimeBoundary<T>& boundary, const T& beta) {
+    if (beta < boundary.exact) return Regime::continuous;
+    return boundary.sticking && beta >= *boundary.sticking ? Regime::permanent_sticking : Regime::stick_slip;
+}
+
+/// @brief The regime at a friction ratio: sliding below (69), permanent sticking from `sticking` on, stick-slip between. A ratio that
+/// differs from one of them by less than the error of that is said to be on it.
+///
+/// With mu > 1 the sliding regime can reach beyond `sticking`: the contact then slides if it is moving, and rests if it rests.
+/// @eq{54,69,88}
+[[nodiscard]] RegimeAtPoint regime_at(const Boundary<Bounded<double>>& boundary, double beta);
 
 } // namespace denhartog

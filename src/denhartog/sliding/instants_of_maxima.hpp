@@ -1,5 +1,6 @@
 /// @file
-/// @brief Instants at which the masses are farthest out while the contact slides.
+/// @brief Instants at which the demand (57) is largest, and at which the masses are farthest out while the contact slides; what is
+/// certain of the largest values.
 #pragma once
 
 #include <algorithm>
@@ -11,11 +12,31 @@
 #include "denhartog/evaluation/mass.hpp"
 #include "denhartog/scene/scene.hpp"
 #include "denhartog/search/largest.hpp"
+#include "denhartog/number/work_counted.hpp"
+#include "denhartog/sliding/friction_motion.hpp"
 #include "denhartog/sliding/steady_state.hpp"
-#include "denhartog/sums/friction_motion.hpp"
-#include "denhartog/sums/mode_sums.hpp"
 
 namespace denhartog {
+
+/// @brief Whether (57) of every mode is certain to be largest for tau -> 0, by `evaluation::excess_at_the_end`: so is the sum.
+/// False says nothing. @eq{57,71}
+template <class T>
+[[nodiscard]] bool largest_at_start(const ModeSums<T>& sums);
+
+/// @brief The instant in [0, pi] of the largest sum of (57)'s expression over the modes, by `global_maximum`; 0 stands for
+/// the limit. The search has its share of `effort`. PrecisionError if the maximum is not settled. @eq{56,57}
+[[nodiscard]] double instant_of_largest_demand(const ModeSums<double>& sums, Effort* effort = nullptr);
+
+/// @brief N + 1 instants in [0, pi]: where the sum over the modes of (57)'s expression is largest, and where that of each mode
+/// is; 0 stands for the limit. What `y` remembers serves the next search. PrecisionError if a maximum is not settled. @eq{56,57}
+[[nodiscard]] std::vector<double> instants_of_demands(FrictionMotions& y);
+
+/// @brief Number of searches for the largest demand since the program started; tests gate on it.
+[[nodiscard]] inline long demand_searches() { return work_counted.demand_searches; }
+
+/// @brief `regime_boundary_at` the largest demand, with bounds: what a map asks for. It is searched for only if
+/// `largest_at_start` does not decide it. PrecisionError if the maximum is not settled. @eq{54,57,58,67,69,71,72}
+[[nodiscard]] RegimeBoundary<Bounded<double>> regime_boundary(const ModeSums<Bounded<double>>& sums, const Bounded<double>& mu);
 
 /// @brief By how many radians the phase of a displacement may differ from that of its maximum; zero if no other instant can be
 /// that of the maximum. The places are where the displacement may be the largest, in the order of time, and no two touch. At b,
@@ -59,5 +80,11 @@ struct InstantsOfMaxima {
 /// What `y` remembers serves the next search. @eq{46}
 [[nodiscard]] InstantsOfMaxima instants_of_maxima(FrictionMotions& y, double beta, std::optional<Mass> only = std::nullopt,
                                                   const std::vector<double>& errors = {});
+
+/// @brief A steady state with the maxima of the masses not in contact, whose instants are known to about half the digits of a
+/// double: one step of Newton's method corrects them. `only` is as above.
+template <class T>
+[[nodiscard]] SteadyState<T> with_maxima(const ModeSums<T>& sums, SteadyState<T> state, const std::vector<T>& instants,
+                                         std::optional<Mass> only = std::nullopt);
 
 } // namespace denhartog

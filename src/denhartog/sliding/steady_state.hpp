@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "denhartog/evaluation/mass.hpp"
 #include "denhartog/sliding/boundary.hpp"
 
 namespace denhartog {
@@ -50,11 +49,9 @@ struct Motion {
 template <class T>
 [[nodiscard]] SteadyState<T> steady_state_without_maxima(const ModeSums<T>& sums, const T& beta);
 
-/// @brief A steady state with the maxima of the masses not in contact, whose instants are known, also with bounds of its errors.
-/// They are known to about half the digits of a double, and one step of Newton's method corrects them; `only` is as above.
+/// @brief Amplitude and phase of a mass whose largest displacement, in size, and its instant are known. @eq{47}
 template <class T>
-[[nodiscard]] SteadyState<T> with_maxima(const ModeSums<T>& sums, SteadyState<T> state, const std::vector<T>& instants,
-                                         std::optional<Mass> only = std::nullopt);
+void set_maximum(MassResponse<T>& mass, const T& phi_j, const T& instant, const T& displacement);
 
 /// @brief Motion of all masses at any instant, of which zero is at a maximum of x_j: (46) over the half-period and antisymmetric
 /// beyond. @eq{41,46}

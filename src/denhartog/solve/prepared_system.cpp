@@ -4,7 +4,7 @@
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/tried.hpp"
 #include "denhartog/scene/point_rules.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
 
 namespace denhartog {
 

@@ -8,7 +8,7 @@
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/answer/solution.hpp"
-#include "denhartog/sliding/contact_modes.hpp"
+#include "denhartog/sliding/contact_alone.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 
 namespace denhartog {

@@ -11,9 +11,9 @@
 #include <span>
 
 #include "denhartog/answer/sliding_point.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/solve/prepared_system.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
 
 namespace denhartog {
 

@@ -92,8 +92,6 @@ QuantitiesAnswer quantities_by_reference(const SceneSource& source, std::span<co
 
 #else
 
-#include "denhartog/number/why.hpp"
-
 namespace denhartog {
 
 QuantitiesAnswer quantities_by_reference(const SceneSource&, std::span<const double>,

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "denhartog/formulas/boundary.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
+#include "denhartog/sliding/coupled_sums.hpp"
+#include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/solve/quantities.hpp"
-#include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {
 

@@ -8,7 +8,7 @@
 #include "denhartog/evaluation/even_samples.hpp"
 #include "denhartog/number/tried.hpp"
 #include "denhartog/scene/point_rules.hpp"
-#include "denhartog/sliding/mass_in_motion.hpp"
+#include "denhartog/sliding/friction_motion.hpp"
 #include "denhartog/solve/quantities_of_sums.hpp"
 
 namespace denhartog {

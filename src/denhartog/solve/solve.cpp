@@ -9,9 +9,9 @@
 #include "denhartog/number/effort.hpp"
 #include "denhartog/scene/converted.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/sliding/coupled_sums.hpp"
 #include "denhartog/solve/decision.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
-#include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {
 namespace {

@@ -2,7 +2,7 @@
 /// @brief `solve`: the answer in every regime by the cheapest model that is certain to have the digits asked for.
 ///
 /// The models, cheapest first:
-///  1. amplitude or phase of the mass in contact alone, mu = 1: (38), (39) below a lower bound of (69), see `contact_modes.hpp`;
+///  1. amplitude or phase of the mass in contact alone, mu = 1: (38), (39) below a lower bound of (69), see `contact_alone.hpp`;
 ///  2. boundary, regime and closed form of all masses, or of the one that is asked about, see `sliding_solution`;
 ///  3. for a contact that rests the stuck response, see `held_solution`;
 ///  4. the exact solver's periodic orbit.

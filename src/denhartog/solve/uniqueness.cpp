@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "denhartog/model/contact_and_load.hpp"
-#include "denhartog/sliding/mass_in_motion.hpp"
+#include "denhartog/sliding/coupled_sums.hpp"
+#include "denhartog/sliding/friction_motion.hpp"
 #include "denhartog/solve/decision.hpp"
-#include "denhartog/sums/coupled_sums.hpp"
 #include "elementary/elementary.hpp"
 
 namespace denhartog {

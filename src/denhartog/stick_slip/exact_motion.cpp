@@ -11,8 +11,8 @@
 
 #include "denhartog/evaluation/even_samples.hpp"
 #include "denhartog/model/linear_algebra.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
-#include "denhartog/sums/coupled_friction.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
+#include "denhartog/sliding/coupled_sums.hpp"
 
 namespace denhartog {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "conformance/question.hpp"
-#include "denhartog/sliding/regime.hpp"
+#include "denhartog/sliding/boundary.hpp"
 
 namespace denhartog::conformance::generator {
 

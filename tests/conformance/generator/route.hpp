@@ -9,7 +9,7 @@
 #include "conformance/scene_of.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/scene/scene_json.hpp"
-#include "denhartog/sliding/regime.hpp"
+#include "denhartog/sliding/boundary.hpp"
 #include "denhartog/stick_slip/motion_record.hpp"
 #include "tests/support/multiprecision.hpp"
 

@@ -7,7 +7,7 @@
 #include "denhartog/evaluation/mode.hpp"
 #include "denhartog/formulas/contact.hpp"
 #include "denhartog/formulas/superposition.hpp"
-#include "denhartog/sliding/regime.hpp"
+#include "denhartog/sliding/boundary.hpp"
 #include "tests/speed_accuracy/peers/peer.hpp"
 
 namespace denhartog::tests {

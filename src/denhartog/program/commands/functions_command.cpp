@@ -8,6 +8,7 @@
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/json/solution_json.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/solve/quantities.hpp"
 
 namespace denhartog::program {

@@ -2,7 +2,7 @@
 /// @brief The settled motion that a time integrator comes to, and what is read off its last period.
 #pragma once
 
-#include "denhartog/sliding/regime.hpp"
+#include "denhartog/sliding/boundary.hpp"
 #include "tests/conformance/adapters/solvers/period.hpp"
 
 namespace denhartog::tests {

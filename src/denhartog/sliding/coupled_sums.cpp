@@ -1,13 +1,15 @@
-// Friction's share of the sliding motion if damping couples the modes: the motion with the symmetry (25) under a constant force
-// of one sign, in energy coordinates. Read `set_coordinates` and `set_start` first; `motion` is the brace of (41) at an instant.
-#include "denhartog/sums/coupled_friction.hpp"
+// What friction and load do to a system whose damping couples the modes: the motion with the symmetry (25) under a constant force
+// of one sign, in energy coordinates, and linear systems in place of the sums (33)-(35). Read `coupled_sums` at the end first,
+// then `CoupledFriction::set_coordinates` and `set_start`; `motion` is the brace of (41) at an instant.
+#include "denhartog/sliding/coupled_sums.hpp"
 
+#include <algorithm>
 #include <boost/math/special_functions/fpclassify.hpp>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "denhartog/evaluation/coupled_damping.hpp"
-#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/why.hpp"
 
 namespace denhartog {
@@ -147,15 +149,16 @@ void CoupledFriction::set_coordinates(const System<double>& system, double r) {
 
 void CoupledFriction::set_start() {
     const Eigen::Index n = A_.rows();
-    const double steps = 1 + pi<double>() * size_of_A_, of_exponential = pi<double>() * error_of_A_ + steps * rounding_of_step(n);
+    const double steps = 1 + pi<double>() * size_of_A_,
+                 error_of_exponential = pi<double>() * error_of_A_ + steps * rounding_of_step(n);
     const PrecisionError too_few_digits(Why::friction_without_digits);
-    if (!(of_exponential < 1.0 / 16 && steps < 0x1p52)) throw too_few_digits;
+    if (!(error_of_exponential < 1.0 / 16 && steps < 0x1p52)) throw too_few_digits;
     const LinearSystem system(Matrix<double>(2.0 * Matrix<double>::Identity(n, n) + motion_.growth_over_half_period()));
     const Matrix<double> inverse = system.inverse();
     Column force = Column::Zero(n);
     force.head(n / 2) = 2.0 * rest_;
     c_ = product(inverse, force);
-    const double size = inverse.norm(), lost = 2 * size * (of_exponential + 8 * static_cast<int>(n) * unit_of<double>());
+    const double size = inverse.norm(), lost = 2 * size * (error_of_exponential + 8 * static_cast<int>(n) * unit_of<double>());
     if (!(lost < 1.0 / 16)) {
         if (steps * unit_of<double>() < 1.0 / 65536 && size > 1.0 / 16 / sqrt(unit_of<double>()))
             throw DomainError(Why::motion_mirrors_itself);
@@ -199,16 +202,16 @@ double CoupledFriction::rate_of_demand(std::size_t k, const CoupledState& s) con
 Bounded<double> CoupledFriction::along(const Rows& rows, std::size_t k, const Column& half, double error) const {
     const auto row = rows.value.col(static_cast<Eigen::Index>(k));
     const auto errors_of_row = rows.error.col(static_cast<Eigen::Index>(k));
-    double sum(0), size(0), of_rows(0), of_row_squared(0);
+    double sum(0), size(0), error_of_rows(0), square_of_row_errors(0);
     for (Eigen::Index i = 0; i < half.size(); ++i) {
         const double each = row(i) * half(i);
         sum += each;
         size += abs(each);
-        of_rows += errors_of_row(i) * abs(half(i));
-        of_row_squared += errors_of_row(i) * errors_of_row(i);
+        error_of_rows += errors_of_row(i) * abs(half(i));
+        square_of_row_errors += errors_of_row(i) * errors_of_row(i);
     }
     const double rounding = static_cast<int>(half.size() + 2) * unit_of<double>() * size;
-    return Bounded<double>::of(sum, of_rows + (row.norm() + sqrt(of_row_squared)) * error, rounding);
+    return Bounded<double>::of(sum, error_of_rows + (row.norm() + sqrt(square_of_row_errors)) * error, rounding);
 }
 
 evaluation::FrictionMotion<double> CoupledFriction::motion(std::size_t k, double tau) const {
@@ -228,6 +231,85 @@ evaluation::FrictionMotion<Bounded<double>> CoupledFriction::motion(std::size_t 
     const double error_of_moved = error_of_state + error_of_rest_ + unit_of<double>() * moved.norm();
     return {along(displacement_, k, moved, error_of_moved), -along(velocity_, k, s[0].tail(N), error_of_state),
             -along(velocity_, k, s[1].tail(N), error_of_rate)};
+}
+
+BoundedSystem::BoundedSystem(const Matrix<double>& A, const Matrix<double>& error)
+    : A_(A), error_(error + (4 * static_cast<int>(A.rows() + 2) * unit_of<double>()) * A.cwiseAbs()) {
+    const LinearSystem system(A_);
+    is_regular_ = system.is_regular();
+    inverse_ = system.inverse();
+}
+
+std::vector<Bounded<double>> BoundedSystem::solved(const Column& b, const Column& error_of_b) const {
+    const Column x = product(inverse_, b);
+    const Column left_over =
+        (b - product(A_, x)).cwiseAbs() + product_of_sizes(error_, x) + (4 * unit_of<double>()) * b.cwiseAbs() + error_of_b;
+    const Column error = 2.0 * (product_of_sizes(inverse_, left_over) + unit_of<double>() * x.cwiseAbs());
+    std::vector<Bounded<double>> all;
+    for (Eigen::Index k = 0; k < x.size(); ++k) all.emplace_back(x(k), error(k));
+    return all;
+}
+
+BoundedSystem harmonic_system(const Matrix<double>& M, const Matrix<double>& C, const Matrix<double>& K,
+                              const Matrix<double>& error_of_C, const Bounded<double>& r) {
+    const Eigen::Index n = K.rows();
+    const double error_of_r = 2 * r.e / r.x;
+    const Matrix<double> inertia = (r.x * r.x) * M, damping = r.x * C, rest = K - inertia;
+    const Matrix<double> error_of_rest =
+                             error_of_r * inertia.cwiseAbs() + (4 * unit_of<double>()) * (K.cwiseAbs() + inertia.cwiseAbs()),
+                         error_of_damping = error_of_r * damping.cwiseAbs() + r.x * error_of_C;
+    Matrix<double> A(2 * n, 2 * n), error(2 * n, 2 * n);
+    A << rest, -damping, damping, rest;
+    error << error_of_rest, error_of_damping, error_of_damping, error_of_rest;
+    return {A, error};
+}
+
+std::vector<Complex<Bounded<double>>> harmonic_responses(const BoundedSystem& system, const std::vector<Complex<double>>& forces,
+                                                         const std::vector<double>& errors) {
+    const std::size_t n = forces.size();
+    Column b = Column::Zero(static_cast<Eigen::Index>(2 * n)), error_of_b = b;
+    for (std::size_t k = 0; k < n; ++k) {
+        const auto row = static_cast<Eigen::Index>(k), row_of_sine = static_cast<Eigen::Index>(n + k);
+        b(row) = forces[k].re;
+        b(row_of_sine) = forces[k].im;
+        if (!errors.empty()) error_of_b(row) = error_of_b(row_of_sine) = errors[k];
+    }
+    const std::vector<Bounded<double>> X = system.solved(b, error_of_b);
+    std::vector<Complex<Bounded<double>>> V;
+    for (std::size_t k = 0; k < n; ++k) V.push_back({X[k], X[n + k]});
+    return V;
+}
+
+ModeSums<Bounded<double>> coupled_sums(const System<double>& system, const Bounded<double>& r, Effort* effort) {
+    const auto friction = std::make_shared<const CoupledFriction>(system, r.x, effort);
+    const Matrix<double> M = mass_matrix(system), C = system.damping_matrix;
+    const BoundedSystem motion = harmonic_system(M, C, stiffness_matrix(system), Matrix<double>::Zero(C.rows(), C.rows()), r);
+    if (!motion.is_regular()) throw DomainError(Why::response_33_is_infinite);
+    const auto to = [&](const std::vector<Complex<double>>& forces, const std::vector<double>& errors) {
+        std::vector<Complex<Bounded<double>>> V = harmonic_responses(motion, forces, errors);
+        if (contact_moves_apart(system))
+            V.push_back({along_contact<Bounded<double>>(system, [&](std::size_t k) { return V[k].re; }),
+                         along_contact<Bounded<double>>(system, [&](std::size_t k) { return V[k].im; })});
+        return V;
+    };
+    ModeSums<Bounded<double>> s;
+    s.r = r;
+    s.contact = contact_row(system);
+    s.load = load_row(system);
+    s.load_im = load_rows(system).im;
+    s.V = to(complex_load(system), error_of_load(system));
+    std::vector<Complex<double>> w;
+    for (const double each : contact_vector(system)) w.push_back({each, 0});
+    s.Y_jj = (s.load == s.contact ? s.V : to(w, {}))[s.contact.index];
+    for (std::size_t k = 0; k < s.V.size(); ++k) {
+        const evaluation::FrictionMotion<Bounded<double>> start = friction->motion(k, Bounded<double>(0));
+        s.U.push_back(-start.prime);
+        s.G.push_back(-start.value);
+        if (k == s.contact.index) s.H_j = start.double_prime - friction->inverse_inertia();
+    }
+    s.sum_of_squares = friction->inverse_inertia();
+    s.coupled = friction;
+    return s;
 }
 
 } // namespace denhartog

@@ -1,5 +1,6 @@
 /// @file
-/// @brief Friction's share of the sliding motion of a system whose damping couples the modes, for any symmetric damping matrix.
+/// @brief Friction's share of the sliding motion of a system whose damping couples the modes, for any symmetric damping matrix, and
+/// what takes the place of the sums (33) to (35) and (64) there.
 ///
 /// Between two stops (12) is linear whatever its damping matrix is, and the friction force is constant. With
 /// \f$ \mathbf{M} = \mathbf{L}\mathbf{L}^T \f$, \f$ \mathbf{K} = \mathbf{G}\mathbf{G}^T \f$ and the energy coordinates
@@ -16,13 +17,15 @@
 /// its displacement at \f$ \tau = 0 \f$ with the other sign. All that the paper builds of V, U and G then holds as it stands.
 #pragma once
 
+#include <array>
 #include <map>
 #include <vector>
 
 #include "denhartog/evaluation/mode_values.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/model/coupled_motion.hpp"
 #include "denhartog/number/bounded.hpp"
-#include "denhartog/sums/mode_sums.hpp"
+#include "denhartog/sliding/mode_sums.hpp"
 
 namespace denhartog {
 
@@ -37,10 +40,8 @@ public:
     /// digits of its coordinates.
     CoupledFriction(const System<double>& system, double r, Effort* effort = nullptr);
 
-    /// @brief Number of coordinates.
-    [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(A_.rows() / 2); }
-    /// @brief Operations that an instant costs.
-    [[nodiscard]] long cost() const { return motion_.cost() + 10; }
+    [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(A_.rows() / 2); } ///< number of coordinates
+    [[nodiscard]] long cost() const { return motion_.cost() + 10; } ///< operations that an instant costs
     /// @brief The static compliance between a displacement and the contact: its movement under a unit force on the contact.
     [[nodiscard]] Bounded<double> compliance(std::size_t k) const { return along(displacement_, k, rest_, error_of_rest_); }
     /// @brief \f$ \mathbf{w}^T\mathbf{M}^{-1}\mathbf{w}/r^2 \f$, which (65) is at the contact.
@@ -95,6 +96,45 @@ template <class Number>
     if (!(tau < pi<Number>())) return -now.double_prime;
     const evaluation::FrictionMotion<Number> start = friction.motion(contact.index, Number(0));
     return (now.prime - start.prime * cos(tau)) / sin(tau);
+}
+
+/// @brief A linear system whose solutions have bounds of their errors, by what they leave over.
+class BoundedSystem {
+public:
+    /// @brief Of a matrix whose entries are off by no more than `error`, and by rounding.
+    BoundedSystem(const Matrix<double>& A, const Matrix<double>& error);
+    [[nodiscard]] bool is_regular() const { return is_regular_; } ///< whether no pivot is rounding of the others
+    /// @brief The solution of \f$ Ax=b \f$.
+    [[nodiscard]] std::vector<Bounded<double>> solved(const Column& b) const { return solved(b, Column::Zero(b.size())); }
+    /// @brief The solution for b, with bounds that include errors of b besides rounding.
+    [[nodiscard]] std::vector<Bounded<double>> solved(const Column& b, const Column& error) const;
+
+private:
+    Matrix<double> A_, error_, inverse_;
+    bool is_regular_;
+};
+
+/// @brief \f$ \mathbf K - r^2\mathbf M + \mathrm ir\mathbf C \f$ as a real system of twice the size; C is off by no more than
+/// `error_of_C`.
+[[nodiscard]] BoundedSystem harmonic_system(const Matrix<double>& M, const Matrix<double>& C, const Matrix<double>& K,
+                                            const Matrix<double>& error_of_C, const Bounded<double>& r);
+
+/// @brief Complex responses of such a system to harmonic forces, which are off by no more than `errors` besides rounding; none
+/// where they are not.
+[[nodiscard]] std::vector<Complex<Bounded<double>>>
+harmonic_responses(const BoundedSystem& system, const std::vector<Complex<double>>& forces, const std::vector<double>& errors);
+
+/// @brief V, U, G, Y_jj, H_j of a system whose damping couples the modes; it has no modes, and their lists are empty.
+/// @eq{33,34,35,64,65}
+[[nodiscard]] ModeSums<Bounded<double>> coupled_sums(const System<double>& system, const Bounded<double>& r,
+                                                     Effort* effort = nullptr);
+
+/// @brief The sums over modes with bounds of their errors, or their substitute if damping couples the modes. DomainError
+/// at a pole of a mode without damping. @eq{33,34,35,64,65}
+[[nodiscard]] inline ModeSums<Bounded<double>> bounded_sums(const System<double>& system,
+                                                            const ModalBasis<Bounded<double>>& basis, const Bounded<double>& r,
+                                                            Effort* effort = nullptr) {
+    return basis.coupled() ? coupled_sums(system, r, effort) : mode_sums(basis, contact_row(system), load_rows(system), r);
 }
 
 } // namespace denhartog

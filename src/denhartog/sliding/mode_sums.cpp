@@ -1,6 +1,6 @@
 // The sums over the modes at one frequency ratio: (22), (23), (28), (29) of each mode, then (33)-(35), (64) and (65) of every
-// mass. Read the longest `mode_sums` first; the checks before it refuse poles and sums without a digit.
-#include "denhartog/sums/mode_sums.hpp"
+// mass. Read the longest `mode_sums` first.
+#include "denhartog/sliding/mode_sums.hpp"
 
 #include <boost/container/small_vector.hpp>
 #include <boost/math/special_functions/fpclassify.hpp>
@@ -27,25 +27,9 @@ template <class T>
 void check_pole(const evaluation::ModeFunctions<T>& f, std::size_t i, const T& R, const T& zeta) {
     const bool v_finite = boost::math::isfinite(f.v.re) && boost::math::isfinite(f.v.im);
     if (v_finite && boost::math::isfinite(f.u) && boost::math::isfinite(f.g)) return;
-    if (zeta > 0) throw PrecisionError({Why::functions_out_of_range, i + 1, Bounded<double>(R).x});
-    throw DomainError({Why::pole, i + 1, Bounded<double>(R).x, v_finite});
-}
-
-// Whether a sum over modes is smaller than the rounding errors of its terms.
-template <class T>
-bool without_a_digit(const ModeSums<T>& s, const Complex<T>& sum, const LoadRows& force) {
-    const auto psi_j = mode_shapes_at(s, s.contact);
-    T size(0);
-    const auto add = [&](Mass row) {
-        const auto psi_force = mode_shapes_at(s, row);
-        for (std::size_t i = 0; i < s.R.size(); ++i) {
-            const T factor = psi_j[i] * psi_force[i] * s.R[i] * s.R[i];
-            size += (factor < 0 ? T(-factor) : factor) * modulus(s.v[i]);
-        }
-    };
-    add(force.re);
-    if (force.im) add(*force.im);
-    return modulus(sum) <= static_cast<int>(s.R.size()) * std::numeric_limits<T>::epsilon() * size;
+    const double at = ValueOf<T>::of(R);
+    if (zeta > 0) throw PrecisionError({Why::functions_out_of_range, i + 1, at});
+    throw DomainError({Why::pole, i + 1, at, v_finite});
 }
 
 } // namespace
@@ -61,11 +45,6 @@ std::vector<evaluation::ModeFunctions<T>> mode_functions_at(const ModalBasis<T>&
         ++work_counted.mode_evaluations;
     }
     return functions;
-}
-
-template <class T>
-ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r) {
-    return mode_sums(basis, contact, LoadRows{load}, r);
 }
 
 template <class T>
@@ -91,8 +70,8 @@ ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, const LoadRows& 
     s.psi.reserve(rows * N);
     for (std::size_t k = 0; k < rows; ++k)
         for (std::size_t i = 0; i < N; ++i) s.psi.push_back(basis.phi(k, i) / r);
-    for (std::vector<T>* of_modes : {&s.R, &s.w, &s.u, &s.g}) of_modes->reserve(N);
-    for (std::vector<T>* of_masses : {&s.U, &s.G}) of_masses->reserve(masses);
+    for (std::vector<T>* numbers_of_modes : {&s.R, &s.w, &s.u, &s.g}) numbers_of_modes->reserve(N);
+    for (std::vector<T>* numbers_of_masses : {&s.U, &s.G}) numbers_of_masses->reserve(masses);
     s.v.reserve(N);
     s.V.reserve(masses);
     for (std::size_t i = 0; i < N; ++i) {
@@ -122,26 +101,11 @@ ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, const LoadRows& 
     return s;
 }
 
-template <class T>
-bool contact_is_unmoved(const ModeSums<T>& sums) {
-    return without_a_digit(sums, sums.V[sums.contact.index], {sums.load, sums.load_im});
-}
-
-template <class T>
-bool stuck_system_resonates(const ModeSums<T>& sums) {
-    return without_a_digit(sums, sums.Y_jj, {sums.contact});
-}
-
-template ModeSums<double> mode_sums(const ModalBasis<double>&, Mass, Mass, const double&);
-template ModeSums<Bounded<double>> mode_sums(const ModalBasis<Bounded<double>>&, Mass, Mass, const Bounded<double>&);
 template ModeSums<double> mode_sums(const ModalBasis<double>&, Mass, const LoadRows&, const double&);
 template ModeSums<Bounded<double>> mode_sums(const ModalBasis<Bounded<double>>&, Mass, const LoadRows&, const Bounded<double>&);
 template ModeSums<Bounded<double>> mode_sums(const ModalBasis<Bounded<double>>&, Mass, const LoadRows&, const Bounded<double>&,
                                              const std::vector<evaluation::ModeFunctions<Bounded<double>>>&);
 template std::vector<evaluation::ModeFunctions<Bounded<double>>> mode_functions_at(const ModalBasis<Bounded<double>>&,
                                                                                    const Bounded<double>&);
-template bool contact_is_unmoved(const ModeSums<double>&);
-template bool stuck_system_resonates(const ModeSums<double>&);
-template bool stuck_system_resonates(const ModeSums<Bounded<double>>&);
 
 } // namespace denhartog

@@ -6,13 +6,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "denhartog/evaluation/mode.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/model/modal_basis.hpp"
-#include "denhartog/number/bounded.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/work_counted.hpp"
 
@@ -61,17 +61,14 @@ void check_uncoupled(const ModalBasis<T>& basis) {
                          "K M^-1 C is not C M^-1 K");
 }
 
-/// @brief Evaluates the modes at a frequency ratio and sums them. Of a basis with the shapes at a few masses alone, masses are
-/// counted among these; a load on several masses, which is none of them, has its row behind all others. InputError if r, j or
-/// l breaks its rule; DomainError if an undamped mode is at a pole of (23), (28). @eq{22,23,28,29,33,34,35,64,65}
-template <class T>
-[[nodiscard]] ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r);
-
-/// @brief Sums for a load that may be out of phase. @eq{22,23,28,29,33,34,35,64,65}
+/// @brief Evaluates the modes at a frequency ratio and sums them, for a load that may be out of phase. Of a basis with the shapes
+/// at a few masses alone, masses are counted among these; a load on several masses, which is none of them, has its row behind all
+/// others. InputError if r, j or l breaks its rule, or D of the basis couples the modes; DomainError if an undamped mode is at a
+/// pole of (23), (28). @eq{22,23,28,29,33,34,35,64,65}
 template <class T>
 [[nodiscard]] ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, const LoadRows& load, const T& r);
 
-/// @brief Sums of modes that were evaluated before: `functions` are (23), (28), (29) of every mode at r.
+/// @brief The same of modes that were evaluated before, with (23), (28), (29) of every mode at r.
 template <class T>
 [[nodiscard]] ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, const LoadRows& load, const T& r,
                                     const std::vector<evaluation::ModeFunctions<T>>& functions);
@@ -85,14 +82,6 @@ template <class T>
 [[nodiscard]] std::span<const T> mode_shapes_at(const ModeSums<T>& sums, Mass k) {
     return {sums.psi.data() + k.index * sums.R.size(), sums.R.size()};
 }
-
-/// @brief Whether the load leaves the contact unmoved without friction: \f$ |V_{dj}| \f$ is below the rounding of its own terms.
-template <class T>
-[[nodiscard]] bool contact_is_unmoved(const ModeSums<T>& sums);
-
-/// @brief Whether the system resonates without damping while the contact is held: Y_jj is below the rounding of its own terms.
-template <class T>
-[[nodiscard]] bool stuck_system_resonates(const ModeSums<T>& sums);
 
 /// @brief Number of modes evaluated since the program started; tests gate on it.
 [[nodiscard]] inline long mode_evaluations() { return work_counted.mode_evaluations; }

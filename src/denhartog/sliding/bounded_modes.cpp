@@ -1,7 +1,7 @@
 // How far off may the modes be? The eigenvalue solver is trusted with a few units in the last place, and a scene with one;
 // `with_errors` turns this into bounds of frequencies and shapes, (15). `bounded_mode_functions` carries them to (23), (28) and
 // (29).
-#include "denhartog/sums/bounded_modes.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,6 @@
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/natural_modes.hpp"
-#include "denhartog/sums/coupled_friction.hpp"
 
 namespace denhartog {
 namespace {
@@ -112,17 +111,31 @@ ModalBasis<Bounded<double>> bounded(const System<double>& system, const ModalBas
     return bounded;
 }
 
-std::vector<double> values(const std::vector<Bounded<double>>& numbers) {
-    std::vector<double> out;
-    out.reserve(numbers.size());
-    for (const Bounded<double>& number : numbers) out.push_back(number.x);
-    return out;
+// Whether a sum over modes is smaller than the rounding errors of its terms.
+template <class T>
+bool without_a_digit(const ModeSums<T>& s, const Complex<T>& sum, const LoadRows& force) {
+    const auto psi_j = mode_shapes_at(s, s.contact);
+    T size(0);
+    const auto add = [&](Mass row) {
+        const auto psi_force = mode_shapes_at(s, row);
+        for (std::size_t i = 0; i < s.R.size(); ++i) {
+            const T factor = psi_j[i] * psi_force[i] * s.R[i] * s.R[i];
+            size += (factor < 0 ? T(-factor) : factor) * modulus(s.v[i]);
+        }
+    };
+    add(force.re);
+    if (force.im) add(*force.im);
+    return modulus(sum) <= static_cast<int>(s.R.size()) * std::numeric_limits<T>::epsilon() * size;
 }
+
+double value(const Bounded<double>& number) { return number.x; }
 Complex<double> value(const Complex<Bounded<double>>& z) { return {z.re.x, z.im.x}; }
-std::vector<Complex<double>> values(const std::vector<Complex<Bounded<double>>>& numbers) {
-    std::vector<Complex<double>> out;
+
+template <class T>
+auto values(const std::vector<T>& numbers) {
+    std::vector<decltype(value(T{}))> out;
     out.reserve(numbers.size());
-    for (const Complex<Bounded<double>>& number : numbers) out.push_back(value(number));
+    for (const T& number : numbers) out.push_back(value(number));
     return out;
 }
 
@@ -133,8 +146,9 @@ ModalBasis<Bounded<double>> with_errors(const System<double>& system, const Moda
 }
 
 ModalBasis<Bounded<double>> bounded_basis_at(const System<double>& system, const std::vector<Mass>& masses, Effort* effort) {
-    const auto is_mass = [N = number_of_masses(system)](Mass k) { return k.index < N; };
-    if (is_chain(system) && system.damping_matrix.size() == 0 && std::ranges::all_of(masses, is_mass))
+    const std::size_t N = number_of_masses(system);
+    const bool masses_alone = std::ranges::all_of(masses, [N](Mass k) { return k.index < N; });
+    if (N > 1 && is_chain(system) && system.damping_matrix.size() == 0 && masses_alone)
         return bounded(system, modal_basis_at(system, masses, effort), &masses);
     ModalBasis<Bounded<double>> all = with_errors(system, modal_basis(system, effort));
     Matrix<Bounded<double>> rows(static_cast<Eigen::Index>(masses.size()), all.phi.cols());
@@ -151,9 +165,9 @@ ModeSums<double> values_of(const ModeSums<Bounded<double>>& s) {
 }
 
 ModalBasis<double> values_of(const ModalBasis<Bounded<double>>& basis) {
-    const auto value = [](const Bounded<double>& a) { return a.x; };
-    return {values(basis.r_n),        basis.phi.unaryExpr(value),      values(basis.zeta),
-            basis.D.unaryExpr(value), basis.distance_from_classical.x, basis.couples};
+    const auto x = [](const Bounded<double>& a) { return a.x; };
+    return {values(basis.r_n),    basis.phi.unaryExpr(x),          values(basis.zeta),
+            basis.D.unaryExpr(x), basis.distance_from_classical.x, basis.couples};
 }
 
 evaluation::ModeFunctions<Bounded<double>> bounded_mode_functions(const Bounded<double>& R_i, const Bounded<double>& zeta_i) {
@@ -178,5 +192,19 @@ evaluation::ModeFunctions<Bounded<double>> bounded_mode_functions(const Bounded<
     }
     return evaluation::mode_functions(R_i, zeta_i);
 }
+
+bool contact_is_unmoved(const ModeSums<double>& s) { return without_a_digit(s, s.V[s.contact.index], {s.load, s.load_im}); }
+bool contact_is_unmoved(const ModeSums<Bounded<double>>& s) {
+    const Bounded<double> size = modulus(s.V[s.contact.index]);
+    return !(size.x > size.e);
+}
+
+template <class T>
+bool stuck_system_resonates(const ModeSums<T>& s) {
+    return without_a_digit(s, s.Y_jj, s.contact);
+}
+
+template bool stuck_system_resonates(const ModeSums<double>&);
+template bool stuck_system_resonates(const ModeSums<Bounded<double>>&);
 
 } // namespace denhartog

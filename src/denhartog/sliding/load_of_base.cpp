@@ -1,6 +1,6 @@
 // Which load on the masses does the motion of a base or wall make? (K + i r C) 1 for a base that moves alone, and r^2 M 1 less
 // that for a wall. Read `with_load_at` first.
-#include "denhartog/sums/load_of_base.hpp"
+#include "denhartog/sliding/load_of_base.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -10,7 +10,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/point_rules.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
 #include "elementary/elementary.hpp"
 
 namespace denhartog {

@@ -12,13 +12,9 @@
 
 namespace denhartog {
 
-/// @brief The system with the load that its base or wall makes at a frequency ratio, with bounds of what rounding and the modes
-/// make of it; the same system if the load does not depend on the frequency.
-/// @eq{6,7,19}
-/// @param system  the system
-/// @param r       frequency ratio, Eq. (10)
-/// @return        the system, with a force and a phase of each mass
-/// @throws        InputError if `check` throws; DomainError if the load vanishes; PrecisionError as `modal_basis`
+/// @brief The system with a force and a phase of each mass, the load that its base or wall makes at a frequency ratio, with bounds
+/// of what rounding and the modes make of it; the same system if the load does not depend on the frequency. InputError if `check`
+/// throws; DomainError if the load vanishes; PrecisionError as `modal_basis`. @eq{6,7,19}
 [[nodiscard]] System<double> with_load_at(const System<double>& system, double r);
 
 } // namespace denhartog

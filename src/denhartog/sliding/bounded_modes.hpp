@@ -16,7 +16,7 @@
 
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/bounded.hpp"
-#include "denhartog/sums/mode_sums.hpp"
+#include "denhartog/sliding/mode_sums.hpp"
 
 namespace denhartog {
 
@@ -35,7 +35,6 @@ namespace denhartog {
 
 /// @brief Modes and sums without their bounds.
 [[nodiscard]] ModeSums<double> values_of(const ModeSums<Bounded<double>>& sums);
-
 /// @brief A modal basis without its bounds.
 [[nodiscard]] ModalBasis<double> values_of(const ModalBasis<Bounded<double>>& basis);
 
@@ -70,6 +69,31 @@ template <class T>
 /// error where that lies, which is taken to be at most half again of the error where the search ended, and a unit or two.
 [[nodiscard]] inline Bounded<double> found_by_search(const Bounded<double>& value) {
     return Bounded<double>::rounded(value.x, value.e + value.e / 2, 2);
+}
+
+/// @brief Whether the load leaves the contact unmoved without friction: \f$ |V_{dj}| \f$ is below the rounding of its own terms.
+[[nodiscard]] bool contact_is_unmoved(const ModeSums<double>& sums);
+/// @brief The same by the bound of \f$ V_{dj} \f$.
+[[nodiscard]] bool contact_is_unmoved(const ModeSums<Bounded<double>>& sums);
+
+/// @brief Whether the system resonates without damping while the contact is held: Y_jj is below the rounding of its own terms.
+template <class T>
+[[nodiscard]] bool stuck_system_resonates(const ModeSums<T>& sums);
+
+/// @brief Zero in place of a number without a digit.
+template <class T>
+[[nodiscard]] T zero_for(const T&) {
+    return T(0);
+}
+/// @brief The same with what the number may be for its bound.
+[[nodiscard]] inline Bounded<double> zero_for(const Bounded<double>& x) { return {0.0, x.most()}; }
+
+/// @brief An instant that rounding may have put a little outside the half-period, in it.
+[[nodiscard]] inline double in_half_period(double tau) { return std::clamp(tau, 0.0, pi<double>()); }
+/// @brief The same with a bound.
+[[nodiscard]] inline Bounded<double> in_half_period(const Bounded<double>& tau) {
+    const double inside = in_half_period(tau.x);
+    return {inside, tau.e + std::abs(tau.x - inside)};
 }
 
 /// @brief The angle, at most 1, by which errors of two natural frequencies may turn their modes towards each other: that of the

@@ -1,31 +1,14 @@
 // The braces of (40) of all modes at an instant, kept for the next question at that instant, and bounds of their sizes.
-#include "denhartog/sums/friction_motion.hpp"
+#include "denhartog/sliding/friction_motion.hpp"
 
 #include <algorithm>
-
-#include "denhartog/number/bounded.hpp"
 
 namespace denhartog {
 namespace {
 
 constexpr std::size_t most_remembered = std::size_t(1) << 22; // modes times instants
 
-// Adds the modes of a range to a list.
-template <class T, class List>
-void add_friction_motions(const ModeSums<T>& sums, const T& tau, std::size_t first, std::size_t last, List& y) {
-    y.reserve(last - first);
-    for (std::size_t i = first; i < last; ++i)
-        y.push_back(evaluation::friction_motion(tau, sums.R[i], sums.zeta[i], sums.w[i], sums.u[i], sums.g[i]));
-}
-
 } // namespace
-
-template <class T>
-std::vector<evaluation::FrictionMotion<T>> friction_motions(const ModeSums<T>& sums, const T& tau) {
-    std::vector<evaluation::FrictionMotion<T>> y;
-    add_friction_motions(sums, tau, 0, sums.R.size(), y);
-    return y;
-}
 
 FrictionMotions::FrictionMotions(const ModeSums<double>& sums, Effort* effort)
     : sums_(sums), effort_(effort), first(0), last(sums.R.size()) {
@@ -53,7 +36,9 @@ FrictionMotionsAt FrictionMotions::evaluated(double tau) {
     const SineCosine<double> turned = sine_cosine(tau);
     at.cosine = turned.c;
     at.sine = turned.s;
-    add_friction_motions(sums_, tau, first, last, at.y);
+    at.y.reserve(last - first);
+    for (std::size_t i = first; i < last; ++i)
+        at.y.push_back(evaluation::friction_motion(tau, sums_.R[i], sums_.zeta[i], sums_.w[i], sums_.u[i], sums_.g[i]));
     return at;
 }
 
@@ -81,9 +66,5 @@ const FrictionMotionsAt& FrictionMotions::at(double tau, bool sizes) {
     for (std::size_t i = first; i < last; ++i) now.size.push_back(size_of(now.y[i - first], i, tau));
     return now;
 }
-
-template std::vector<evaluation::FrictionMotion<double>> friction_motions(const ModeSums<double>&, const double&);
-template std::vector<evaluation::FrictionMotion<Bounded<double>>> friction_motions(const ModeSums<Bounded<double>>&,
-                                                                                   const Bounded<double>&);
 
 } // namespace denhartog
