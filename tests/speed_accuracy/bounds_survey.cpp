@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/solve/quantities_of_sums.hpp"
+#include "denhartog/solve/quantities.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
 #include "tests/speed_accuracy/bounds_scenes.hpp"
 #include "tests/support/closed_form.hpp"

@@ -1,4 +1,4 @@
-#include "denhartog/answer/exact_cycles.hpp"
+#include "denhartog/answer/from_a_start.hpp"
 
 #include <algorithm>
 #include <cmath>

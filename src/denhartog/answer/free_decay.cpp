@@ -1,11 +1,10 @@
 #if DENHARTOG_REFERENCE
-#include "denhartog/answer/free_decay.hpp"
+#include "denhartog/answer/from_a_start.hpp"
 
 #include <cmath>
 #include <string>
 
 #include "denhartog/answer/printed.hpp"
-#include "denhartog/answer/reference_attempts.hpp"
 #include "denhartog/answer/reference_point.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "denhartog/answer/certify.hpp"
-#include "denhartog/answer/from_ground.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/model/linear_algebra.hpp"

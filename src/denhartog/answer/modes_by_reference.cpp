@@ -1,12 +1,11 @@
 #if DENHARTOG_REFERENCE
-#include "denhartog/answer/modes_by_reference.hpp"
+#include "denhartog/answer/modes_in_double.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/answer/printed.hpp"
-#include "denhartog/answer/reference_attempts.hpp"
 #include "denhartog/answer/reference_point.hpp"
 #include "denhartog/formulas/mode.hpp"
 #include "denhartog/model/natural_modes.hpp"

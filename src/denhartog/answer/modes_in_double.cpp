@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "denhartog/answer/certify.hpp"
-#include "denhartog/answer/modes_by_reference.hpp"
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/number/tried.hpp"
 #include "denhartog/sums/bounded_modes.hpp"

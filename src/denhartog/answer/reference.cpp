@@ -5,9 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "denhartog/answer/certify.hpp"
 #include "denhartog/answer/printed.hpp"
-#include "denhartog/answer/reference_attempts.hpp"
-#include "denhartog/answer/reference_from_ground.hpp"
 #include "denhartog/answer/reference_point.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/tried.hpp"
@@ -20,6 +19,27 @@ namespace denhartog {
 namespace {
 
 using namespace reference;
+
+// How far the frame of the displacements moves, where absolute ones are wanted beside them; none where they are absolute.
+std::optional<Ball> frame_of(const Scene<double>& scene, const ReferenceQuestion& q, const Ball& r) {
+    const BaseMotion motion = scene.system.base_motion;
+    if (q.asked != Asked::motion || q.mass || motion == BaseMotion::none || motion == BaseMotion::alone) return std::nullopt;
+    return amplitude_of_base(motion, r);
+}
+
+// A mass as it is seen from the ground; its numbers have the bounds that are written beside them.
+MassFromGround from_ground(const Ball& amplitude, const std::optional<Ball>& phase, const Ball& base, const WrittenNumbers& w) {
+    MassFromGround seen{w.shown(amplitude), w.shown(amplitude / base), std::nullopt};
+    if (phase && !amplitude.is_zero()) seen.phase = w.shown(*phase);
+    return seen;
+}
+
+// Writes the amplitude of base or wall, and the masses as they are where their displacements are absolute.
+void write_base(const Scene<double>& scene, const ReferenceQuestion& q, const Ball& r, const WrittenNumbers& w, Solution& s) {
+    if (const std::optional<Ball> base = amplitude_of_base(scene.system.base_motion, r)) s.base_amplitude = w.shown(*base);
+    if (scene.system.base_motion != BaseMotion::alone || q.asked != Asked::motion || q.mass) return;
+    for (const SolvedMass& mass : s.masses) s.from_ground.push_back({mass.amplitude, mass.amplitude, mass.phase});
+}
 
 // The regime of a friction ratio, as far as balls tell it.
 Regime regime_by(const Ball& beta, const Ball& exact, const std::optional<Ball>& sticking) {
@@ -185,7 +205,7 @@ void write_orbit(const OrbitInBalls& o, const Scene<double>& scene, const Ball& 
     s.symmetric = o.mirrored;
     if (q.asked == Asked::motion) {
         s.stability = Stability{o.stable, {}};
-        for (const Ball& each : o.multipliers) s.stability->multipliers.push_back(printed(each, std::min(q.digits, 15)));
+        for (const Ball& each : o.multipliers) s.stability->multipliers.push_back(printed(each, std::min(*q.digits, 15)));
     }
     s.method.model = "exact solver";
 }
@@ -209,7 +229,7 @@ bool attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, 
         answer = {Outcome::regime_disproved, {}, why};
         return true;
     };
-    WrittenNumbers w(q.digits, last);
+    WrittenNumbers w(*q.digits, last);
     const PointInBalls p = point_in_balls(source, !q.met || *q.met == Regime::continuous || !scene.beta);
     s.asked = q.asked;
     s.r = w.shown(p.scene.r);
@@ -259,9 +279,11 @@ bool attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, 
 
 bool has_reference() { return true; }
 
-AnswerOrNone solution_by_reference(const SceneSource& source, const ReferenceQuestion& q,
+AnswerOrNone solution_by_reference(const SceneSource& source, const ReferenceQuestion& question,
                                    const std::function<std::vector<OrbitGuess>()>& made) {
-    const slong first = bits_for(q.digits);
+    ReferenceQuestion q = question;
+    q.digits = question.digits.value_or(digits_by_default);
+    const slong first = bits_for(*q.digits);
     const slong most = std::max<slong>(8192, 4 * first);
     OrbitGuesses guesses(made);
     AnswerOrNone answer{Outcome::answered};

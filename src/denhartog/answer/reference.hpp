@@ -17,11 +17,8 @@ namespace denhartog {
 /// @brief Whether the library was built with the reference. @return false of one built with `DENHARTOG_REFERENCE=OFF`
 [[nodiscard]] bool has_reference();
 
-/// @brief A question to the reference.
-struct ReferenceQuestion {
-    Asked asked = Asked::motion;    ///< what is asked
-    int digits = digits_by_default; ///< significant digits, all certain in the answer
-    std::optional<Mass> mass{};     ///< the one mass asked about, in the order of the masses; none for all
+/// @brief A question to the reference: the digits, or those by default, are all certain in the answer, and every number is proved.
+struct ReferenceQuestion : Question {
     std::optional<Regime> met{};    ///< the regime of the motion that is meant, where the friction ratio does not tell it
     bool closed_form_alone = false; ///< whether only boundary and regime are wanted outside the sliding regime
 };

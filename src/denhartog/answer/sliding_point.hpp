@@ -62,39 +62,19 @@ struct SlidingPoint {
     Attempted attempted{0};                            ///< the largest error, and whether the regime is certain
 };
 
-/// @brief What is asked of a point.
-struct PointWish {
-    bool motion = true;         ///< whether the steady state is wanted too, or boundary and regime alone
-    bool limits = true;         ///< whether the friction ratios of the boundary must have the digits, or the regime be certain
-    std::optional<Mass> only{}; ///< the one mass that must have the digits: no other has a maximum; none for all
-    bool from_ground = false;   ///< whether absolute displacements are wanted too, where base or wall move
-};
-
 /// @brief The point of a scene; searches take their share of `effort`.
 ///
 /// The instants of the maxima are searched for on values alone, and the formulas are then evaluated there with bounds. Errors
 /// count relative to amplitudes and friction ratios, absolute for phases. A mass that does not move, and a contact that the load
-/// does not reach, have none. Without beta the boundary alone is computed. At a pole of a mode without damping it throws
-/// DomainError, and where a maximum is not settled PrecisionError.
+/// does not reach, have none. Without beta the boundary alone is computed. If one mass is asked about no other has a maximum. At a
+/// pole of a mode without damping it throws DomainError, and where a maximum is not settled PrecisionError.
 /// @eq{38,39,44,45,47,52,53,69}
 [[nodiscard]] SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Bounded<double>>& basis,
-                                         const PointWish& wish, Effort* effort = nullptr);
+                                         const Question& question, Effort* effort = nullptr);
 
-/// @brief What is asked of the closed form.
-struct SlidingQuestion {
-    Asked asked = Asked::motion; ///< what is asked; `regime` needs no motion
-    std::optional<int> digits{}; ///< significant digits; without, 6 are aimed at
-    std::optional<Mass> only{};  ///< the one mass that must have them: no other has a maximum; none for all
-    std::shared_ptr<const ModalBasis<Bounded<double>>> modes{}; ///< modes in double, where they are prepared
-};
-
-/// @brief Boundary, regime and sliding motion at the point of a scene, in double.
-///
-/// Digits are relative to the amplitude of the mass for displacements, to the value for friction ratios, absolute for phases; a
-/// mass that does not move has none. Without beta there is the boundary alone, and outside the sliding regime there are no
-/// masses. A bad scene and bad digits are an InputError, a pole of a mode without damping is a DomainError, which says
-/// `Why::pole_by_rounding` if it is within a few units in the last place.
-/// @eq{38,39,44,45,47,52,53,69}
-[[nodiscard]] Solution sliding_solution(const SceneSource& source, const SlidingQuestion& question);
+/// @brief The same as an answer; `modes` are those in double, where they are prepared. A bad scene and bad digits are an InputError,
+/// a pole is a DomainError, which says `Why::pole_by_rounding` if it is within a few units in the last place.
+[[nodiscard]] Solution sliding_solution(const SceneSource& source, const Question& question,
+                                        std::shared_ptr<const ModalBasis<Bounded<double>>> modes = nullptr);
 
 } // namespace denhartog

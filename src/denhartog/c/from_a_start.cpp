@@ -1,8 +1,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "denhartog/answer/exact_cycles.hpp"
-#include "denhartog/answer/free_decay.hpp"
+#include "denhartog/answer/from_a_start.hpp"
 #include "denhartog/c/handles.hpp"
 
 using namespace denhartog;

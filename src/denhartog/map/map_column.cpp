@@ -212,8 +212,7 @@ private:
         if (map.masses.size() == 1) question.mass = map.masses.front();
         if (map.mu == 1 || map.start == MapStart::rest || map.beta[n] == 0)
             return decide(map.prepared, {r, map.beta[n], nullptr, &effort}, question);
-        return decide_sliding(with_effort(at_point(map.prepared.source, r, map.beta[n]), &effort),
-                              {question.asked, {}, question.mass, map.prepared.bounded});
+        return decide_sliding(with_effort(at_point(map.prepared.source, r, map.beta[n]), &effort), question, map.prepared.bounded);
     }
 
     // Writes an answer; one without the amplitude of a mass, or 6 certain digits of it, is none.

@@ -85,10 +85,7 @@ AnswerOrNone answer_by_reference(const PreparedSystem& p, const SolvePoint& at, 
         }
         return guesses_at(prepared, source, followed);
     };
-    const auto proof_of = [&](std::optional<Regime> met) {
-        const int digits = question.digits.value_or(digits_by_default);
-        return solution_by_reference(source, {question.asked, digits, question.mass, met}, guesses);
-    };
+    const auto proof_of = [&](std::optional<Regime> met) { return solution_by_reference(source, {question, met}, guesses); };
     Question of_regime;
     of_regime.asked = Asked::regime;
     AnswerOrNone answer;
@@ -148,77 +145,38 @@ AnswerOrNone answer_by_reference(const PreparedSystem& p, const SolvePoint& at, 
 
 } // namespace
 
-std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source, std::optional<PeriodicOrbit>& followed) {
-    const Scene<double>& scene = source->in_double();
-    std::vector<OrbitGuess> all;
-    // Rounding of modes that double does not have itself would keep it from any motion that repeats itself.
-    const ModesInDouble modes = p.bounded ? ModesInDouble{p.bounded} : modes_in_double(source);
-    if (!modes.rounded_because.empty()) return all;
-    const std::shared_ptr<const ContactSystem> moving = p.moving ? p.moving : moving_in_double(source, modes);
-    if (!moving->rounded_because.empty()) return all;
-    ExactSolver solver(*moving, {*scene.r, *scene.beta, scene.mu});
-    OrbitSearch how;
-    how.with_stability = false;
-    how.effort = source->effort;
-    if (!followed) followed = periodic_orbit(solver, at_rest(moving->basis.r_n.size()), how);
-    PeriodicOrbit orbit = *followed;
-    if (orbit.status == OrbitStatus::permanently_stuck) return all;
-    if (orbit.status == OrbitStatus::not_converged)
-        orbit.symmetric = true; // rounding may be why; where the motion was last is near
-    SearchEffort effort_of_guesses(default_effort(moving->basis.r_n.size()), source->effort);
-    (void)solver.allow(&effort_of_guesses);
-    const auto add = [&](const OrbitGuess& guess) {
-        if (guess.directions.empty()) return;
-        const auto same = [&](const OrbitGuess& other) {
-            constexpr double near = 1e-3;
-            return other.directions == guess.directions && other.mirrored == guess.mirrored && other.periods == guess.periods &&
-                   std::ranges::equal(other.events, guess.events, [](double a, double b) { return std::abs(a - b) < near; });
-        };
-        if (std::ranges::none_of(all, same)) all.push_back(guess);
-    };
-    for (const double shortest : {0.0, 1e-9, 1e-6}) add(guess_of(solver, orbit, shortest));
-    for (const OrbitGuess& guess : std::vector<OrbitGuess>(all))
-        for (const OrbitGuess& other : with_other_stops(guess)) add(other);
-    return all;
-}
-
 AnswerOrNone answer_or_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question, const InDouble& fast) {
     const auto by_reference = [&](const AnswerInDouble& seen) { return answer_by_reference(p, at, question, fast, seen); };
     return with_digits(question.digits, in_turn(number_of_masses(p.scene().system), at.effort, question.digits, question.proved,
                                                 by_reference, [&] { return fast(question); }));
 }
 
-AnswerOrNone decide_sliding(const SceneSource& asked_about, const SlidingQuestion& question, bool proved) {
+AnswerOrNone decide_sliding(const SceneSource& asked_about, const Question& question,
+                            const std::shared_ptr<const ModalBasis<Bounded<double>>>& modes) {
     const ScenePaidFor scene(asked_about);
     const SceneSource& source = scene.source();
-    const auto in_double = [&](const SlidingQuestion& asked) {
+    const auto in_double = [&](const Question& asked, const std::shared_ptr<const ModalBasis<Bounded<double>>>& known) {
         return tried_in_double([&] {
-            AnswerInDouble found{{Outcome::answered, sliding_solution(source, asked)}};
-            Solution& s = found.solution;
-            take_contact_between(source->in_double().system, s);
-            if (asked.only && !s.masses.empty()) {
-                s.masses = {s.masses[asked.only->index]};
-                s.only = asked.only;
-            }
+            AnswerInDouble found{{Outcome::answered, sliding_solution(source, asked, known)}};
+            take_contact_between(source->in_double().system, found.solution);
+            keep_asked_mass(asked, found.solution);
             return found;
         });
     };
     const auto by_reference = [&](const AnswerInDouble&) -> AnswerOrNone {
-        ReferenceQuestion asked{question.asked, question.digits.value_or(digits_by_default), question.only};
-        asked.closed_form_alone = true;
-        AnswerOrNone answer = solution_by_reference(source, asked, {});
+        AnswerOrNone answer = solution_by_reference(source, {question, std::nullopt, true}, {});
         if (answer.is_answered()) return answer;
-        AnswerInDouble regime = in_double({Asked::regime}); // says where there is a pole
+        AnswerInDouble regime = in_double({Asked::regime, {}}, nullptr); // says where there is a pole
         if (regime.outcome == Outcome::at_a_pole) return regime;
         return answer;
     };
     (void)aim_of(question.digits);
-    return in_turn(number_of_masses(source->in_double().system), source->effort, question.digits, proved, by_reference,
-                   [&] { return in_double(question); });
+    return in_turn(number_of_masses(source->in_double().system), source->effort, question.digits, question.proved, by_reference,
+                   [&] { return in_double(question, modes); });
 }
 
 Solution sliding_answer(const SceneSource& source, std::optional<int> digits, bool proved) {
-    return required(with_digits(digits, decide_sliding(source, SlidingQuestion{Asked::motion, digits}, proved)));
+    return required(with_digits(digits, decide_sliding(source, {Asked::motion, digits, false, {}, proved})));
 }
 
 } // namespace denhartog

@@ -17,7 +17,7 @@
 #include "denhartog/number/why.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/reference/orbit_guess_data.hpp"
-#include "denhartog/solve/prepared_system.hpp"
+#include "denhartog/solve/solve.hpp"
 
 namespace denhartog {
 
@@ -32,29 +32,6 @@ struct SolvePoint {
 /// @brief The scene of a system at a point, with the work allowed there.
 [[nodiscard]] SceneSource source_at(const PreparedSystem& p, const SolvePoint& at);
 
-/// @brief A question to a scene, prepared.
-struct SolveTask {
-    SceneSource source;                          ///< the scene
-    Question question;                           ///< what is asked
-    const Scene<double>& scene;                  ///< the scene in double, which `source` holds
-    Aim aim;                                     ///< the digits
-    ModesInDouble known;                         ///< its modal basis
-    std::shared_ptr<const ContactSystem> moving; ///< for the exact solver; none where it is still to be prepared
-    bool open = false;                           ///< whether double leaves something open
-    bool regime_is_certain = true;               ///< whether the regime is certain nevertheless
-    Reasons unknown{};                           ///< why boundaries and closed form are not known; empty where they are
-    bool at_pole = false;                        ///< whether they do not exist
-    std::optional<PeriodicOrbit> orbit{};        ///< the motion from rest, where it was followed
-};
-
-/// @brief Amplitude or phase of the contact alone, in the sliding regime at mu = 1: the cheapest model. False where something
-/// else is asked, this has not the digits, or sliding is not certain.
-[[nodiscard]] bool answer_by_contact(const PreparedSystem& p, const SolvePoint& at, const Question& question, Solution& s);
-
-/// @brief The stuck response as the answer, once the boundary is found; `rests_at` is where the contact rests, if that was
-/// followed.
-void answer_by_stuck_response(const SolveTask& task, const std::optional<Certified>& rests_at, Solution& s);
-
 /// @brief Says whether the velocities are known not to depend on the start, and why; and what is steady besides where a mode
 /// without damping keeps any share of the sliding motion. The answer has its point already; `contact` is the row of the contact in
 /// the shapes of the basis.
@@ -66,13 +43,6 @@ void answer_by_stuck_response(const SolveTask& task, const std::optional<Certifi
 /// away together, and so from the same place.
 void say_whether_unique(const ModalBasis<Bounded<double>>& basis, Mass contact, const System<double>& system, double mu,
                         Solution& s);
-
-/// @brief Whether the boundaries tell that a motion that is not at rest has stops, seen or not: beyond that of sliding where
-/// mu = 1 or every motion is damped.
-[[nodiscard]] bool must_stop(const SolveTask& task, const Solution& s);
-
-/// @brief A periodic orbit, with its masses, as the answer; `open` where double does not tell if the motion stops.
-void answer_by_orbit(const SolveTask& task, ExactSolver& solver, const PeriodicOrbit& orbit, bool open, Solution& s);
 
 /// @brief What a proof of a motion that double found periodic starts from, in the masses of the scene. Stops and slips shorter
 /// than `shortest`, in tau, are left out; zero leaves out those of no length only. There are no directions where the motion has
@@ -125,13 +95,15 @@ using InDouble = std::function<AnswerInDouble(const Question&)>;
 /// point is an InputError.
 [[nodiscard]] AnswerOrNone decide(const PreparedSystem& p, const SolvePoint& at, const Question& question);
 
-/// @brief Boundary, regime and sliding motion of a scene, with its masses in their order, as `sliding_solution` has them; with
-/// `proved` every number is proved. If one mass is asked about, it alone is listed.
-[[nodiscard]] AnswerOrNone decide_sliding(const SceneSource& source, const SlidingQuestion& question, bool proved = false);
+/// @brief Boundary, regime and sliding motion of a scene, with its masses in their order, as `sliding_solution` has them. If one mass
+/// is asked about, it alone is listed.
+[[nodiscard]] AnswerOrNone decide_sliding(const SceneSource& source, const Question& question,
+                                          const std::shared_ptr<const ModalBasis<Bounded<double>>>& modes = nullptr);
 
 /// @brief The same, where it has an answer: DomainError at a pole, PrecisionError for another reason.
-[[nodiscard]] inline Solution sliding_answer(const SceneSource& source, const SlidingQuestion& question, bool proved = false) {
-    return required(decide_sliding(source, question, proved));
+[[nodiscard]] inline Solution sliding_answer(const SceneSource& source, const Question& question,
+                                             const std::shared_ptr<const ModalBasis<Bounded<double>>>& modes = nullptr) {
+    return required(decide_sliding(source, question, modes));
 }
 
 /// @brief The same for every mass, refused if the digits asked for are not reached; without digits 6 are aimed at.

@@ -11,9 +11,11 @@
 #include <span>
 
 #include "denhartog/answer/sliding_point.hpp"
+#include "denhartog/formulas/boundary.hpp"
 #include "denhartog/sliding/steady_state.hpp"
-#include "denhartog/solve/prepared_system.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
+#include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {
 
@@ -93,5 +95,40 @@ struct QuantitiesAnswer {
 /// @eq{33,34,35,38,39,41,52,64,69}
 [[nodiscard]] QuantitiesAnswer quantities_by_reference(const SceneSource& source, std::span<const double> tau,
                                                        const std::function<bool(Quantities<Bounded<double>>&)>& accept);
+
+/// @brief What friction does not change: V, U, G, H, and S with the boundary. The sum over modes of (57)'s expression is largest
+/// at `instant`, where 0 stands for the limit. @eq{33,34,35,56,64,69}
+template <class T>
+[[nodiscard]] Quantities<T> quantities_without_motion(const ModeSums<T>& s, const T& mu, const T& instant) {
+    const std::size_t j = s.contact.index;
+    Quantities<T> q;
+    q.V = s.V;
+    q.U = s.U;
+    q.G = s.G;
+    q.H_j = s.H_j;
+    q.S = found_by_search(sliding_demand(s, instant));
+    q.beta_lim =
+        paper::friction_ratio_limit(s.V[j], s.U[j], larger(q.S, paper::static_friction_demand(s.H_j, mu, s.sum_of_squares)));
+    return q;
+}
+
+/// @brief Adds the motion, where the friction ratio is below the boundary: X_j, phi_j, and x, x' at any instants, of which zero
+/// is at a maximum of x_j. @eq{38,39,41,52}
+template <class T>
+void add_motion(Quantities<T>& q, const ModeSums<T>& s, const T& beta, const std::vector<T>& tau) {
+    if (!(beta < q.beta_lim)) return;
+    const SteadyState<T> state = steady_state_without_maxima(s, beta);
+    q.X_j = state.X_j;
+    q.phi_j = state.phi_j;
+    for (const Motion<T>& at : motions(s, state, std::span<const T>(tau))) {
+        q.x.insert(q.x.end(), at.x.begin(), at.x.end());
+        q.x_prime.insert(q.x_prime.end(), at.x_prime.begin(), at.x_prime.end());
+    }
+    for (const MassResponse<T>& m : state.masses) q.x_size.push_back(m.amplitude_monoharmonic);
+}
+
+/// @brief All numbers of a point in double, of a contact between two masses too, which comes last. A search has its share of `effort`.
+[[nodiscard]] Quantities<Bounded<double>> quantities_in_double(const Scene<double>& scene, const ModeSums<Bounded<double>>& sums,
+                                                               std::span<const double> tau, Effort* effort = nullptr);
 
 } // namespace denhartog

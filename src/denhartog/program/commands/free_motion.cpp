@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "denhartog/answer/free_decay.hpp"
+#include "denhartog/answer/from_a_start.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/program/json/solution_json.hpp"
 #include "denhartog/scene/json_document.hpp"
