@@ -55,11 +55,6 @@ struct Attempted {
     Why doubt = Why::on_boundary; ///< why it is not
 };
 
-/// @brief Whether what double came to has the digits, and its regime is certain.
-[[nodiscard]] inline bool is_settled(const Attempted& attempted, const Aim& aim) {
-    return attempted.relative <= aim.tolerance && attempted.decided;
-}
-
 /// @brief Counts a question for which double did not have the digits, for `precision_steps`.
 void count_precision_step();
 

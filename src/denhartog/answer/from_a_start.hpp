@@ -15,15 +15,9 @@
 
 namespace denhartog {
 
-/// @brief The motion over a number of periods in closed form from phase to phase, read off as the paper reads its own.
-///
-/// Tolerances, step limit, limit of phases and history do not apply. The phase is the instant of the largest |x_k|, half a
-/// period on where x_k is negative there.
-/// @eq{6,74,75}
-/// @param source    the scene, with r and beta
-/// @param settings  number of periods, start, samples
-/// @return          the motion, or a status with its reason; of the counters `phases` alone
-/// @throws          InputError where scene or settings break a rule
+/// @brief The motion over a number of periods in closed form from phase to phase, read off as the paper reads its own, or a status with
+/// its reason. Tolerances, limits and history of the settings do not apply; of the counters there is `phases` alone. The phase is the
+/// instant of the largest |x_k|, half a period on where x_k is negative there. @eq{6,74,75}
 [[nodiscard]] PaperMotion exact_cycles(const SceneSource& source, const PaperSettings& settings);
 
 /// @brief What is wanted of the history of a motion.
@@ -55,13 +49,8 @@ struct MotionHistory {
     std::vector<int> directions; ///< there, 1 or -1 as the contact slides, 0 where it sticks; at an event what was before it
 };
 
-/// @brief The history of a motion over a number of periods, in closed form from phase to phase.
-/// @eq{6,74,75}
-/// @param source    the scene, with r and beta
-/// @param settings  start, number of periods, samples
-/// @return          the history, or a status with its reason
-/// @throws          InputError where scene or settings break a rule; PrecisionError where double does not tell the displacement of
-///                  a contact between two masses
+/// @brief The history of a motion over a number of periods, in closed form from phase to phase, or a status with its reason.
+/// PrecisionError where double does not tell the displacement of a contact between two masses. @eq{6,74,75}
 [[nodiscard]] MotionHistory motion_history(const SceneSource& source, const HistorySettings& settings);
 
 /// @brief The places to which the constant load of a scene moves the masses, about which every steady motion is the one without it.
@@ -69,11 +58,8 @@ struct MotionHistory {
 ///
 /// With \f$ \bar{\mathbf x} = \bar{\mathbf x}_s+\mathbf y \f$ the constant load s drops out of (6). Friction depends on the velocity of
 /// the contact, and at rest on all other forces on it, (2), (3), (74), (75): both are the same functions of y as they were of x
-/// without s. So y is a motion without the constant load, in every regime, with the same stops at the same instants.
-/// @eq{6,74,75}
-/// @param source  the scene
-/// @return        N numbers in units of P / k_1, proved; none where the scene has no constant load
-/// @throws        PrecisionError where the stiffness matrix is not proved regular, or the library was built without the reference
+/// without s. So y is a motion without the constant load, in every regime, with the same stops at the same instants. In units of
+/// P / k_1, proved; none without a constant load. PrecisionError where the stiffness matrix is not proved regular. @eq{6,74,75}
 [[nodiscard]] std::vector<Certified> place_of_rest(const SceneSource& source);
 
 /// @brief Where the velocity of the contact is zero at the end of a half-cycle.
@@ -105,16 +91,9 @@ struct FreeDecay {
     bool on_limit = false;
 };
 
-/// @brief The motion of a scene from a start after its harmonic load is taken away, until the contact rests for good; the constant load
-/// stays. See `reference::free_decay_in_balls`.
-/// @eq{6,74,75}
-/// @param source  the scene, with r and a positive beta; P and the frequency are no more than units
-/// @param start   displacements in units of P / k_1 and velocities with respect to tau, every double exact
-/// @param until   an instant, tau, up to which the motion is followed; none: until the contact rests for good. Where nothing damps the
-///                other masses they may set it in motion again and again
-/// @return        the motion
-/// @throws        InputError where the scene or the start breaks a rule; PrecisionError where something cannot be proved, the budget of
-///                work is spent before the motion has come to its end, or the library was built without the reference
+/// @brief The motion of a scene from a start after its harmonic load is taken away, until the contact rests for good, or `until` an
+/// instant; the constant load stays. Where nothing damps the other masses they may set the contact in motion again and again. beta is
+/// positive; P and the frequency are no more than units. PrecisionError where something cannot be proved. @eq{6,74,75}
 [[nodiscard]] FreeDecay free_decay(const SceneSource& source, const State& start, const std::optional<double>& until = {});
 
 } // namespace denhartog

@@ -21,14 +21,12 @@ struct HeldSolution {
     double relative = 0;                     ///< largest error, relative to amplitudes, absolute for phases
 };
 
-/// @brief The stuck response for rest at zero; its error is bounded by what it leaves over in the equations of motion. Damping
-/// ratios mean the damping matrix that the modes of the basis make. With `only` the errors of one mass count. Where the load
-/// excites the resonance of an undamped stuck mode, it throws DomainError. @eq{88}
+/// @brief The stuck response for rest at zero; what it leaves over in the equations of motion bounds its error. With `only` the errors
+/// of one mass count. DomainError where the load excites the resonance of an undamped stuck mode. @eq{88}
 [[nodiscard]] HeldSolution held_solution(const Scene<double>& scene, const StuckConfiguration& stuck,
                                          const ModalBasis<Bounded<double>>& basis, std::optional<Mass> only = std::nullopt);
 
-/// @brief The boundary of permanent sticking by (88) as printed, with a bound of its error; none for a system that is no chain,
-/// or at a resonance. @eq{88}
+/// @brief The boundary of permanent sticking by (88) as printed; none for a system that is no chain, or at a resonance. @eq{88}
 [[nodiscard]] std::optional<Certified> sticking_by_88(const Scene<double>& scene);
 
 } // namespace denhartog

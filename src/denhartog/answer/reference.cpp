@@ -99,15 +99,13 @@ void write_sliding(const PointInBalls& p, const Scene<double>& scene, const Refe
                    Solution& s) {
     const ResponsesInBalls& r = *p.responses;
     const SlidingContactInBalls contact = contact_in_balls(r, *p.scene.beta);
-    const bool phases = q.asked != Asked::amplitude, all = q.asked == Asked::motion;
     Ball largest = contact.X_j;
     for (std::size_t k = 0; k < r.contact(); ++k) largest = larger(largest, size_of(r.V[k]));
     const auto row = [&](std::size_t k) {
         const bool is_contact = k == r.contact() || (!contact_moves_apart(s) && k == s.contact.index);
         const SlidingMassInBalls m = mass_in_balls(r, contact, *p.scene.beta, k, is_contact);
-        if (w.does_not_move(m.amplitude, largest)) return w.unmoved(m.amplitude);
-        SolvedMass out{w.relative(m.amplitude), phases ? w.absolute(m.phase) : w.shown(m.phase), std::nullopt};
-        if (!all) return out;
+        SolvedMass out = w.mass(m.amplitude, m.phase, q.asked != Asked::amplitude, largest);
+        if (q.asked != Asked::motion || !out.phase) return out;
         for (const Ball& x : {m.x0, m.v0, m.amplitude_monoharmonic}) w.beside(x, m.amplitude);
         out.sliding = SlidingOfMass{w.shown(m.x0), w.shown(m.v0), w.shown(m.instant), w.shown(m.amplitude_monoharmonic),
                                     w.absolute(m.phase_monoharmonic)};
@@ -130,16 +128,13 @@ bool write_stuck(const PointInBalls& p, const Scene<double>& scene, const Refere
     if (!p.stuck) throw Unproved(Why::may_resonate_held);
     if (*p.scene.beta < *p.sticking) return false;
     if (!(*p.scene.beta >= *p.sticking)) throw Unproved({Why::may_be_boundary, 1});
-    const bool phases = q.asked != Asked::amplitude;
     Ball largest = p.stuck->compliance * size_of(p.stuck->load); // no mass moves where the load acts on the contact
     for (const Complex<Ball>& X : p.stuck->X) largest = larger(largest, size_of(X));
     const auto row = [&](std::size_t k) {
         const bool is_contact = k == p.stuck->X.size() || (!contact_moves_apart(s) && k == s.contact.index);
         if (is_contact) return SolvedMass{w.shown(Ball(0)), std::nullopt, std::nullopt};
         const Complex<Ball>& X = p.stuck->X[k];
-        const Ball amplitude = size_of(X), phase = wrapped_in_balls(-argument(X));
-        if (w.does_not_move(amplitude, largest)) return w.unmoved(amplitude);
-        return SolvedMass{w.relative(amplitude), phases ? w.absolute(phase) : w.shown(phase), std::nullopt};
+        return w.mass(size_of(X), wrapped_in_balls(-argument(X)), q.asked != Asked::amplitude, largest);
     };
     write_masses(scene, q.mass, row, s);
     if (const std::optional<Ball> frame = frame_of(scene, q, p.scene.r))
@@ -182,16 +177,9 @@ void set_regime_by_stops(const PointInBalls& p, const OrbitInBalls& o, Solution&
 
 void write_orbit(const OrbitInBalls& o, const Scene<double>& scene, const Ball& r, const ReferenceQuestion& q, WrittenNumbers& w,
                  Solution& s) {
-    const bool phases = q.asked != Asked::amplitude;
     Ball largest(0);
     for (const Ball& each : o.amplitude) largest = larger(largest, each);
-    const auto row = [&](std::size_t k) {
-        const Ball& amplitude = o.amplitude[k];
-        if (w.does_not_move(amplitude, largest)) return w.unmoved(amplitude);
-        SolvedMass out{w.relative(amplitude), std::nullopt, std::nullopt};
-        if (o.phase[k]) out.phase = phases ? w.absolute(*o.phase[k]) : w.shown(*o.phase[k]);
-        return out;
-    };
+    const auto row = [&](std::size_t k) { return w.mass(o.amplitude[k], o.phase[k], q.asked != Asked::amplitude, largest); };
     write_masses(scene, q.mass, row, s);
     if (const std::optional<Ball> frame = frame_of(scene, q, r))
         for (const PeakInBalls& each : o.from_ground) s.from_ground.push_back(from_ground(each.size, each.phase, *frame, w));

@@ -155,9 +155,8 @@ std::vector<InvariantPointsOfMass<Certified>> written(const std::vector<Invarian
     for (const InvariantPointsOfMass<Ball>& mass : found) {
         masses.push_back({mass.mass, {}, {}});
         for (const InvariantPoint<Ball>& p : mass.points) {
-            const bool rests = w.does_not_move(p.amplitude, Ball(1));
-            masses.back().points.push_back(
-                {w.relative(p.r), rests ? w.unmoved(p.amplitude).amplitude : w.relative(p.amplitude), p.kind});
+            const Certified r = w.relative(p.r);
+            masses.back().points.push_back({r, w.mass(p.amplitude, std::nullopt, false, Ball(1)).amplitude, p.kind});
         }
         for (const UndecidedStretch<Ball>& u : mass.undecided)
             masses.back().undecided.push_back({w.shown(u.from), w.shown(u.to)});

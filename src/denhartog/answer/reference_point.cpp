@@ -53,22 +53,12 @@ bool hardly_couples(const BallMatrix& D, const Ball& part) {
     return true;
 }
 
-// Whether a damping matrix is so near to one that leaves the modes by themselves: how far K M^-1 C is from C M^-1 K, over the sizes
-// of both, is no more than a tolerance.
+// Whether a damping matrix is so near to one that leaves the modes by themselves: the commutator is no more than a tolerance.
 bool counts_as_modal(const ModesInBalls& m, const BallMatrix& D, double tolerance) {
-    Ball apart(0), of_K(0), of_C(0);
-    for (slong i = 0; i < D.rows(); ++i) {
-        const auto k_i = [&](slong k) { return 1 / (m.R[static_cast<std::size_t>(k)] * m.R[static_cast<std::size_t>(k)]); };
-        of_K += k_i(i) * k_i(i);
-        for (slong k = 0; k < D.rows(); ++k) {
-            of_C += D(i, k) * D(i, k);
-            const Ball commutator = (k_i(i) - k_i(k)) * D(i, k);
-            apart += commutator * commutator;
-        }
-    }
-    const Ball most = Ball(tolerance) * Ball(tolerance) * of_K * of_C;
-    if (!(apart <= most || apart > most)) throw Unproved({Why::coupling_may_count, 0});
-    return apart <= most;
+    const Commutator c = commutator_of(m, D);
+    const Ball most = Ball(tolerance) * Ball(tolerance) * c.size;
+    if (!(c.apart <= most || c.apart > most)) throw Unproved({Why::coupling_may_count, 0});
+    return c.apart <= most;
 }
 
 // (56) of the modes by themselves, where the coupling by a damping matrix makes no difference to (69) that anybody could measure.
@@ -133,6 +123,20 @@ void require_sliding(const PointInBalls& p) {
 BallMatrix damping_of_modes(const SceneInBalls& s, const ModesInBalls& m) {
     const BallMatrix Psi = shapes_of(m);
     return transposed(Psi) * s.C * Psi;
+}
+
+Commutator commutator_of(const ModesInBalls& m, const BallMatrix& D) {
+    Ball apart(0), squares_of_K(0), squares_of_C(0);
+    for (slong i = 0; i < D.rows(); ++i) {
+        const auto k_i = [&](slong k) { return 1 / (m.R[static_cast<std::size_t>(k)] * m.R[static_cast<std::size_t>(k)]); };
+        squares_of_K += k_i(i) * k_i(i);
+        for (slong k = 0; k < D.rows(); ++k) {
+            squares_of_C += D(i, k) * D(i, k);
+            const Ball part = (k_i(i) - k_i(k)) * D(i, k);
+            apart += part * part;
+        }
+    }
+    return {apart, squares_of_K * squares_of_C};
 }
 
 SceneInBalls scene_as_given(const SceneSource& source) {

@@ -18,9 +18,8 @@
 
 namespace denhartog {
 
-/// @brief Tries with bits from `first` on, doubled up to `most`, until an attempt says that they were enough. It gets the scene with
-/// a budget of work, its own one where it had none, and is told whether the bits are the last.
-/// @throws PrecisionError where something cannot be proved, or the budget of work is spent
+/// @brief Tries with bits from `first` on, doubled up to `most`, until an attempt says that they were enough. PrecisionError where
+/// something cannot be proved, or the budget of work, its own one where the scene had none, is spent.
 void with_enough_bits(const SceneSource& source, slong first, slong most,
                       const std::function<bool(const SceneSource& paid, slong bits, bool last)>& attempt);
 
@@ -45,8 +44,8 @@ public:
     /// @brief What makes them, the likeliest first, is called when they are first needed.
     explicit OrbitGuesses(const std::function<std::vector<OrbitGuess>()>& made) : made_(made) {}
 
-    /// @brief The first of them that is proved, paid from a budget. What is disproved is not tried again, and what is proved is tried first.
-    /// @throws Unproved where there is none; Disproved where none is left to be tried
+    /// @brief The first that is proved. What is disproved is not tried again, and what is proved is tried first. Unproved is thrown where
+    /// there is none; Disproved where none is left to be tried.
     template <class Prove>
     [[nodiscard]] auto first_proved(Effort* effort, const Prove& prove) {
         if (!known_) guesses_ = made_();
@@ -86,8 +85,7 @@ struct PointInBalls {
     std::optional<Ball> sticking{};                         ///< the friction ratio from which the contact can rest for ever
 };
 
-/// @brief A scene as it is given, without r at r = 1.
-/// @throws  InputError where it breaks a rule that double is too coarse to see broken
+/// @brief A scene as it is given, without r at r = 1; InputError where it breaks a rule that double is too coarse to see broken.
 [[nodiscard]] reference::SceneInBalls scene_as_given(const SceneSource& source);
 
 /// @brief A scene with the damping that counts: ratios, or a matrix; the ratios nearest to that where it is within
@@ -97,10 +95,15 @@ struct PointInBalls {
 /// @brief The same at r = 1, where psi of (17) is phi, under the load that it has at its own r.
 [[nodiscard]] reference::SceneInBalls scene_at_one(const SceneSource& source);
 
-/// @brief The damping matrix in the modes, \f$ \boldsymbol\Psi^T\mathbf{C}\boldsymbol\Psi \f$, whose diagonal has the damping of
-/// each by itself.
-/// @eq{18}
+/// @brief The damping matrix in the modes, \f$ \boldsymbol\Psi^T\mathbf{C}\boldsymbol\Psi \f$; its diagonal damps each by itself. @eq{18}
 [[nodiscard]] BallMatrix damping_of_modes(const reference::SceneInBalls& scene, const reference::ModesInBalls& modes);
+
+/// @brief How far K M^-1 C is from C M^-1 K for the damping D in the modes, and the sizes of both, which are squares.
+struct Commutator {
+    Ball apart{0}; ///< of the difference
+    Ball size{0};  ///< of K times that of C
+};
+[[nodiscard]] Commutator commutator_of(const reference::ModesInBalls& modes, const BallMatrix& D);
 
 /// @brief A scene with its damping matrix, (19) where damping is given by ratios.
 [[nodiscard]] reference::SceneInBalls damped_scene_in_balls(const SceneSource& source);
@@ -108,12 +111,10 @@ struct PointInBalls {
 /// @brief A point of a scene, which may be of no use without its boundary.
 [[nodiscard]] PointInBalls point_in_balls(const SceneSource& source, bool needs_boundary);
 
-/// @brief The stuck response at a point.
-/// @throws  Unproved where the system with its contact held may resonate
+/// @brief The stuck response at a point; Unproved where the system with its contact held may resonate.
 [[nodiscard]] const reference::StuckInBalls& required_stuck(const PointInBalls& p);
 
-/// @brief Requires that a point with its boundary lies below (69).
-/// @throws  Disproved, Unproved
+/// @brief Throws Disproved, Unproved where a point with its boundary does not lie below (69).
 void require_sliding(const PointInBalls& p);
 
 } // namespace denhartog

@@ -25,8 +25,7 @@ inline constexpr double hardly_coupled = 1e-6;
 /// @brief See `hardly_coupled`: a part of (69).
 inline constexpr double hardly_changed = 1e-9;
 
-/// @brief The sums at a frequency ratio, and what searches for instants need of them, which is set up when it is first asked for:
-/// they look at values without bounds, and share many instants.
+/// @brief The sums at a frequency ratio, and what searches for instants need of them: values without bounds, found when first asked for.
 class SearchedSums {
 public:
     /// @brief Of sums. Searches take their share of `effort`.
@@ -41,8 +40,8 @@ public:
     [[nodiscard]] FrictionMotions& motions();
     /// @brief The instants of the largest demands: that of the sum over modes, then those of the modes.
     [[nodiscard]] std::vector<double> demands();
-    /// @brief The steady state below the boundary. `with_rivals` looks for other instants at which a displacement may be largest,
-    /// which the error of its phase then holds. @eq{38,39,44,45,47,52,53}
+    /// @brief The steady state below the boundary; `with_rivals` the errors of phases hold other instants that may be the largest's.
+    /// @eq{38,39,44,45,47,52,53}
     [[nodiscard]] SteadyState<Bounded<double>> steady_state(const Bounded<double>& beta, std::optional<Mass> only,
                                                             bool with_rivals);
 
@@ -62,13 +61,9 @@ struct SlidingPoint {
     Attempted attempted{0};                            ///< the largest error, and whether the regime is certain
 };
 
-/// @brief The point of a scene; searches take their share of `effort`.
-///
-/// The instants of the maxima are searched for on values alone, and the formulas are then evaluated there with bounds. Errors
-/// count relative to amplitudes and friction ratios, absolute for phases. A mass that does not move, and a contact that the load
-/// does not reach, have none. Without beta the boundary alone is computed. If one mass is asked about no other has a maximum. At a
-/// pole of a mode without damping it throws DomainError, and where a maximum is not settled PrecisionError.
-/// @eq{38,39,44,45,47,52,53,69}
+/// @brief The point of a scene, without beta its boundary alone; if one mass is asked about no other has a maximum. Errors count
+/// relative to amplitudes and friction ratios, absolute for phases. DomainError at a pole of a mode without damping, PrecisionError
+/// where a maximum is not settled. @eq{38,39,44,45,47,52,53,69}
 [[nodiscard]] SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Bounded<double>>& basis,
                                          const Question& question, Effort* effort = nullptr);
 

@@ -2,9 +2,8 @@
 /// @brief What answers a question.
 ///
 /// The reference, if a proof or 15 digits and more are asked for. Else double, if it has the digits, the regime and the stability;
-/// if not, the reference. If the reference has no proof either, double answers if its regime is certain; else nothing does.
-/// The models of `solve` share the task, and each writes its own answer. Where a question has no answer, that is a value, see
-/// `Outcome`; the functions that users call make an exception of it.
+/// if not, the reference. If the reference has no proof either, double answers if its regime is certain; else nothing does. Where a
+/// question has no answer, that is a value, see `Outcome`; the functions that users call make an exception of it.
 #pragma once
 
 #include <functional>
@@ -44,21 +43,15 @@ struct SolvePoint {
 void say_whether_unique(const ModalBasis<Bounded<double>>& basis, Mass contact, const System<double>& system, double mu,
                         Solution& s);
 
-/// @brief What a proof of a motion that double found periodic starts from, in the masses of the scene. Stops and slips shorter
-/// than `shortest`, in tau, are left out; zero leaves out those of no length only. There are no directions where the motion has
-/// no phases that repeat.
+/// @brief What a proof of a motion that double found periodic starts from. Stops and slips shorter than `shortest`, in tau, are left
+/// out. There are no directions where the motion has no phases that repeat.
 [[nodiscard]] OrbitGuess guess_of(ExactSolver& solver, const PeriodicOrbit& orbit, double shortest = 0);
 
-/// @brief Motions that differ from a guess by one stop of nearly no length, which rounding may have invented or hidden; the
-/// likeliest first.
-///
-/// Where double precision sees the contact turn without a stop, or slide on at nearly no speed, a stop may hide; the shortest
-/// stop or slip that it sees may be none. A motion that mirrors itself keeps doing so: the stretch of a guess holds one of each
-/// pair.
+/// @brief Motions that differ from a guess by one stop of nearly no length, which rounding may have invented or hidden; the likeliest
+/// first: one where the contact turns or is slow, and the guess without its shortest stop or slip.
 [[nodiscard]] std::vector<OrbitGuess> with_other_stops(const OrbitGuess& guess);
 
-/// @brief Motions near the one from rest, as double sees them, the likeliest first: what a proof starts from. What the system has
-/// prepared is used, and so is the motion from rest if it was followed before; else it is followed here.
+/// @brief Motions near the one from rest, as double sees them, the likeliest first; that one is followed here if it was not before.
 [[nodiscard]] std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source,
                                                  std::optional<PeriodicOrbit>& followed);
 
@@ -86,27 +79,24 @@ template <class Answer>
 /// @brief How double answers a question.
 using InDouble = std::function<AnswerInDouble(const Question&)>;
 
-/// @brief The answer in double, or else by the reference. The mass of the question and those of the answer are in the order of
-/// the masses. There is none where the digits asked for are not reached.
+/// @brief The answer in double, or else by the reference; none where the digits asked for are not reached.
 [[nodiscard]] AnswerOrNone answer_or_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question,
                                                const InDouble& fast);
 
-/// @brief What comes of a question at a point of a prepared system: what `solve` gives, or why it gives nothing. A bad question or
-/// point is an InputError.
+/// @brief What comes of a question at a point of a prepared system. A bad question or point is an InputError.
 [[nodiscard]] AnswerOrNone decide(const PreparedSystem& p, const SolvePoint& at, const Question& question);
 
-/// @brief Boundary, regime and sliding motion of a scene, with its masses in their order, as `sliding_solution` has them. If one mass
-/// is asked about, it alone is listed.
+/// @brief Boundary, regime and sliding motion of a scene, as `sliding_solution` has them in double.
 [[nodiscard]] AnswerOrNone decide_sliding(const SceneSource& source, const Question& question,
                                           const std::shared_ptr<const ModalBasis<Bounded<double>>>& modes = nullptr);
 
-/// @brief The same, where it has an answer: DomainError at a pole, PrecisionError for another reason.
+/// @brief The same; DomainError at a pole, PrecisionError where there is none for another reason.
 [[nodiscard]] inline Solution sliding_answer(const SceneSource& source, const Question& question,
                                              const std::shared_ptr<const ModalBasis<Bounded<double>>>& modes = nullptr) {
     return required(decide_sliding(source, question, modes));
 }
 
-/// @brief The same for every mass, refused if the digits asked for are not reached; without digits 6 are aimed at.
+/// @brief The same for every mass, refused if the digits asked for are not reached.
 [[nodiscard]] Solution sliding_answer(const SceneSource& source, std::optional<int> digits, bool proved);
 
 } // namespace denhartog

@@ -13,7 +13,6 @@
 #include "denhartog/sliding/mass_in_motion.hpp"
 #include "denhartog/solve/decision.hpp"
 #include "denhartog/solve/quantities.hpp"
-#include "denhartog/solve/sampled_closed_form.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "elementary/elementary.hpp"
 
@@ -25,9 +24,9 @@ using Number = Bounded<double>;
 
 // What errors of a mode make of its brace in (40): errors of R and zeta are forces on it, by the energy that the free motion has.
 ErrorOfSamples error_of_brace(const ModeSums<Number>& s, std::size_t i) {
-    const double R = s.R[i].least(), of_R = s.R[i].e / R, half_period = pi<double>();
+    const double R = s.R[i].least(), error_of_R = s.R[i].e / R, half_period = pi<double>();
     const double energy = 1 + s.g[i].most() + s.R[i].most() * s.u[i].most();
-    const double force = 2 * half_period / (R * R) * energy * (s.zeta[i].e + s.zeta[i].most() * of_R + of_R);
+    const double force = 2 * half_period / (R * R) * energy * (s.zeta[i].e + s.zeta[i].most() * error_of_R + error_of_R);
     return {s.g[i].e + half_period * s.u[i].e + std::min(half_period, s.R[i].most()) * force, s.g[i].e / R + s.u[i].e + force};
 }
 
@@ -36,10 +35,10 @@ evaluation::LinearSum motion_of_masses(const ModeSums<Number>& s, std::size_t N,
                                        std::vector<ErrorOfSamples>& errors) {
     const std::size_t n = s.R.size();
     evaluation::LinearSum motion{0, {}, {}, std::vector<double>(N), {}, {}, {}};
-    std::vector<ErrorOfSamples> of_braces;
+    std::vector<ErrorOfSamples> errors_of_braces;
     for (std::size_t i = 0; i < n; ++i) {
         motion.coordinates.push_back({s.R[i].x, s.zeta[i].x, s.w[i].x, 1, -s.g[i].x, -s.u[i].x});
-        of_braces.push_back(error_of_brace(s, i));
+        errors_of_braces.push_back(error_of_brace(s, i));
     }
     for (std::size_t k = 0; k < N; ++k) {
         const MassInMotion<Number> mass(s, k, beta);
@@ -50,8 +49,8 @@ evaluation::LinearSum motion_of_masses(const ModeSums<Number>& s, std::size_t N,
         for (std::size_t i = 0; i < n; ++i) {
             const Number weight = beta * mass.weights[i];
             const double size = evaluation::largest_size(motion.coordinates[i], pi<double>());
-            error.x += weight.e * size + weight.most() * of_braces[i].x;
-            error.x_prime += weight.e * size / s.R[i].least() + weight.most() * of_braces[i].x_prime;
+            error.x += weight.e * size + weight.most() * errors_of_braces[i].x;
+            error.x_prime += weight.e * size / s.R[i].least() + weight.most() * errors_of_braces[i].x_prime;
             motion.shapes.push_back(weight.x);
         }
         errors.push_back(error);

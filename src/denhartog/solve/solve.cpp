@@ -74,7 +74,7 @@ bool answer_by_contact(const PreparedSystem& p, const SolvePoint& at, const Ques
     const ContactSolution& found = **contact.value;
     const double relative = found.amplitude.e / found.amplitude.x;
     const Attempted attempted{question.asked == Asked::phase ? std::max(relative, found.phase.e) : relative};
-    if (!is_settled(attempted, aim)) return false;
+    if (!(attempted.relative <= aim.tolerance)) return false;
     s.r = exactly(at.r);
     s.beta = exactly(at.beta);
     s.slides_below = exactly(found.slides_below.x * (1 - aim.tolerance)); // its rounding must not raise it
