@@ -1,4 +1,4 @@
-#include "denhartog/answer/sliding_point.hpp"
+#include "denhartog/answer/models_in_double.hpp"
 
 #include <complex>
 
@@ -6,9 +6,9 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
+#include "denhartog/solve/decision.hpp"
 #include "denhartog/solve/quantities.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/solve/decision.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "denhartog/answer/scene_source.hpp"
+#include "denhartog/answer/solution.hpp"
 #include "denhartog/number/certified.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
@@ -68,18 +69,11 @@ struct DecayTurn {
     Certified x;   ///< displacement of the contact, in units of P / k_1
 };
 
-/// @brief A stop after which the contact breaks away again.
-struct DecayStop {
-    Certified start; ///< tau where the contact comes to rest
-    Certified end;   ///< tau where it breaks away
-    Certified x;     ///< the displacement at which it rests, in units of P / k_1
-};
-
 /// @brief How a motion without a load comes to rest. Every number is proved.
 struct FreeDecay {
     bool at_rest = false;          ///< whether the contact rests for good; if not, `rest_from` to `on_limit` say nothing
     std::vector<DecayTurn> turns;  ///< ends of the half-cycles, in order; at the last one the contact rests for good
-    std::vector<DecayStop> stops;  ///< stops before that, in order
+    std::vector<SolvedStop> stops; ///< stops before that, in order; tau counts from the start
     Certified rest_from;           ///< tau from which the contact rests for good
     Certified rest_at;             ///< displacement of the contact at rest, in units of P / k_1
     std::vector<Certified> masses; ///< places of rest of all masses with the contact there, in units of P / k_1

@@ -1,6 +1,6 @@
 // What do the masses do while the contact is held, and where may it rest? Read `held_response` first: Section 4.3 for any contact.
 // After it come (88) as printed, and what errors of the modes make of the damping matrix, which is an error of both.
-#include "denhartog/answer/held_solution.hpp"
+#include "denhartog/answer/models_in_double.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
-#include "denhartog/answer/orbit_solution.hpp"
+// What do the masses do along a periodic orbit, and when does the contact stop? Read `orbit_solution`; what it needs of the orbit is
+// `OnOrbit`. `other_motions` seeks more orbits from other starts.
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +8,7 @@
 #include <utility>
 
 #include "denhartog/answer/certify.hpp"
-#include "denhartog/answer/held_solution.hpp"
+#include "denhartog/answer/models_in_double.hpp"
 #include "denhartog/number/tried.hpp"
 #include "denhartog/number/why.hpp"
 #include "denhartog/orbit/floquet.hpp"

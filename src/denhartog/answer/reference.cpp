@@ -1,3 +1,5 @@
+// What does the reference answer? Read `attempt`: the regime by the boundaries first, then the motion of the regime, (38) to (53), the
+// stuck response or an orbit, each written by one function.
 #if DENHARTOG_REFERENCE
 #include "denhartog/answer/reference.hpp"
 

@@ -1,10 +1,12 @@
+// What is known of a point of a scene in the bits of the moment? Read `point_in_balls`, whose damping is that of `scene_in_balls`.
+// `with_enough_bits` doubles the bits until that is enough.
 #if DENHARTOG_REFERENCE
 #include "denhartog/answer/reference_point.hpp"
 
 #include <algorithm>
 
+#include "denhartog/answer/models_in_double.hpp"
 #include "denhartog/answer/printed.hpp"
-#include "denhartog/answer/sliding_point.hpp"
 #include "denhartog/number/why.hpp"
 #include "denhartog/scene/scene_rules.hpp"
 

@@ -1,4 +1,6 @@
-#include "denhartog/answer/sliding_point.hpp"
+// What are boundary, regime and steady state where the contact slides throughout, (38) to (53) and (69), in double? Read `sliding_point`;
+// `sliding_solution` makes an answer of it.
+#include "denhartog/answer/models_in_double.hpp"
 
 #include <algorithm>
 #include <cmath>

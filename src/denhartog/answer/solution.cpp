@@ -1,3 +1,4 @@
+// What all answers have in common: their masses, their digits, and the refusal of those that are none.
 #include "denhartog/answer/solution.hpp"
 
 #include <algorithm>

@@ -10,8 +10,8 @@
 #include <memory>
 #include <optional>
 
+#include "denhartog/answer/models_in_double.hpp"
 #include "denhartog/answer/modes_in_double.hpp"
-#include "denhartog/answer/sliding_point.hpp"
 #include "denhartog/number/tried.hpp"
 #include "denhartog/number/why.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"

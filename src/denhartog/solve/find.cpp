@@ -1,3 +1,5 @@
+// How do amplitudes depend on a number of the scene? `amplitudes_of` solves a scene with one number changed; `find_places` seeks where an
+// amplitude is as wanted, and `conditions_of` takes differences.
 #include "denhartog/solve/find.hpp"
 
 #include <algorithm>
@@ -22,13 +24,6 @@ namespace denhartog {
 namespace {
 
 using Json = nlohmann::json;
-
-// The amplitudes at the point of a scene.
-struct AmplitudesOfScene {
-    std::vector<Certified>
-        amplitudes{};  // of the masses asked for, in the scene's unit of length, else of P / k_1; none if refused
-    Reasons refused{}; // why there is no answer
-};
 
 // The place of a number of a scene; of a list the key has it, counted from 1, behind a slash.
 Json::json_pointer place_of(const std::string& key, const Json& scene) {
@@ -55,8 +50,9 @@ Json::json_pointer place_of(const std::string& key, const Json& scene) {
     return pointer;
 }
 
-// Of the mass, or of all.
-AmplitudesOfScene amplitudes_of(const Json& scene, std::optional<Mass> mass, double damping_tolerance, Effort* effort) {
+// The amplitudes at the point of a scene, of the mass or of all, in its unit of length, else of P / k_1.
+Tried<std::vector<Certified>> amplitudes_of(const Json& scene, std::optional<Mass> mass, double damping_tolerance,
+                                            Effort* effort) {
     const std::string text = scene.dump();
     SceneSource source = scene_source(SceneText{text});
     if (damping_tolerance > 0) source = with_damping_tolerance(source, damping_tolerance);
@@ -65,18 +61,18 @@ AmplitudesOfScene amplitudes_of(const Json& scene, std::optional<Mass> mass, dou
     question.mass = mass;
     const SolvePoint at{frequency_ratio_of(s), friction_ratio_of(s), &source, effort};
     const AnswerOrNone answer = decide(prepare(source, question), at, question);
-    if (!answer.is_answered()) return {{}, answer.refused};
+    if (!answer.is_answered()) return {{}, answer.outcome == Outcome::at_a_pole, answer.refused};
     double unit = 1;
     if (s.units)
         if (const std::optional<double> P = s.units->force_at(angular_frequency(*s.units, at.r)))
             unit = displacement_unit(*s.units, *P);
-    AmplitudesOfScene found;
+    std::vector<Certified> found;
     const double rounding = 4 * std::numeric_limits<double>::epsilon();
     for (const SolvedMass& m : answer.solution.masses) {
         const Certified& a = m.amplitude;
-        found.amplitudes.push_back({a.value * unit, (a.error + rounding * a.value) * unit, {}, a.proved});
+        found.push_back({a.value * unit, (a.error + rounding * a.value) * unit, {}, a.proved});
     }
-    return found;
+    return {found};
 }
 
 void check_interval(const std::string& name, const VariedNumber& varied) {
@@ -115,10 +111,10 @@ void complete(Json& scene, const VariedNumber& varied) {
         scene[varied.key] = varied.to;
 }
 
-SeenAmplitude amplitude_of(const Json& scene, Mass mass, double damping_tolerance, Effort* effort) {
-    const AmplitudesOfScene found = amplitudes_of(scene, mass, damping_tolerance, effort);
-    if (found.amplitudes.empty()) return {std::nullopt, found.refused};
-    return {found.amplitudes.front(), {}};
+Tried<Certified> amplitude_of(const Json& scene, Mass mass, double damping_tolerance, Effort* effort) {
+    Tried<std::vector<Certified>> found = amplitudes_of(scene, mass, damping_tolerance, effort);
+    if (!found.value || found.value->empty()) return {std::nullopt, found.at_pole, found.why};
+    return {found.value->front()};
 }
 
 constexpr const char* rule = "must read `amplitude of mass K = VALUE`, `amplitude of mass K is largest` or `is least`, with "
@@ -175,13 +171,13 @@ std::vector<std::optional<double>> by_step(Json& scene, const Json::json_pointer
                                            double damping_tolerance, Effort* effort) {
     std::vector<std::optional<double>> found(N);
     scene[place] = p * (1 + step);
-    const AmplitudesOfScene more = amplitudes_of(scene, std::nullopt, damping_tolerance, effort);
+    const Tried<std::vector<Certified>> more = amplitudes_of(scene, std::nullopt, damping_tolerance, effort);
     scene[place] = p * (1 - step);
-    const AmplitudesOfScene less = amplitudes_of(scene, std::nullopt, damping_tolerance, effort);
+    const Tried<std::vector<Certified>> less = amplitudes_of(scene, std::nullopt, damping_tolerance, effort);
     scene[place] = p;
-    if (more.amplitudes.size() != N || less.amplitudes.size() != N) return found;
+    if (!more.value || !less.value || more.value->size() != N || less.value->size() != N) return found;
     for (std::size_t k = 0; k < N; ++k) {
-        const Certified &a = more.amplitudes[k], &b = less.amplitudes[k];
+        const Certified &a = (*more.value)[k], &b = (*less.value)[k];
         const double size = (a.value + b.value) / 2, change = a.value - b.value, unsure = a.error + b.error;
         if (size > 0 && (unsure <= agreement / 4 * std::abs(change) || unsure <= 1e-6 * step * size))
             found[k] = change / (2 * step * size);
@@ -306,12 +302,12 @@ FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, cons
     const Json::json_pointer place = place_of(varied.key, given);
     long questions = 0;
     std::optional<InputError> inadmissible; // a value in an interval that a scene cannot have
-    const auto admitted = [&](const auto& ask) -> SeenAmplitude {
+    const auto admitted = [&](const auto& ask) -> Tried<Certified> {
         try {
             return ask();
         } catch (const InputError& e) {
             if (!inadmissible) inadmissible = e;
-            return {std::nullopt, std::string(e.what())};
+            return {std::nullopt, false, std::string(e.what())};
         }
     };
     const auto amplitude_with = [&](const Json::json_pointer& at, double x) {

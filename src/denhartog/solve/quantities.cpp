@@ -1,3 +1,4 @@
+// What are the numbers of a point, (33) to (39), (56), (64), (69)? Read `quantities`: in double, or else by the reference.
 #include "denhartog/solve/quantities.hpp"
 
 #include <algorithm>

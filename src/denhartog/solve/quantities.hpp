@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-#include "denhartog/answer/sliding_point.hpp"
+#include "denhartog/answer/models_in_double.hpp"
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/solve/sampled_solution.hpp"

@@ -1,3 +1,5 @@
+// Where are the masses at evenly spaced instants? Read `sampled_solution`: the closed form and the stuck response are recurrences, a
+// motion with stops is followed from phase to phase, and where double does not have the digits the reference answers.
 #include "denhartog/solve/sampled_solution.hpp"
 
 #include <algorithm>

@@ -6,9 +6,8 @@
 #include <utility>
 
 #include "denhartog/answer/certify.hpp"
-#include "denhartog/answer/held_solution.hpp"
+#include "denhartog/answer/models_in_double.hpp"
 #include "denhartog/answer/modes_in_double.hpp"
-#include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/tried.hpp"

@@ -127,7 +127,7 @@ Json free_motion_json(const UnloadedScene& unloaded, const SceneSource& source, 
         each.update(place_json(turn.x));
         all["turns"].push_back(each);
     }
-    for (const DecayStop& stop : motion.stops) {
+    for (const SolvedStop& stop : motion.stops) {
         Json each{{"start", instant(stop.start)},
                   {"end", instant(stop.end)},
                   {"start_error_bound", instant_bound(stop.start)},
