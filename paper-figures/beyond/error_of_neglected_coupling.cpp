@@ -63,7 +63,7 @@ double error_of_boundary(const System<double>& system, double r) {
     scene.system = system;
     scene.r = r;
     const auto limit = [](const Scene<double>& s) {
-        return sliding_answer(scene_source(s), SlidingQuestion{Asked::regime, {}}).limits->exact.value;
+        return sliding_answer(scene_source(s), Question{Asked::regime, {}}).limits->exact.value;
     };
     Scene<double> neglected = scene;
     neglected.system = nearest_classical(system);

@@ -255,7 +255,7 @@ struct SolvedAmplitude {
 
 /// @brief What `sliding_solution` gives for (38), asked for 12 digits.
 [[nodiscard]] inline Real100 answered_amplitude(const Scene<double>& scene) {
-    const Solution s = sliding_answer(scene_source(scene), SlidingQuestion{Asked::motion, 12, {}});
+    const Solution s = sliding_answer(scene_source(scene), Question{Asked::motion, 12});
     return s.masses.empty() ? Real100(NAN) : Real100(mass_of(s, s.contact).amplitude.value);
 }
 

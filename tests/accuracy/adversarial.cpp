@@ -109,7 +109,7 @@ TEST_CASE("beyond the range of a double no bound is zero, and none is no number"
         R"({"mass_ratios":[1,1,1,1,1,1],"stiffness_ratios":[1,1,1,1,1,1],"damping_matrix":[[0.04,-0.02,0,0,0,0],)"
         R"([-0.02,0.04,-0.02,0,0,0],[0,-0.02,0.04,-0.02,0,0],[0,0,-0.02,0.04,-0.02,0],[0,0,0,-0.02,0.04,-0.02],)"
         R"([0,0,0,0,-0.02,0.02]],"contact":5,"load":6,"r":3e81,"beta":0})");
-    const Solution sliding = sliding_answer(scene_source(far_above), SlidingQuestion{Asked::motion, 30});
+    const Solution sliding = sliding_answer(scene_source(far_above), Question{Asked::motion, 30});
     CHECK(sliding.masses[0].amplitude.value == 0);
     CHECK(sliding.masses[0].amplitude.error > 0);
     CHECK(faults_of(sliding).empty());

@@ -165,7 +165,7 @@ TEST_CASE("an answer of twelve digits agrees with the second witness to 1e-12 in
     for (const NamedScene<double>& named : random_sliding_scenes<double>(3)) {
         INFO(named.name << ", beta = " << hexadecimal(*named.scene.beta));
         const HalfPeriodMotion<Real50> witness = half_period_motion(half_period_problem(named.scene), 64);
-        const Solution answered = sliding_answer(scene_source(named.scene), SlidingQuestion{Asked::motion, 12, {}});
+        const Solution answered = sliding_answer(scene_source(named.scene), Question{Asked::motion, 12});
         CHECK(answered.digits_reached);
         (answered.method.precision == "double" ? in_double : stepped_up) += 1;
         REQUIRE_FALSE(answered.masses.empty());

@@ -4,7 +4,7 @@ cmake_minimum_required(VERSION 3.25)
 # the C interface keeps for a calling thread. A formula throws nothing and knows of no bound: what it is evaluated with does. What sums over modes, or has boundary
 # and sliding motion, is made for numbers with bounds and names none: `instants_of_maxima.cpp` and `bounded_modes.cpp` say what is
 # certain. The check is tried on two files of which each breaks all rules, and one that breaks the last.
-set(with_threads number/ball.hpp number/ball.cpp reference/series.hpp answer/reference_attempts.cpp c/handles.hpp)
+set(with_threads number/ball.hpp number/ball.cpp reference/series.hpp answer/reference_point.cpp c/handles.hpp)
 list(TRANSFORM with_threads PREPEND ${SOURCE}/src/denhartog/)
 function(faults_of folder out)
   file(GLOB_RECURSE files ${folder}/*.hpp ${folder}/*.cpp)

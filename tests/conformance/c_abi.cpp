@@ -244,7 +244,7 @@ TEST_CASE("what the C interface says of boundaries and the closed form is what t
         const SteadyState<double> state = steady_state(s, b, *at.beta);
         for (std::size_t k = 0; k < state.masses.size(); ++k) {
             const Solution expected =
-                sliding_answer(scene_source(at), SlidingQuestion{Asked::motion, digits_of_closed_form, Mass{k}});
+                sliding_answer(scene_source(at), Question{Asked::motion, digits_of_closed_form, false, Mass{k}});
             check_same({found.exact, found.paper, found.approximate},
                        {expected.limits->exact.value, expected.limits->paper.value, expected.limits->approximate.value});
             const SolvedMass& of = expected.masses.front();

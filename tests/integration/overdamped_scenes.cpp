@@ -2,7 +2,7 @@
 // modes: the half-period as a matrix exponential, the paper's Runge-Kutta algorithm, events from phase to phase.
 #include <cmath>
 
-#include "denhartog/answer/exact_cycles.hpp"
+#include "denhartog/answer/from_a_start.hpp"
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/sliding/friction_motion.hpp"
 #include "denhartog/solve/solve.hpp"

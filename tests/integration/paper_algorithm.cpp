@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "denhartog/answer/exact_cycles.hpp"
+#include "denhartog/answer/from_a_start.hpp"
 #include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/sample_scenes.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <complex>
 
-#include "denhartog/answer/exact_cycles.hpp"
+#include "denhartog/answer/from_a_start.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/half_period.hpp"

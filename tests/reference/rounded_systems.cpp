@@ -1,7 +1,7 @@
 // Systems that the reference prepares for the exact solver in double.
 #include <cmath>
 
-#include "denhartog/answer/exact_cycles.hpp"
+#include "denhartog/answer/from_a_start.hpp"
 #include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"

@@ -1,7 +1,7 @@
 // Boundary, sliding motion, stuck response and (88) in balls, against 100 digits and against what they are defined by.
 #include "denhartog/reference/sliding.hpp"
 
-#include "denhartog/answer/held_solution.hpp"
+#include "denhartog/answer/models_in_double.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/reference/surveyed_scenes.hpp"

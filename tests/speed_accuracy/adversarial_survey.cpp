@@ -158,12 +158,12 @@ Found compared_solutions(const Scene<double>& scene) {
 
 Found compared_boundaries(const Scene<double>& scene) {
     AnswerComparer comparer;
-    comparer.reference(numbers_of(sliding_answer(scene_source(scene), SlidingQuestion{Asked::motion, 30})));
+    comparer.reference(numbers_of(sliding_answer(scene_source(scene), Question{Asked::motion, 30})));
     for (const std::optional<int> digits : {std::optional<int>(), std::optional<int>(10), std::optional<int>(14)}) {
         const std::string words = digits ? ", " + std::to_string(*digits) + " digits" : "";
         comparer.compare("boundary" + words, [&] { return numbers_of(boundary(scene, digits)); });
         comparer.compare("sliding_solution" + words, [&] {
-            return numbers_of(sliding_answer(scene_source(scene), SlidingQuestion{Asked::motion, digits}));
+            return numbers_of(sliding_answer(scene_source(scene), Question{Asked::motion, digits}));
         });
     }
     return comparer.found;
@@ -254,7 +254,7 @@ std::vector<NamedQuestion> all_questions(const AdversarialRun& run) {
                        }});
         all.push_back({std::string("sliding_solution") + words, [wanted](const Scene<double>& scene, Effort* effort) {
                            const SceneSource source = with_effort(scene_source(scene), effort);
-                           return faults_of(sliding_answer(source, SlidingQuestion{Asked::motion, wanted}));
+                           return faults_of(sliding_answer(source, Question{Asked::motion, wanted}));
                        }});
     }
     for (const int wanted : {6, 12, 15})

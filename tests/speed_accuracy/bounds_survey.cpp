@@ -8,7 +8,7 @@
 #include "denhartog/sliding/bounded_modes.hpp"
 #include "denhartog/sliding/coupled_sums.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
-#include "denhartog/solve/quantities_of_sums.hpp"
+#include "denhartog/solve/quantities.hpp"
 #include "tests/speed_accuracy/bounds_scenes.hpp"
 #include "tests/support/closed_form.hpp"
 

@@ -1,5 +1,5 @@
 // How much amplitudes change with the numbers of a scene, against the derivative by hand and against what units ask for.
-#include "denhartog/solve/condition.hpp"
+#include "denhartog/solve/find.hpp"
 
 #include <cmath>
 #include <map>

@@ -49,7 +49,7 @@ TEST_CASE("both chains are answered to 14 digits by the reference, and right", "
         REQUIRE(truth.steady_state);
         const Real100 X_j = truth.steady_state->X_j;
         const long before = precision_steps();
-        const Solution measured = sliding_answer(scene_source(scene), SlidingQuestion{Asked::motion, 14, {}});
+        const Solution measured = sliding_answer(scene_source(scene), Question{Asked::motion, 14});
         CHECK(precision_steps() > before);
         CHECK(measured.digits_reached);
         CHECK(measured.method.precision == "reference");

@@ -29,10 +29,10 @@ std::vector<double> even(double from, double to, int parts) {
 
 // A search for a function that is known to an error.
 AmplitudeSearch search_of(const std::function<double(double)>& f, int parts = 10, double error = 1e-13) {
-    return {even(0, 1, parts), [=](double x) -> SeenAmplitude {
+    return {even(0, 1, parts), [=](double x) -> Tried<Certified> {
                 const double value = f(x);
-                if (std::isnan(value)) return {std::nullopt, Why::not_periodic};
-                return {Certified{value, error}, {}};
+                if (std::isnan(value)) return {std::nullopt, false, Why::not_periodic};
+                return {Certified{value, error}};
             }};
 }
 
@@ -152,7 +152,7 @@ TEST_CASE("a search over a known function finds crossings, jumps, touches, gaps 
     CHECK(jump.places[0].to >= 0.314);
     CHECK(jump.places[0].to - jump.places[0].from < 1e-14);
     CHECK(kinds_of(search_of([](double x) { return x; }, 10, 1e-3).value(0.5)) == Kinds{"crossing"});
-    const AmplitudeAt through_zero = [](double x) -> SeenAmplitude { return {Certified{1 + x, 1e-13}, {}}; };
+    const AmplitudeAt through_zero = [](double x) -> Tried<Certified> { return {Certified{1 + x, 1e-13}}; };
     CHECK(kinds_of(AmplitudeSearch({-1, 1}, through_zero).value(1)) == Kinds{"crossing"}); // at zero itself
     const auto gap = [](double x) { return std::abs(x - 0.5) < 0.07 ? std::nan("") : x; };
     const FoundPlaces beside = search_of(gap).value(0.5); // no crossing where nothing is known

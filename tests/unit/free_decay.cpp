@@ -1,12 +1,11 @@
 // The motion without a load until the contact rests for good, and what a constant load does: by the textbook, by Runge-Kutta, by
 // the motion without the load.
-#include "denhartog/answer/free_decay.hpp"
 
 #include <Eigen/Dense>
 #include <cmath>
 #include <random>
 
-#include "denhartog/answer/exact_cycles.hpp"
+#include "denhartog/answer/from_a_start.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"

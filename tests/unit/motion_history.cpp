@@ -1,5 +1,5 @@
 // The history of a motion: its last period is that of `exact_cycles`, its stops those of the paper's algorithm, period by period.
-#include "denhartog/answer/exact_cycles.hpp"
+#include "denhartog/answer/from_a_start.hpp"
 #include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/scene_builder.hpp"

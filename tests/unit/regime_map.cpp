@@ -106,7 +106,7 @@ TEST_CASE("a little above the boundary, where no stop can be seen, solve, respon
           "[map][solve][eq:69]") {
     Scene<double> scene = chain({1, 2.0946804396078478}, {1, 0.7414127923646818}, {0, 0}, 1, 2, 1, 0.143491911752667);
     scene.beta = 1.2404035292865214e-06;
-    const Solution solved = solve(scene_source(scene), {}), responded = sliding_answer(scene_source(scene), SlidingQuestion{});
+    const Solution solved = solve(scene_source(scene), {}), responded = sliding_answer(scene_source(scene), Question{});
     CHECK(responded.regime.regime == Regime::stick_slip);
     CHECK(solved.regime.regime == Regime::stick_slip);
     CHECK(in_words(solved.regime.reason).find("is not below beta_lim") != std::string::npos);
@@ -343,7 +343,7 @@ TEST_CASE("boundary curves have the digits of the boundary where double loses th
     scene.system.contact_with = Mass{0};
     const BoundaryPoint at = boundary_curves(scene, {*scene.r}).front();
     REQUIRE(at.status == PointStatus::answered);
-    const Solution s = sliding_answer(scene_source(scene), SlidingQuestion{Asked::regime, 15});
+    const Solution s = sliding_answer(scene_source(scene), Question{Asked::regime, 15});
     CHECK(at.exact == Approx(s.limits->exact.value).epsilon(1e-6));
     CHECK(at.paper == Approx(s.limits->paper.value).epsilon(1e-6));
     // So have samples of the motion.

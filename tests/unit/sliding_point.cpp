@@ -1,4 +1,4 @@
-#include "denhartog/answer/sliding_point.hpp"
+#include "denhartog/answer/models_in_double.hpp"
 
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/number/errors.hpp"

@@ -1,4 +1,4 @@
-#include "denhartog/answer/sliding_point.hpp"
+#include "denhartog/answer/models_in_double.hpp"
 
 #include <complex>
 
@@ -24,7 +24,7 @@ Scene<double> sliding(double beta = 0.125) {
 }
 
 Solution answer(const SceneSource& source, std::optional<int> digits = std::nullopt) {
-    return sliding_answer(source, SlidingQuestion{Asked::motion, digits, {}});
+    return sliding_answer(source, Question{Asked::motion, digits});
 }
 
 const char* one_tenth = R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 1], "damping_ratios": ["0.1", "0.2"],

@@ -1,11 +1,10 @@
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 
 #include <atomic>
 #include <random>
 
-#include "denhartog/answer/held_solution.hpp"
+#include "denhartog/answer/models_in_double.hpp"
 #include "denhartog/answer/reference.hpp"
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/number/errors.hpp"

@@ -3,8 +3,7 @@
 #include <random>
 
 #include "denhartog/answer/certify.hpp"
-#include "denhartog/answer/held_solution.hpp"
-#include "denhartog/answer/sliding_point.hpp"
+#include "denhartog/answer/models_in_double.hpp"
 #include "denhartog/scene/scene_json.hpp"
 #include "denhartog/sliding/boundary.hpp"
 #include "denhartog/sliding/mode_sums.hpp"

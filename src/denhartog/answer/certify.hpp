@@ -1,12 +1,15 @@
 /// @file
 /// @brief Whether an answer in double has its digits: numbers carry a bound of their error, `Bounded<double>`. No error is
-/// measured by computing twice. Where the bounds do not leave the digits asked for, the reference answers.
+/// measured by computing twice. Where the bounds do not leave the digits asked for, the reference answers. And the motion as it is
+/// seen from the ground, where base and wall, or the wall alone, move by \f$ b\cos\tau \f$: absolute displacements are the
+/// relative ones and that.
 #pragma once
 
 #include <cmath>
 #include <limits>
 
 #include "denhartog/answer/solution.hpp"
+#include "denhartog/formulas/complex.hpp"
 #include "denhartog/number/bounded.hpp"
 #include "denhartog/number/certified.hpp"
 #include "denhartog/number/why.hpp"
@@ -47,15 +50,10 @@ inline constexpr int most_digits_in_double = 14;
 
 /// @brief What double came to.
 struct Attempted {
-    double relative;                ///< largest error of what must have the digits, relative as they count
-    bool decided = true;            ///< whether its regime is certain
+    double relative;              ///< largest error of what must have the digits, relative as they count
+    bool decided = true;          ///< whether its regime is certain
     Why doubt = Why::on_boundary; ///< why it is not
 };
-
-/// @brief Whether what double came to has the digits, and its regime is certain.
-[[nodiscard]] inline bool is_settled(const Attempted& attempted, const Aim& aim) {
-    return attempted.relative <= aim.tolerance && attempted.decided;
-}
 
 /// @brief Counts a question for which double did not have the digits, for `precision_steps`.
 void count_precision_step();
@@ -69,6 +67,12 @@ void count_precision_step();
     constexpr double units = 1024;
     return amplitude <= error && error <= largest * units * unit_of<double>();
 }
+
+/// @brief Takes what a contact that does not move as one mass does out of the lists over masses, where it comes last.
+void take_contact_between(const System<double>& system, Solution& s);
+
+/// @brief Leaves of the masses in their order the one that was asked about, if it was one.
+void keep_asked_mass(const Question& question, Solution& s);
 
 /// @brief A number of an answer from one with a bound.
 [[nodiscard]] inline Certified certified(const Bounded<double>& a) { return {a.x, a.e, {}}; }
@@ -87,6 +91,34 @@ template <class T>
     amplitude = frexp(amplitude, &exponent);
     error = ldexp(error, -exponent);
     return atan2(error, T(sqrt(T((amplitude - error) * (amplitude + error)))));
+}
+
+/// @brief b in units of P / k_1: \f$ 1/r^2 \f$ of base and wall with \f$ P = m_1\omega^2X \f$, 1 of one of them with
+/// \f$ P = k_1X \f$; none where neither moves.
+template <class T>
+[[nodiscard]] std::optional<T> amplitude_of_base(BaseMotion motion, const T& r) {
+    if (motion == BaseMotion::none) return std::nullopt;
+    return motion == BaseMotion::with_wall ? T(T(1) / (r * r)) : T(1);
+}
+
+/// @brief How far the frame of the displacements moves, b; zero where they are absolute.
+[[nodiscard]] inline Bounded<double> amplitude_of_frame(const Scene<double>& scene) {
+    const BaseMotion motion = scene.system.base_motion;
+    if (motion == BaseMotion::none || motion == BaseMotion::alone) return Bounded<double>(0);
+    return *amplitude_of_base(motion, as_input(*scene.r));
+}
+
+/// @brief A mass in its absolute motion, whose amplitude and phase have the bounds of the relative one's.
+[[nodiscard]] inline MassFromGround from_ground(const SolvedMass& absolute, const Bounded<double>& base) {
+    const Bounded<double> X(absolute.amplitude.value, absolute.amplitude.error);
+    return {absolute.amplitude, certified(X / base), absolute.phase};
+}
+
+/// @brief (33) of an absolute displacement: a harmonic motion of the frame adds to it. A wall that moves alone acts by friction
+/// alone: without friction no mass moves, and \f$ V_{dk} = -b \f$ in its frame.
+template <class T>
+[[nodiscard]] Complex<T> response_from_ground(const Complex<T>& V_dk, BaseMotion motion, const T& b) {
+    return motion == BaseMotion::wall ? Complex<T>{T(0), T(0)} : Complex<T>{V_dk.re + b, V_dk.im};
 }
 
 } // namespace denhartog

@@ -1,5 +1,5 @@
 /// @file
-/// @brief The modes of a system in double; where double has none, those of the reference, rounded. What an answer says of a
+/// @brief The modes of a system in double, and by the reference, each number proved and rounded to double. What an answer says of a
 /// damping matrix that couples them.
 #pragma once
 
@@ -36,22 +36,37 @@ struct CoupledDamping {
     std::vector<double> damping_ratios; ///< those nearest to the matrix, mode by mode
 };
 
-/// @brief Whether the damping matrix of a scene couples the modes, and how much: double tells, or else the reference. None where
-/// damping was given by ratios, or by a matrix that does not couple the modes by more than the bounds of its entries. @eq{18}
+/// @brief How much the damping matrix of a scene couples the modes, by double or else by the reference; none where damping was given by
+/// ratios, or it does not by more than the bounds of its entries. @eq{18}
 [[nodiscard]] std::optional<CoupledDamping> coupled_damping(const SceneSource& source);
 
-/// @brief The modal basis to `digits_by_default` digits, in double if that has them, else by the reference.
-///
-/// Of other systems than chains double has the squares of natural frequencies to some units of the highest one. Beside a light
-/// mass or a stiff spring that leaves the lowest ones few digits. Of modes with one frequency, and of more than 200 masses, it is
-/// what double has.
-/// @eq{14,15,18}
+/// @brief The modal basis to `digits_by_default` digits, in double if that has them, else by the reference; of modes with one frequency,
+/// and of more than 200 masses, what double has. @eq{14,15,18}
 [[nodiscard]] std::shared_ptr<const ModalBasis<Bounded<double>>>
 certain_modes(const SceneSource& source, const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis);
 
-/// @brief (23), (28), (29) of each mode at the frequency ratio of a scene, in double if that has the digits, else by the
-/// reference. The modes are not coupled; DomainError where an undamped one is at a pole. @eq{22,23,28,29}
+/// @brief (23), (28), (29) of each mode, which no damping couples, likewise; DomainError at a pole of an undamped one. @eq{22,23,28,29}
 [[nodiscard]] std::vector<evaluation::ModeFunctions<Bounded<double>>>
 certain_mode_functions(const SceneSource& source, const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis);
+
+/// @brief The numbers of a basis that must have digits: frequencies, damping ratios, and the largest entry of each mode shape.
+[[nodiscard]] std::vector<Bounded<double>> sizes_in(const ModalBasis<Bounded<double>>& basis);
+
+/// @brief The modal basis by the reference, with the rows and signs of that in double; `D` is filled where a damping matrix counts.
+/// Modes that no bits tell apart are refused, or, where `coinciding` ones may be taken, have bounds that hold any orthonormal shapes.
+/// PrecisionError where something cannot be proved, or the library was built without the reference. @eq{14,15,18}
+[[nodiscard]] ModalBasis<Bounded<double>> modes_by_reference(const SceneSource& source, bool coinciding);
+
+/// @brief (23), (28), (29) of each mode by the reference, to 6 digits or as many as all bits give; PrecisionError also at a pole.
+[[nodiscard]] std::vector<evaluation::ModeFunctions<Bounded<double>>> mode_functions_by_reference(const SceneSource& source);
+
+/// @brief The modes of a system while the contact slides, and what goes with them.
+struct SystemByReference {
+    ModalBasis<Bounded<double>> basis; ///< as `modes_by_reference` gives it, modes that coincide too
+    RoundedModes held;                 ///< the modes with the contact held, and more
+};
+
+/// @brief All modes of a system; PrecisionError as of `modes_by_reference`.
+[[nodiscard]] SystemByReference system_by_reference(const SceneSource& source);
 
 } // namespace denhartog

@@ -29,9 +29,9 @@ std::string decimal_of(const Ball& x, int digits) {
     const std::size_t first = all.front() == '-' ? 1 : 0;
     if (digits > 1) all.insert(first + 1, ".");
     const long power = exponent - 1;
-    std::string of_ten = std::to_string(std::abs(power));
-    if (of_ten.size() < 2) of_ten.insert(0, "0");
-    return all + (power < 0 ? "e-" : "e+") + of_ten;
+    std::string exponent_in_words = std::to_string(std::abs(power));
+    if (exponent_in_words.size() < 2) exponent_in_words.insert(0, "0");
+    return all + (power < 0 ? "e-" : "e+") + exponent_in_words;
 }
 
 } // namespace
@@ -71,14 +71,14 @@ Certified WrittenNumbers::relative(const Ball& x) {
     return number;
 }
 
-bool WrittenNumbers::does_not_move(const Ball& amplitude, const Ball& largest) const {
+SolvedMass WrittenNumbers::mass(const Ball& amplitude, const std::optional<Ball>& phase, bool asked, const Ball& largest) {
     Ball nothing = largest;
     arb_mul_2exp_si(nothing.a, nothing.a, -static_cast<slong>(bits_of_digit * digits_) - 32);
-    return amplitude.is_zero() || (last_ && amplitude.may_vanish() && amplitude <= nothing);
-}
-
-SolvedMass WrittenNumbers::unmoved(const Ball& amplitude) const {
-    return {shown(widened(Ball(0), upper_bound_of(amplitude))), std::nullopt, std::nullopt};
+    if (amplitude.is_zero() || (last_ && amplitude.may_vanish() && amplitude <= nothing))
+        return {shown(widened(Ball(0), upper_bound_of(amplitude))), std::nullopt, std::nullopt};
+    SolvedMass out{relative(amplitude), std::nullopt, std::nullopt};
+    if (phase) out.phase = asked ? absolute(*phase) : shown(*phase);
+    return out;
 }
 
 void WrittenNumbers::count(const Ball& error) {

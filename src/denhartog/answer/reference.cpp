@@ -1,3 +1,5 @@
+// What does the reference answer? Read `attempt`: the regime by the boundaries first, then the motion of the regime, (38) to (53), the
+// stuck response or an orbit, each written by one function.
 #if DENHARTOG_REFERENCE
 #include "denhartog/answer/reference.hpp"
 
@@ -5,9 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "denhartog/answer/certify.hpp"
 #include "denhartog/answer/printed.hpp"
-#include "denhartog/answer/reference_attempts.hpp"
-#include "denhartog/answer/reference_from_ground.hpp"
 #include "denhartog/answer/reference_point.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/tried.hpp"
@@ -20,6 +21,27 @@ namespace denhartog {
 namespace {
 
 using namespace reference;
+
+// How far the frame of the displacements moves, where absolute ones are wanted beside them; none where they are absolute.
+std::optional<Ball> frame_of(const Scene<double>& scene, const ReferenceQuestion& q, const Ball& r) {
+    const BaseMotion motion = scene.system.base_motion;
+    if (q.asked != Asked::motion || q.mass || motion == BaseMotion::none || motion == BaseMotion::alone) return std::nullopt;
+    return amplitude_of_base(motion, r);
+}
+
+// A mass as it is seen from the ground; its numbers have the bounds that are written beside them.
+MassFromGround from_ground(const Ball& amplitude, const std::optional<Ball>& phase, const Ball& base, const WrittenNumbers& w) {
+    MassFromGround seen{w.shown(amplitude), w.shown(amplitude / base), std::nullopt};
+    if (phase && !amplitude.is_zero()) seen.phase = w.shown(*phase);
+    return seen;
+}
+
+// Writes the amplitude of base or wall, and the masses as they are where their displacements are absolute.
+void write_base(const Scene<double>& scene, const ReferenceQuestion& q, const Ball& r, const WrittenNumbers& w, Solution& s) {
+    if (const std::optional<Ball> base = amplitude_of_base(scene.system.base_motion, r)) s.base_amplitude = w.shown(*base);
+    if (scene.system.base_motion != BaseMotion::alone || q.asked != Asked::motion || q.mass) return;
+    for (const SolvedMass& mass : s.masses) s.from_ground.push_back({mass.amplitude, mass.amplitude, mass.phase});
+}
 
 // The regime of a friction ratio, as far as balls tell it.
 Regime regime_by(const Ball& beta, const Ball& exact, const std::optional<Ball>& sticking) {
@@ -79,15 +101,13 @@ void write_sliding(const PointInBalls& p, const Scene<double>& scene, const Refe
                    Solution& s) {
     const ResponsesInBalls& r = *p.responses;
     const SlidingContactInBalls contact = contact_in_balls(r, *p.scene.beta);
-    const bool phases = q.asked != Asked::amplitude, all = q.asked == Asked::motion;
     Ball largest = contact.X_j;
     for (std::size_t k = 0; k < r.contact(); ++k) largest = larger(largest, size_of(r.V[k]));
     const auto row = [&](std::size_t k) {
         const bool is_contact = k == r.contact() || (!contact_moves_apart(s) && k == s.contact.index);
         const SlidingMassInBalls m = mass_in_balls(r, contact, *p.scene.beta, k, is_contact);
-        if (w.does_not_move(m.amplitude, largest)) return w.unmoved(m.amplitude);
-        SolvedMass out{w.relative(m.amplitude), phases ? w.absolute(m.phase) : w.shown(m.phase), std::nullopt};
-        if (!all) return out;
+        SolvedMass out = w.mass(m.amplitude, m.phase, q.asked != Asked::amplitude, largest);
+        if (q.asked != Asked::motion || !out.phase) return out;
         for (const Ball& x : {m.x0, m.v0, m.amplitude_monoharmonic}) w.beside(x, m.amplitude);
         out.sliding = SlidingOfMass{w.shown(m.x0), w.shown(m.v0), w.shown(m.instant), w.shown(m.amplitude_monoharmonic),
                                     w.absolute(m.phase_monoharmonic)};
@@ -110,16 +130,13 @@ bool write_stuck(const PointInBalls& p, const Scene<double>& scene, const Refere
     if (!p.stuck) throw Unproved(Why::may_resonate_held);
     if (*p.scene.beta < *p.sticking) return false;
     if (!(*p.scene.beta >= *p.sticking)) throw Unproved({Why::may_be_boundary, 1});
-    const bool phases = q.asked != Asked::amplitude;
     Ball largest = p.stuck->compliance * size_of(p.stuck->load); // no mass moves where the load acts on the contact
     for (const Complex<Ball>& X : p.stuck->X) largest = larger(largest, size_of(X));
     const auto row = [&](std::size_t k) {
         const bool is_contact = k == p.stuck->X.size() || (!contact_moves_apart(s) && k == s.contact.index);
         if (is_contact) return SolvedMass{w.shown(Ball(0)), std::nullopt, std::nullopt};
         const Complex<Ball>& X = p.stuck->X[k];
-        const Ball amplitude = size_of(X), phase = wrapped_in_balls(-argument(X));
-        if (w.does_not_move(amplitude, largest)) return w.unmoved(amplitude);
-        return SolvedMass{w.relative(amplitude), phases ? w.absolute(phase) : w.shown(phase), std::nullopt};
+        return w.mass(size_of(X), wrapped_in_balls(-argument(X)), q.asked != Asked::amplitude, largest);
     };
     write_masses(scene, q.mass, row, s);
     if (const std::optional<Ball> frame = frame_of(scene, q, p.scene.r))
@@ -162,16 +179,9 @@ void set_regime_by_stops(const PointInBalls& p, const OrbitInBalls& o, Solution&
 
 void write_orbit(const OrbitInBalls& o, const Scene<double>& scene, const Ball& r, const ReferenceQuestion& q, WrittenNumbers& w,
                  Solution& s) {
-    const bool phases = q.asked != Asked::amplitude;
     Ball largest(0);
     for (const Ball& each : o.amplitude) largest = larger(largest, each);
-    const auto row = [&](std::size_t k) {
-        const Ball& amplitude = o.amplitude[k];
-        if (w.does_not_move(amplitude, largest)) return w.unmoved(amplitude);
-        SolvedMass out{w.relative(amplitude), std::nullopt, std::nullopt};
-        if (o.phase[k]) out.phase = phases ? w.absolute(*o.phase[k]) : w.shown(*o.phase[k]);
-        return out;
-    };
+    const auto row = [&](std::size_t k) { return w.mass(o.amplitude[k], o.phase[k], q.asked != Asked::amplitude, largest); };
     write_masses(scene, q.mass, row, s);
     if (const std::optional<Ball> frame = frame_of(scene, q, r))
         for (const PeakInBalls& each : o.from_ground) s.from_ground.push_back(from_ground(each.size, each.phase, *frame, w));
@@ -185,7 +195,7 @@ void write_orbit(const OrbitInBalls& o, const Scene<double>& scene, const Ball& 
     s.symmetric = o.mirrored;
     if (q.asked == Asked::motion) {
         s.stability = Stability{o.stable, {}};
-        for (const Ball& each : o.multipliers) s.stability->multipliers.push_back(printed(each, std::min(q.digits, 15)));
+        for (const Ball& each : o.multipliers) s.stability->multipliers.push_back(printed(each, std::min(*q.digits, 15)));
     }
     s.method.model = "exact solver";
 }
@@ -209,7 +219,7 @@ bool attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, 
         answer = {Outcome::regime_disproved, {}, why};
         return true;
     };
-    WrittenNumbers w(q.digits, last);
+    WrittenNumbers w(*q.digits, last);
     const PointInBalls p = point_in_balls(source, !q.met || *q.met == Regime::continuous || !scene.beta);
     s.asked = q.asked;
     s.r = w.shown(p.scene.r);
@@ -259,9 +269,11 @@ bool attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, 
 
 bool has_reference() { return true; }
 
-AnswerOrNone solution_by_reference(const SceneSource& source, const ReferenceQuestion& q,
+AnswerOrNone solution_by_reference(const SceneSource& source, const ReferenceQuestion& question,
                                    const std::function<std::vector<OrbitGuess>()>& made) {
-    const slong first = bits_for(q.digits);
+    ReferenceQuestion q = question;
+    q.digits = question.digits.value_or(digits_by_default);
+    const slong first = bits_for(*q.digits);
     const slong most = std::max<slong>(8192, 4 * first);
     OrbitGuesses guesses(made);
     AnswerOrNone answer{Outcome::answered};

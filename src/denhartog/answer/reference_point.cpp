@@ -1,10 +1,12 @@
+// What is known of a point of a scene in the bits of the moment? Read `point_in_balls`, whose damping is that of `scene_in_balls`.
+// `with_enough_bits` doubles the bits until that is enough.
 #if DENHARTOG_REFERENCE
 #include "denhartog/answer/reference_point.hpp"
 
 #include <algorithm>
 
+#include "denhartog/answer/models_in_double.hpp"
 #include "denhartog/answer/printed.hpp"
-#include "denhartog/answer/sliding_point.hpp"
 #include "denhartog/number/why.hpp"
 #include "denhartog/scene/scene_rules.hpp"
 
@@ -53,22 +55,12 @@ bool hardly_couples(const BallMatrix& D, const Ball& part) {
     return true;
 }
 
-// Whether a damping matrix is so near to one that leaves the modes by themselves: how far K M^-1 C is from C M^-1 K, over the sizes
-// of both, is no more than a tolerance.
+// Whether a damping matrix is so near to one that leaves the modes by themselves: the commutator is no more than a tolerance.
 bool counts_as_modal(const ModesInBalls& m, const BallMatrix& D, double tolerance) {
-    Ball apart(0), of_K(0), of_C(0);
-    for (slong i = 0; i < D.rows(); ++i) {
-        const auto k_i = [&](slong k) { return 1 / (m.R[static_cast<std::size_t>(k)] * m.R[static_cast<std::size_t>(k)]); };
-        of_K += k_i(i) * k_i(i);
-        for (slong k = 0; k < D.rows(); ++k) {
-            of_C += D(i, k) * D(i, k);
-            const Ball commutator = (k_i(i) - k_i(k)) * D(i, k);
-            apart += commutator * commutator;
-        }
-    }
-    const Ball most = Ball(tolerance) * Ball(tolerance) * of_K * of_C;
-    if (!(apart <= most || apart > most)) throw Unproved({Why::coupling_may_count, 0});
-    return apart <= most;
+    const Commutator c = commutator_of(m, D);
+    const Ball most = Ball(tolerance) * Ball(tolerance) * c.size;
+    if (!(c.apart <= most || c.apart > most)) throw Unproved({Why::coupling_may_count, 0});
+    return c.apart <= most;
 }
 
 // (56) of the modes by themselves, where the coupling by a damping matrix makes no difference to (69) that anybody could measure.
@@ -91,7 +83,34 @@ std::optional<Ball> paper_limit_of_modes(const SceneInBalls& s, const Ball& exac
     return b->paper;
 }
 
+// Frees, at the end of a thread, the constants that Arb keeps for it.
+struct ConstantsOfBalls {
+    ~ConstantsOfBalls() { flint_cleanup(); }
+};
+
 } // namespace
+
+void with_enough_bits(const SceneSource& source, slong first, slong most,
+                      const std::function<bool(const SceneSource& paid, slong bits, bool last)>& attempt) {
+    const ScenePaidFor scene(source);
+    thread_local const ConstantsOfBalls freed_at_its_end;
+    const auto N = static_cast<slong>(number_of_masses(source->in_double().system));
+    Reasons why;
+    for (slong bits = first;; bits = std::min(2 * bits, most)) {
+        bool last = bits == most;
+        pay(scene.source()->effort, N * N * (N + 8) * (bits / 64) / 4);
+        try {
+            const Bits all(bits);
+            reference::bits_of_search = 64 * (bits / first);
+            if (attempt(scene.source(), bits, last)) return;
+            why = {Why::bits_too_few, bits};
+        } catch (const reference::Unproved& e) {
+            why = e.why;
+            last = last || is_disproved(e);
+        }
+        if (last) throw PrecisionError(Reasons(Why::not_proved) + why);
+    }
+}
 
 const StuckInBalls& required_stuck(const PointInBalls& p) {
     if (!p.stuck) throw Unproved(Why::may_resonate_held);
@@ -106,6 +125,20 @@ void require_sliding(const PointInBalls& p) {
 BallMatrix damping_of_modes(const SceneInBalls& s, const ModesInBalls& m) {
     const BallMatrix Psi = shapes_of(m);
     return transposed(Psi) * s.C * Psi;
+}
+
+Commutator commutator_of(const ModesInBalls& m, const BallMatrix& D) {
+    Ball apart(0), squares_of_K(0), squares_of_C(0);
+    for (slong i = 0; i < D.rows(); ++i) {
+        const auto k_i = [&](slong k) { return 1 / (m.R[static_cast<std::size_t>(k)] * m.R[static_cast<std::size_t>(k)]); };
+        squares_of_K += k_i(i) * k_i(i);
+        for (slong k = 0; k < D.rows(); ++k) {
+            squares_of_C += D(i, k) * D(i, k);
+            const Ball part = (k_i(i) - k_i(k)) * D(i, k);
+            apart += part * part;
+        }
+    }
+    return {apart, squares_of_K * squares_of_C};
 }
 
 SceneInBalls scene_as_given(const SceneSource& source) {

@@ -1,11 +1,12 @@
-#include "denhartog/answer/sliding_point.hpp"
+// What are boundary, regime and steady state where the contact slides throughout, (38) to (53) and (69), in double? Read `sliding_point`;
+// `sliding_solution` makes an answer of it.
+#include "denhartog/answer/models_in_double.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "denhartog/answer/certify.hpp"
-#include "denhartog/answer/from_ground.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/why.hpp"
 #include "denhartog/scene/point_rules.hpp"
@@ -96,6 +97,25 @@ SolvedMass solved_mass(const MassResponse<Number>& m, bool with_motion) {
     return mass;
 }
 
+// Sums whose displacements are absolute; friction knows the relative one of the contact alone, the row behind those of the masses.
+ModeSums<Number> sums_from_ground(const ModeSums<Number>& s, std::size_t N, BaseMotion motion, const Number& b) {
+    ModeSums<Number> seen = s;
+    const std::size_t j = s.contact.index;
+    seen.V.assign(s.V.begin(), s.V.begin() + static_cast<std::ptrdiff_t>(N));
+    for (Complex<Number>& V_k : seen.V) V_k = response_from_ground(V_k, motion, b);
+    seen.U.resize(N);
+    seen.G.resize(N);
+    seen.V.push_back(s.V[j]);
+    seen.U.push_back(s.U[j]);
+    seen.G.push_back(s.G[j]);
+    const auto psi_j = mode_shapes_at(s, s.contact);
+    seen.psi.resize(N * s.R.size());
+    seen.psi.insert(seen.psi.end(), psi_j.begin(), psi_j.end());
+    seen.contact = seen.load = Mass{N};
+    seen.load_im.reset();
+    return seen;
+}
+
 std::vector<MassFromGround> masses_from_ground(const Scene<double>& scene, const ModeSums<Number>& sums,
                                                const SteadyState<Number>& state, Effort* effort) {
     std::vector<MassFromGround> seen;
@@ -159,35 +179,35 @@ SteadyState<Number> SearchedSums::steady_state(const Number& beta, std::optional
     return state;
 }
 
-SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Number>& basis, const PointWish& wish, Effort* effort) {
+SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Number>& basis, const Question& question,
+                           Effort* effort) {
+    const bool limits = question.asked == Asked::motion || question.asked == Asked::regime;
     SearchedSums at(bounded_sums(scene.system, basis, as_input(*scene.r), effort), effort);
     SlidingPoint point{boundary_with(at.sums(), as_input(scene.mu), at.demands()), std::nullopt, std::nullopt};
     if (at.sums().coupled) point.boundary.paper = paper_limit(scene, basis, point.boundary, effort);
     const Boundary<Number>& b = point.boundary;
     if (!is_finite(b)) throw PrecisionError(Why::boundary_out_of_range);
-    if (wish.limits || !scene.beta) point.attempted = errors_of_boundary(b);
+    if (limits || !scene.beta) point.attempted = errors_of_boundary(b);
     if (!scene.beta) return point;
     point.regime = regime_at(b, *scene.beta);
     point.attempted.decided = !point.regime->on_boundary;
-    if (point.regime->regime != Regime::continuous || !wish.motion) return point;
-    point.state = at.steady_state(as_input(*scene.beta), wish.only, true);
-    point.attempted.relative = std::max(point.attempted.relative, error_of_masses(*point.state, wish.only));
-    if (wish.from_ground) point.from_ground = masses_from_ground(scene, at.sums(), *point.state, effort);
+    // Where mu > 1 the motion from rest may be the sliding one, whatever is asked.
+    if (point.regime->regime != Regime::continuous || (question.asked == Asked::regime && scene.mu == 1)) return point;
+    point.state = at.steady_state(as_input(*scene.beta), question.mass, true);
+    point.attempted.relative = std::max(point.attempted.relative, error_of_masses(*point.state, question.mass));
+    if (question.asked == Asked::motion && !question.mass)
+        point.from_ground = masses_from_ground(scene, at.sums(), *point.state, effort);
     return point;
 }
 
-Solution sliding_solution(const SceneSource& source, const SlidingQuestion& question) {
+Solution sliding_solution(const SceneSource& source, const Question& question, std::shared_ptr<const ModalBasis<Number>> modes) {
     const Aim aim = aim_of(question.digits);
     const Scene<double>& scene = source->in_double();
-    if (!question.modes) check(scene);
+    if (!modes) check(scene);
     (void)frequency_ratio_of(scene);
-    const auto modes = question.modes ? question.modes : modes_with_errors(scene.system, source->effort);
+    if (!modes) modes = modes_with_errors(scene.system, source->effort);
     check_poles(*modes, load_rows(scene.system), *scene.r);
-    // Where mu > 1 the motion from rest may be the sliding one.
-    const bool motion = question.asked != Asked::regime || scene.mu > 1;
-    const bool limits = question.asked == Asked::motion || question.asked == Asked::regime;
-    SlidingPoint point = sliding_point(
-        scene, *modes, {motion, limits, question.only, question.asked == Asked::motion && !question.only}, source->effort);
+    SlidingPoint point = sliding_point(scene, *modes, question, source->effort);
     Solution s;
     s.asked = question.asked;
     s.contact = scene.system.contact;

@@ -1,11 +1,20 @@
+// What all answers have in common: their masses, their digits, and the refusal of those that are none.
 #include "denhartog/answer/solution.hpp"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <charconv>
 #include <utility>
 
-#include "denhartog/number/why.hpp"
+#include "denhartog/answer/certify.hpp"
 
 namespace denhartog {
+namespace {
+
+std::atomic<long> steps{0};
+
+} // namespace
 
 double error_of_displacements(const SolvedMass& m) {
     if (!m.sliding) return m.amplitude.error;
@@ -26,6 +35,16 @@ void take_contact_between(const System<double>& system, Solution& s) {
         for (OtherMotion& motion : s.motions) motion.masses.pop_back();
 }
 
+void keep_asked_mass(const Question& question, Solution& s) {
+    if (!question.mass) return;
+    s.from_ground.clear();
+    if (!s.only && !s.masses.empty()) {
+        s.masses = {s.masses[question.mass->index]};
+        s.only = question.mass;
+    }
+    for (OtherMotion& motion : s.motions) motion.masses = {motion.masses[question.mass->index]};
+}
+
 Solution required(AnswerOrNone answer) {
     if (answer.outcome == Outcome::at_a_pole) throw DomainError(answer.refused);
     if (!answer.is_answered()) throw PrecisionError(answer.refused);
@@ -41,5 +60,42 @@ const SolvedMass& mass_of(const Solution& s, Mass k) {
 const Certified& Solution::amplitude(Mass k) const { return mass_of(*this, k).amplitude; }
 
 const std::optional<Certified>& Solution::phase(Mass k) const { return mass_of(*this, k).phase; }
+
+double tolerance_of(int digits) {
+    constexpr int most = 323; // of a double; beyond, its smallest number stands for all
+    static const std::array<double, most + 1> powers = [] {
+        std::array<double, most + 1> all{};
+        for (int n = 0; n <= most; ++n) {
+            const std::string text = "1e-" + std::to_string(n);
+            std::from_chars(text.data(), text.data() + text.size(), all[static_cast<std::size_t>(n)]);
+        }
+        return all;
+    }();
+    return powers[static_cast<std::size_t>(std::min(digits, most))];
+}
+
+Aim aim_of(std::optional<int> digits) {
+    if (digits && (*digits < 1 || *digits > most_digits))
+        throw InputError("digits", "must be from 1 to " + std::to_string(most_digits), std::to_string(*digits));
+    const int aimed_at = digits.value_or(digits_by_default);
+    return {aimed_at, digits.has_value(), tolerance_of(aimed_at)};
+}
+
+int digits_of(double error) {
+    constexpr int most = 17;
+    int digits = 0;
+    while (digits < most && error <= tolerance_of(digits + 1)) ++digits;
+    return digits;
+}
+
+Reasons verdict(const Attempted& attempted, const Aim& aim) {
+    Reasons why{Why::bound, attempted.relative <= aim.tolerance, aim.digits, aim.digits == 1, aim.asked_for};
+    if (!attempted.decided) why += Reasons(Why::but) + attempted.doubt;
+    return why;
+}
+
+long precision_steps() { return steps; }
+
+void count_precision_step() { ++steps; }
 
 } // namespace denhartog

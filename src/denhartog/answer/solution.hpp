@@ -213,12 +213,6 @@ struct AnswerOrNone {
 /// @throws DomainError at a pole; PrecisionError where there is no answer for another reason
 [[nodiscard]] Solution required(AnswerOrNone answer);
 
-/// @brief Takes what a contact that does not move as one mass does out of the lists over masses, where it comes last. For the
-/// library's own use.
-/// @param system  the system; nothing is done where the contact moves as one mass
-/// @param s       the answer; it is changed in place
-void take_contact_between(const System<double>& system, Solution& s);
-
 /// @brief What an answer says of a mass. @param s an answer @param k a mass that it lists @return the mass
 /// @throws DomainError if the answer has no amplitude of the mass
 [[nodiscard]] const SolvedMass& mass_of(const Solution& s, Mass k);

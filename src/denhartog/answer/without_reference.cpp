@@ -1,6 +1,6 @@
 #if !DENHARTOG_REFERENCE
-#include "denhartog/answer/free_decay.hpp"
-#include "denhartog/answer/modes_by_reference.hpp"
+#include "denhartog/answer/from_a_start.hpp"
+#include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/answer/reference.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/why.hpp"

@@ -1,8 +1,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "denhartog/answer/exact_cycles.hpp"
-#include "denhartog/answer/free_decay.hpp"
+#include "denhartog/answer/from_a_start.hpp"
 #include "denhartog/c/handles.hpp"
 
 using namespace denhartog;
@@ -74,9 +73,9 @@ int dh_free_decay(const dh_system* system, const dh_decay_request* request, dh_d
         const Certified none{};
         hand_out_both({{numbers_of(found.turns, [](const DecayTurn& t) { return t.tau; }), decay->turn, decay->turn_error},
                        {numbers_of(found.turns, [](const DecayTurn& t) { return t.x; }), decay->turn_x, decay->turn_x_error},
-                       {numbers_of(found.stops, [](const DecayStop& s) { return s.start; }), decay->start, decay->start_error},
-                       {numbers_of(found.stops, [](const DecayStop& s) { return s.end; }), decay->end, decay->end_error},
-                       {numbers_of(found.stops, [](const DecayStop& s) { return s.x; }), decay->stop_x, decay->stop_x_error},
+                       {numbers_of(found.stops, [](const SolvedStop& s) { return s.start; }), decay->start, decay->start_error},
+                       {numbers_of(found.stops, [](const SolvedStop& s) { return s.end; }), decay->end, decay->end_error},
+                       {numbers_of(found.stops, [](const SolvedStop& s) { return s.x; }), decay->stop_x, decay->stop_x_error},
                        {numbers_of(found.masses, [](const Certified& x) { return x; }), decay->masses, decay->masses_error},
                        {{bounded(found.at_rest ? found.rest_from : none), bounded(found.at_rest ? found.rest_at : none)},
                         decay->rest,

@@ -3,7 +3,7 @@
 
 #include "denhartog/c/handles.hpp"
 #include "denhartog/number/number_text.hpp"
-#include "denhartog/solve/condition.hpp"
+#include "denhartog/solve/find.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 
 using namespace denhartog;

@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/answer/held_solution.hpp"
-#include "denhartog/answer/orbit_solution.hpp"
-#include "denhartog/answer/sliding_point.hpp"
+#include "denhartog/answer/models_in_double.hpp"
 #include "denhartog/evaluation/contact.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/tried.hpp"
@@ -232,8 +230,8 @@ private:
         if (map.masses.size() == 1) question.mass = map.masses.front();
         if (map.mu == 1 || map.start == MapStart::rest || map.beta[n] == 0)
             return decide(map.prepared, {r, map.beta[n], nullptr, &effort}, question);
-        return decide_sliding(with_effort(at_point(map.prepared.source, r, map.beta[n]), &effort),
-                              {question.asked, {}, question.mass, map.prepared.bounded});
+        return decide_sliding(with_effort(at_point(map.prepared.source, r, map.beta[n]), &effort), question,
+                              map.prepared.bounded);
     }
 
     // Writes an answer; one without the amplitude of a mass, or 6 certain digits of it, is none.

@@ -8,7 +8,8 @@
 
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/sliding/boundary.hpp"
-#include "denhartog/solve/prepared_system.hpp"
+#include "denhartog/solve/solve.hpp"
+#include "denhartog/stick_slip/motion_record.hpp"
 
 namespace denhartog {
 

@@ -184,12 +184,11 @@ std::vector<BoundaryPoint> boundary_curves(const Scene<double>& scene, const std
     check(scene);
     check_frequencies(r);
     const SceneSource source = scene_source(scene);
-    SlidingQuestion question;
-    question.asked = Asked::regime;
-    if (!load_depends_on_frequency(scene.system)) question.modes = modes_with_errors(source->in_double().system);
+    std::shared_ptr<const ModalBasis<Bounded<double>>> modes;
+    if (!load_depends_on_frequency(scene.system)) modes = modes_with_errors(source->in_double().system);
     std::vector<BoundaryPoint> curves(r.size());
     for (std::size_t n = 0; n < r.size(); ++n) {
-        const AnswerOrNone answer = decide_sliding(at_frequency(source, r[n]), question);
+        const AnswerOrNone answer = decide_sliding(at_frequency(source, r[n]), {Asked::regime, {}}, modes);
         curves[n].status = answer.outcome == Outcome::at_a_pole ? PointStatus::at_a_pole : PointStatus::failed;
         if (!answer.is_answered() || !answer.solution.digits_reached) continue;
         const Limits& b = *answer.solution.limits;

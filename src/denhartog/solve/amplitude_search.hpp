@@ -14,18 +14,13 @@
 #include <utility>
 #include <vector>
 
+#include "denhartog/number/tried.hpp"
 #include "denhartog/solve/find.hpp"
 
 namespace denhartog {
 
-/// @brief What is known at one value of the number.
-struct SeenAmplitude {
-    std::optional<Certified> amplitude{}; ///< none if no steady motion is certain
-    Reasons why{};                        ///< the reason, if so
-};
-
-/// @brief The amplitude at a value of the number.
-using AmplitudeAt = std::function<SeenAmplitude(double)>;
+/// @brief The amplitude at a value of the number; none if no steady motion is certain there.
+using AmplitudeAt = std::function<Tried<Certified>(double)>;
 
 /// @brief The sign of an amplitude less a value; 0 if the digits do not tell.
 [[nodiscard]] inline int sign_of(const Certified& a, double value) {
@@ -52,13 +47,13 @@ public:
         double open = 0;           // the first place behind it whose sign the digits do not tell, if there is one
         bool is_open = false;
         for (std::size_t n = 0; n < at_.size(); ++n) {
-            const SeenAmplitude& seen = look(at_[n]);
-            if (!seen.amplitude) {
+            const Tried<Certified>& seen = look(at_[n]);
+            if (!seen.value) {
                 gap = true;
                 is_open = false;
                 continue;
             }
-            const int sign = sign_of(*seen.amplitude, target);
+            const int sign = sign_of(*seen.value, target);
             if (sign == 0) {
                 if (!is_open) open = at_[n];
                 is_open = true;
@@ -80,9 +75,9 @@ public:
     }
 
     /// @brief The amplitude where it is largest, or least, of all that were seen.
-    SeenAmplitude amplitude_of_extreme(bool largest) {
+    Tried<Certified> amplitude_of_extreme(bool largest) {
         const std::optional<double> x = place_of_extreme(largest);
-        return x ? look(*x) : SeenAmplitude{std::nullopt, found_.why};
+        return x ? look(*x) : Tried<Certified>{std::nullopt, false, found_.why};
     }
 
     /// @brief Where it is largest, or least.
@@ -109,18 +104,18 @@ private:
 
     static bool is_certainly_less(const Certified& a, const Certified& b) { return a.value + a.error < b.value - b.error; }
 
-    const SeenAmplitude& look(double x) {
+    const Tried<Certified>& look(double x) {
         const auto known = seen_.find(x);
         if (known != seen_.end()) return known->second;
-        const SeenAmplitude& now = seen_.emplace(x, amplitude_(x)).first->second;
-        if (!now.amplitude) {
+        const Tried<Certified>& now = seen_.emplace(x, amplitude_(x)).first->second;
+        if (!now.value) {
             found_.unanswered.push_back(x);
             if (found_.why.empty()) found_.why = now.why;
         }
         return now;
     }
 
-    void add(PlaceIs is, double from, double to, double at) { found_.places.push_back({is, from, to, at, *look(at).amplitude}); }
+    void add(PlaceIs is, double from, double to, double at) { found_.places.push_back({is, from, to, at, *look(at).value}); }
 
     static bool is_better(bool largest, const Certified& a, const Certified& b) {
         return largest ? a.value > b.value : a.value < b.value;
@@ -130,12 +125,12 @@ private:
     std::optional<double> place_of_extreme(bool largest) {
         std::optional<double> best;
         const auto take = [&](double x) {
-            const SeenAmplitude& seen = look(x);
-            if (seen.amplitude && (!best || is_better(largest, *seen.amplitude, *look(*best).amplitude))) best = x;
+            const Tried<Certified>& seen = look(x);
+            if (seen.value && (!best || is_better(largest, *seen.value, *look(*best).value))) best = x;
         };
         for (const double x : at_) take(x);
         for (std::size_t n = 1; n + 1 < at_.size(); ++n) {
-            const auto &before = look(at_[n - 1]).amplitude, &here = look(at_[n]).amplitude, &after = look(at_[n + 1]).amplitude;
+            const auto &before = look(at_[n - 1]).value, &here = look(at_[n]).value, &after = look(at_[n + 1]).value;
             if (!before || !here || !after || is_better(largest, *before, *here) || is_better(largest, *after, *here)) continue;
             take(place_of_least(at_[n - 1], at_[n + 1], [&](const Certified& a) { return largest ? -a.value : a.value; }));
         }
@@ -147,8 +142,8 @@ private:
     double place_of_least(double from, double to, const Function& f) {
         std::uintmax_t steps = most_steps;
         const auto at = [&](double x) {
-            const SeenAmplitude& seen = look(x);
-            return seen.amplitude ? f(*seen.amplitude) : std::numeric_limits<double>::max();
+            const Tried<Certified>& seen = look(x);
+            return seen.value ? f(*seen.value) : std::numeric_limits<double>::max();
         };
         return boost::math::tools::brent_find_minima(at, from, to, bits_of_extreme, steps).first;
     }
@@ -156,13 +151,13 @@ private:
     // Between the neighbours of a place that is nearer to the value than both, the amplitude may cross it twice.
     void look_between(std::size_t n, int sign, double target) {
         if (n < 2) return;
-        const auto &first = look(at_[n - 2]).amplitude, &middle = look(at_[n - 1]).amplitude, &last = look(at_[n]).amplitude;
+        const auto &first = look(at_[n - 2]).value, &middle = look(at_[n - 1]).value, &last = look(at_[n]).value;
         if (!first || !middle || !last || sign_of(*first, target) != sign || sign_of(*middle, target) != sign) return;
         const auto away = [&](const Certified& a) { return sign * (a.value - target); };
         if (away(*middle) > away(*first) || away(*middle) > away(*last)) return;
         const double x = place_of_least(at_[n - 2], at_[n], away);
-        if (!look(x).amplitude) return;
-        const int there = sign_of(*look(x).amplitude, target);
+        if (!look(x).value) return;
+        const int there = sign_of(*look(x).value, target);
         if (there == -sign) {
             cross(at_[n - 2], x, target);
             cross(x, at_[n], target);
@@ -174,14 +169,14 @@ private:
     // Narrows an interval with certain and different signs at its ends.
     void cross(double from, double to, double target) {
         double low = from, high = to;
-        const int sign = sign_of(*look(from).amplitude, target);
+        const int sign = sign_of(*look(from).value, target);
         const auto g = [&](double x) {
-            const SeenAmplitude& seen = look(x);
-            if (!seen.amplitude) return 0.0; // ends the narrowing
-            const int there = sign_of(*seen.amplitude, target);
+            const Tried<Certified>& seen = look(x);
+            if (!seen.value) return 0.0; // ends the narrowing
+            const int there = sign_of(*seen.value, target);
             if (there == sign) low = std::max(low, x);
             if (there == -sign) high = std::min(high, x);
-            return seen.amplitude->value - target;
+            return seen.value->value - target;
         };
         std::uintmax_t steps = most_steps_of_crossing;
         const auto done = [](double a, double b) { return std::abs(b - a) <= 2 * eps * std::max(std::abs(a), std::abs(b)); };
@@ -193,11 +188,11 @@ private:
                  (up ? high - at : at - low) > width; width *= 4)
                 (void)g(up ? at + width : at - width);
         if (at < low || at > high) at = low + (high - low) / 2; // where it crosses more than once
-        if (!look(at).amplitude) at = low;
-        const Certified &below = *look(low).amplitude, &above = *look(high).amplitude;
+        if (!look(at).value) at = low;
+        const Certified &below = *look(low).value, &above = *look(high).value;
         const double step = std::abs(above.value - below.value), unsure = below.error + above.error;
         const bool narrow = high - low <= 64 * eps * std::max(std::abs(low), std::abs(high));
-        const bool near = std::abs(look(at).amplitude->value - target) <= 8 * unsure;
+        const bool near = std::abs(look(at).value->value - target) <= 8 * unsure;
         const bool jumps = narrow && !near && step > 64 * unsure;
         const bool wide = steps >= most_steps_of_crossing; // the steps were not enough
         add(has_gap(low, high) || wide ? PlaceIs::undecided : jumps ? PlaceIs::jump : PlaceIs::crossing, low, high, at);
@@ -211,10 +206,10 @@ private:
     // there is none.
     std::optional<double> certainly_worse(double x, int direction, bool largest) {
         const double end = direction < 0 ? at_.front() : at_.back();
-        const Certified here = *look(x).amplitude;
+        const Certified here = *look(x).value;
         for (double width = (at_.back() - at_.front()) * 0x1p-40; std::abs(end - x) > width; width *= 2) {
             const double next = x + direction * width;
-            const std::optional<Certified> there = look(next).amplitude;
+            const std::optional<Certified> there = look(next).value;
             if (!there) return next;
             if (largest ? is_certainly_less(*there, here) : is_certainly_less(here, *there)) return next;
         }
@@ -229,7 +224,7 @@ private:
 
     std::vector<double> at_;
     AmplitudeAt amplitude_;
-    std::map<double, SeenAmplitude> seen_;
+    std::map<double, Tried<Certified>> seen_;
     FoundPlaces found_;
 };
 

@@ -1,15 +1,24 @@
 // What answers a question: double or the reference? Read `in_turn` first, which has the rule; the functions after it ask it for
-// a solution, for the sliding motion alone, and for one number.
+// a solution and for the sliding motion alone. And is the motion of an answer the only one? See `say_whether_unique`.
 #include "denhartog/solve/decision.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "denhartog/answer/reference.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/effort.hpp"
+#include "denhartog/sliding/friction_motion.hpp"
+#include "denhartog/sliding/coupled_sums.hpp"
+#include "elementary/elementary.hpp"
 
 namespace denhartog {
 namespace {
+
+using Number = Bounded<double>;
 
 constexpr std::size_t most_masses_unasked = 100; // of which the reference is asked where nobody asked for digits
 
@@ -34,9 +43,8 @@ AnswerOrNone without_proof(AnswerInDouble found, const AnswerOrNone& proof, Reas
 // that is met by rounding; else the reference, of many masses only if digits were asked for. If that has no proof, what double has,
 // or the reasons of both.
 template <class ByReference, class Fast>
-AnswerOrNone in_turn(std::size_t N, Effort* effort, std::optional<int> digits, bool proved, const ByReference& by_reference,
-                     const Fast& fast) {
-    if (proved || digits > most_digits_in_double) return by_reference(AnswerInDouble{});
+AnswerOrNone in_turn(std::size_t N, Effort* effort, const Question& question, const ByReference& by_reference, const Fast& fast) {
+    if (question.proved || question.digits > most_digits_in_double) return by_reference(AnswerInDouble{});
     AnswerInDouble found = fast();
     if (found.is_settled() || std::ranges::count(found.refused, Why::pole_by_rounding, &Reason::says) > 0) return found;
     Reasons why = found.is_answered() ? found.solution.method.why : found.refused;
@@ -45,7 +53,7 @@ AnswerOrNone in_turn(std::size_t N, Effort* effort, std::optional<int> digits, b
     AnswerOrNone proof;
     if (is_exhausted(effort))
         proof.refused = Why::work_is_spent;
-    else if (!digits && N > most_masses_unasked)
+    else if (!question.digits && N > most_masses_unasked)
         proof.refused = {Why::not_asked, most_masses_unasked};
     else
         proof = by_reference(found);
@@ -85,15 +93,12 @@ AnswerOrNone answer_by_reference(const PreparedSystem& p, const SolvePoint& at, 
         }
         return guesses_at(prepared, source, followed);
     };
-    const auto proof_of = [&](std::optional<Regime> met) {
-        const int digits = question.digits.value_or(digits_by_default);
-        return solution_by_reference(source, {question.asked, digits, question.mass, met}, guesses);
-    };
-    Question of_regime;
-    of_regime.asked = Asked::regime;
+    const auto proof_of = [&](std::optional<Regime> met) { return solution_by_reference(source, {question, met}, guesses); };
+    Question regime_alone;
+    regime_alone.asked = Asked::regime;
     AnswerOrNone answer;
     if (scene.mu > 1) {
-        rest = seen.is_answered() ? seen : fast(of_regime);
+        rest = seen.is_answered() ? seen : fast(regime_alone);
         if (!rest->is_answered()) return *std::move(rest);
         followed = rest->orbit;
         const RegimeAtPoint& met = rest->solution.regime;
@@ -108,7 +113,7 @@ AnswerOrNone answer_by_reference(const PreparedSystem& p, const SolvePoint& at, 
     } else {
         answer = proof_of(std::nullopt);
         if (answer.outcome == Outcome::not_certain || answer.outcome == Outcome::regime_disproved) {
-            rest = fast(of_regime);
+            rest = fast(regime_alone);
             if (rest->outcome == Outcome::at_a_pole) return *std::move(rest);
             if (rest->is_answered() && !rest->solution.limits) { // a pole
                 followed = rest->orbit;
@@ -146,79 +151,137 @@ AnswerOrNone answer_by_reference(const PreparedSystem& p, const SolvePoint& at, 
     return answer;
 }
 
-} // namespace
-
-std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source, std::optional<PeriodicOrbit>& followed) {
-    const Scene<double>& scene = source->in_double();
-    std::vector<OrbitGuess> all;
-    // Rounding of modes that double does not have itself would keep it from any motion that repeats itself.
-    const ModesInDouble modes = p.bounded ? ModesInDouble{p.bounded} : modes_in_double(source);
-    if (!modes.rounded_because.empty()) return all;
-    const std::shared_ptr<const ContactSystem> moving = p.moving ? p.moving : moving_in_double(source, modes);
-    if (!moving->rounded_because.empty()) return all;
-    ExactSolver solver(*moving, {*scene.r, *scene.beta, scene.mu});
-    OrbitSearch how;
-    how.with_stability = false;
-    how.effort = source->effort;
-    if (!followed) followed = periodic_orbit(solver, at_rest(moving->basis.r_n.size()), how);
-    PeriodicOrbit orbit = *followed;
-    if (orbit.status == OrbitStatus::permanently_stuck) return all;
-    if (orbit.status == OrbitStatus::not_converged)
-        orbit.symmetric = true; // rounding may be why; where the motion was last is near
-    SearchEffort effort_of_guesses(default_effort(moving->basis.r_n.size()), source->effort);
-    (void)solver.allow(&effort_of_guesses);
-    const auto add = [&](const OrbitGuess& guess) {
-        if (guess.directions.empty()) return;
-        const auto same = [&](const OrbitGuess& other) {
-            constexpr double near = 1e-3;
-            return other.directions == guess.directions && other.mirrored == guess.mirrored && other.periods == guess.periods &&
-                   std::ranges::equal(other.events, guess.events, [](double a, double b) { return std::abs(a - b) < near; });
-        };
-        if (std::ranges::none_of(all, same)) all.push_back(guess);
-    };
-    for (const double shortest : {0.0, 1e-9, 1e-6}) add(guess_of(solver, orbit, shortest));
-    for (const OrbitGuess& guess : std::vector<OrbitGuess>(all))
-        for (const OrbitGuess& other : with_other_stops(guess)) add(other);
-    return all;
+// Whether a number may be an even integer.
+bool may_be_even(const Number& n) {
+    const double nearest = 2 * std::round(n.x / 2);
+    return std::abs(n.x - nearest) <= n.e + unit_of<double>() * std::abs(n.x);
 }
+
+// What keeps friction from damping the modes that nothing else damps.
+struct FreeModes {
+    bool settle = true;                // nothing
+    std::optional<std::size_t> kept{}; // one mode that has an even number of periods in one of the force, and nothing else
+};
+
+constexpr double most_periods = 1000; // of a mode in one of the force, beyond which it is not told how large its share may be
+
+FreeModes free_modes(const ModalBasis<Number>& basis, Mass contact, const Number& r) {
+    FreeModes found;
+    std::vector<Number> periods; // of the modes without damping, in a period of the force
+    bool others_settle = true;
+    for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
+        if (basis.zeta[i].x > basis.zeta[i].e) continue;
+        const Number& shape = basis.phi(static_cast<Eigen::Index>(contact.index), static_cast<Eigen::Index>(i));
+        const Number n = basis.r_n[i] / r;
+        if (may_be_even(n) && n.x <= most_periods && !found.kept && std::abs(shape.x) > shape.e)
+            found.kept = i;
+        else if (may_be_even(n) || may_be_even(n + Number(1)) || !(std::abs(shape.x) > shape.e))
+            others_settle = false;
+        for (const Number& other : periods)
+            if (may_be_even(n - other) || may_be_even(n + other)) others_settle = false;
+        periods.push_back(n);
+    }
+    found.settle = others_settle && !found.kept;
+    if (!others_settle) found.kept.reset();
+    return found;
+}
+
+// Says that mode i may keep any share of the sliding motion, and how far the contact then moves at most: until its velocity over the
+// half-period would change its sign.
+void say_what_is_kept(std::size_t i, const System<double>& system, Solution& s) {
+    const auto basis = modes_with_errors(system);
+    const ModeSums<double> sums = values_of(bounded_sums(system, *basis, as_input(s.r.value)));
+    const std::size_t j = sums.contact.index;
+    const MassInMotion<double> contact(sums, j, s.beta->value);
+    const auto at = [&](double tau) { return motion_with(contact, friction_share(sums, j, tau)); };
+    const double n = std::round(basis->r_n[i].x / s.r.value);
+    const auto share = [&](double tau) { // as a displacement of the contact
+        const double rate = std::abs(n * elementary::sin(n * tau));
+        return rate > 0 ? std::abs(at(tau).x_prime) / rate : std::numeric_limits<double>::max();
+    };
+    double least = std::min(std::abs(at(0).x_double_prime), std::abs(at(pi<double>()).x_double_prime)) / (n * n); // at both ends
+    constexpr int looks = 16, bits = 26; // in each half-turn of the mode; half the bits of a double for the instant
+    const int pieces = looks * static_cast<int>(n);
+    const double step = pi<double>() / pieces;
+    std::vector<double> shares;
+    for (int k = 0; k < pieces; ++k) shares.push_back(share(k * step));
+    for (std::size_t k = 1; k + 1 < shares.size(); ++k) {
+        if (shares[k] > std::min(shares[k - 1], shares[k + 1])) continue;
+        const double middle = static_cast<double>(k) * step;
+        least = std::min(least, boost::math::tools::brent_find_minima(share, middle - step, middle + step, bits).second);
+    }
+    constexpr double trusted = 1e-10;
+    const double most = at(0).x + least;
+    s.kept_mode = KeptMode{i, {most, trusted * most, {}}};
+    s.not_from_rest = {Why::any_share, i + 1, n, most};
+}
+
+} // namespace
 
 AnswerOrNone answer_or_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question, const InDouble& fast) {
     const auto by_reference = [&](const AnswerInDouble& seen) { return answer_by_reference(p, at, question, fast, seen); };
-    return with_digits(question.digits, in_turn(number_of_masses(p.scene().system), at.effort, question.digits, question.proved,
-                                                by_reference, [&] { return fast(question); }));
+    return with_digits(question.digits, in_turn(number_of_masses(p.scene().system), at.effort, question, by_reference,
+                                                [&] { return fast(question); }));
 }
 
-AnswerOrNone decide_sliding(const SceneSource& asked_about, const SlidingQuestion& question, bool proved) {
+AnswerOrNone decide_sliding(const SceneSource& asked_about, const Question& question,
+                            const std::shared_ptr<const ModalBasis<Bounded<double>>>& modes) {
     const ScenePaidFor scene(asked_about);
     const SceneSource& source = scene.source();
-    const auto in_double = [&](const SlidingQuestion& asked) {
+    const auto in_double = [&](const Question& asked, const std::shared_ptr<const ModalBasis<Bounded<double>>>& known) {
         return tried_in_double([&] {
-            AnswerInDouble found{{Outcome::answered, sliding_solution(source, asked)}};
-            Solution& s = found.solution;
-            take_contact_between(source->in_double().system, s);
-            if (asked.only && !s.masses.empty()) {
-                s.masses = {s.masses[asked.only->index]};
-                s.only = asked.only;
-            }
+            AnswerInDouble found{{Outcome::answered, sliding_solution(source, asked, known)}};
+            take_contact_between(source->in_double().system, found.solution);
+            keep_asked_mass(asked, found.solution);
             return found;
         });
     };
     const auto by_reference = [&](const AnswerInDouble&) -> AnswerOrNone {
-        ReferenceQuestion asked{question.asked, question.digits.value_or(digits_by_default), question.only};
-        asked.closed_form_alone = true;
-        AnswerOrNone answer = solution_by_reference(source, asked, {});
+        AnswerOrNone answer = solution_by_reference(source, {question, std::nullopt, true}, {});
         if (answer.is_answered()) return answer;
-        AnswerInDouble regime = in_double({Asked::regime}); // says where there is a pole
+        AnswerInDouble regime = in_double({Asked::regime, {}}, nullptr); // says where there is a pole
         if (regime.outcome == Outcome::at_a_pole) return regime;
         return answer;
     };
     (void)aim_of(question.digits);
-    return in_turn(number_of_masses(source->in_double().system), source->effort, question.digits, proved, by_reference,
-                   [&] { return in_double(question); });
+    return in_turn(number_of_masses(source->in_double().system), source->effort, question, by_reference,
+                   [&] { return in_double(question, modes); });
 }
 
 Solution sliding_answer(const SceneSource& source, std::optional<int> digits, bool proved) {
-    return required(with_digits(digits, decide_sliding(source, SlidingQuestion{Asked::motion, digits}, proved)));
+    return required(with_digits(digits, decide_sliding(source, {Asked::motion, digits, false, {}, proved})));
+}
+
+void say_whether_unique(const ModalBasis<Number>& basis, Mass contact, const System<double>& system, double mu, Solution& s) {
+    const double beta = s.beta->value;
+    if (beta == 0) mu = 1; // without friction static friction is none either
+    s.unique = mu == 1 && every_motion_is_damped(basis);
+    const bool slides = s.regime.regime == Regime::continuous && !s.regime.on_boundary && s.not_from_rest.empty();
+    const bool friction_alone = mu == 1 && !s.unique && !basis.coupled() && beta > 0;
+    const bool stops = !s.stops.empty() || s.rest_interval;
+    if (s.unique) {
+        s.unique_because = {Why::unique, basis.coupled()};
+        return;
+    }
+    if (friction_alone && (slides || (stops && basis.r_n.size() == 1))) {
+        const FreeModes free = slides ? free_modes(basis, contact, as_input(s.r.value)) : FreeModes{};
+        s.unique = free.settle;
+        if (free.settle) {
+            s.not_from_rest.clear(); // every start leads there
+            s.unique_because = {Why::unique, 2};
+        }
+        if (free.kept) {
+            say_what_is_kept(*free.kept, system, s);
+            s.unique_because = Why::share_kept;
+        }
+        if (free.settle || free.kept) return;
+    }
+    const bool held = s.regime.regime == Regime::permanent_sticking,
+               open = mu == 1 && !s.start && s.regime.regime != Regime::stick_slip;
+    if (s.not_from_rest.empty() && (open || (held && basis.r_n.size() > 1 && !every_motion_is_damped(basis))))
+        s.not_from_rest = Why::may_last;
+    const bool elsewhere = !s.not_from_rest.empty() && (mu > 1 || s.start);
+    s.unique_because = {Why::may_depend, elsewhere ? 0 : mu > 1 ? 1 : basis.coupled() ? 2 : 3};
 }
 
 } // namespace denhartog

@@ -2,22 +2,21 @@
 /// @brief What answers a question.
 ///
 /// The reference, if a proof or 15 digits and more are asked for. Else double, if it has the digits, the regime and the stability;
-/// if not, the reference. If the reference has no proof either, double answers if its regime is certain; else nothing does.
-/// The models of `solve` share the task, and each writes its own answer. Where a question has no answer, that is a value, see
-/// `Outcome`; the functions that users call make an exception of it.
+/// if not, the reference. If the reference has no proof either, double answers if its regime is certain; else nothing does. Where a
+/// question has no answer, that is a value, see `Outcome`; the functions that users call make an exception of it.
 #pragma once
 
 #include <functional>
 #include <memory>
 #include <optional>
 
+#include "denhartog/answer/models_in_double.hpp"
 #include "denhartog/answer/modes_in_double.hpp"
-#include "denhartog/answer/sliding_point.hpp"
 #include "denhartog/number/tried.hpp"
 #include "denhartog/number/why.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/reference/orbit_guess_data.hpp"
-#include "denhartog/solve/prepared_system.hpp"
+#include "denhartog/solve/solve.hpp"
 
 namespace denhartog {
 
@@ -32,29 +31,6 @@ struct SolvePoint {
 /// @brief The scene of a system at a point, with the work allowed there.
 [[nodiscard]] SceneSource source_at(const PreparedSystem& p, const SolvePoint& at);
 
-/// @brief A question to a scene, prepared.
-struct SolveTask {
-    SceneSource source;                          ///< the scene
-    Question question;                           ///< what is asked
-    const Scene<double>& scene;                  ///< the scene in double, which `source` holds
-    Aim aim;                                     ///< the digits
-    ModesInDouble known;                         ///< its modal basis
-    std::shared_ptr<const ContactSystem> moving; ///< for the exact solver; none where it is still to be prepared
-    bool open = false;                           ///< whether double leaves something open
-    bool regime_is_certain = true;               ///< whether the regime is certain nevertheless
-    Reasons unknown{};                           ///< why boundaries and closed form are not known; empty where they are
-    bool at_pole = false;                        ///< whether they do not exist
-    std::optional<PeriodicOrbit> orbit{};        ///< the motion from rest, where it was followed
-};
-
-/// @brief Amplitude or phase of the contact alone, in the sliding regime at mu = 1: the cheapest model. False where something
-/// else is asked, this has not the digits, or sliding is not certain.
-[[nodiscard]] bool answer_by_contact(const PreparedSystem& p, const SolvePoint& at, const Question& question, Solution& s);
-
-/// @brief The stuck response as the answer, once the boundary is found; `rests_at` is where the contact rests, if that was
-/// followed.
-void answer_by_stuck_response(const SolveTask& task, const std::optional<Certified>& rests_at, Solution& s);
-
 /// @brief Says whether the velocities are known not to depend on the start, and why; and what is steady besides where a mode
 /// without damping keeps any share of the sliding motion. The answer has its point already; `contact` is the row of the contact in
 /// the shapes of the basis.
@@ -67,28 +43,15 @@ void answer_by_stuck_response(const SolveTask& task, const std::optional<Certifi
 void say_whether_unique(const ModalBasis<Bounded<double>>& basis, Mass contact, const System<double>& system, double mu,
                         Solution& s);
 
-/// @brief Whether the boundaries tell that a motion that is not at rest has stops, seen or not: beyond that of sliding where
-/// mu = 1 or every motion is damped.
-[[nodiscard]] bool must_stop(const SolveTask& task, const Solution& s);
-
-/// @brief A periodic orbit, with its masses, as the answer; `open` where double does not tell if the motion stops.
-void answer_by_orbit(const SolveTask& task, ExactSolver& solver, const PeriodicOrbit& orbit, bool open, Solution& s);
-
-/// @brief What a proof of a motion that double found periodic starts from, in the masses of the scene. Stops and slips shorter
-/// than `shortest`, in tau, are left out; zero leaves out those of no length only. There are no directions where the motion has
-/// no phases that repeat.
+/// @brief What a proof of a motion that double found periodic starts from. Stops and slips shorter than `shortest`, in tau, are left
+/// out. There are no directions where the motion has no phases that repeat.
 [[nodiscard]] OrbitGuess guess_of(ExactSolver& solver, const PeriodicOrbit& orbit, double shortest = 0);
 
-/// @brief Motions that differ from a guess by one stop of nearly no length, which rounding may have invented or hidden; the
-/// likeliest first.
-///
-/// Where double precision sees the contact turn without a stop, or slide on at nearly no speed, a stop may hide; the shortest
-/// stop or slip that it sees may be none. A motion that mirrors itself keeps doing so: the stretch of a guess holds one of each
-/// pair.
+/// @brief Motions that differ from a guess by one stop of nearly no length, which rounding may have invented or hidden; the likeliest
+/// first: one where the contact turns or is slow, and the guess without its shortest stop or slip.
 [[nodiscard]] std::vector<OrbitGuess> with_other_stops(const OrbitGuess& guess);
 
-/// @brief Motions near the one from rest, as double sees them, the likeliest first: what a proof starts from. What the system has
-/// prepared is used, and so is the motion from rest if it was followed before; else it is followed here.
+/// @brief Motions near the one from rest, as double sees them, the likeliest first; that one is followed here if it was not before.
 [[nodiscard]] std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source,
                                                  std::optional<PeriodicOrbit>& followed);
 
@@ -116,25 +79,24 @@ template <class Answer>
 /// @brief How double answers a question.
 using InDouble = std::function<AnswerInDouble(const Question&)>;
 
-/// @brief The answer in double, or else by the reference. The mass of the question and those of the answer are in the order of
-/// the masses. There is none where the digits asked for are not reached.
+/// @brief The answer in double, or else by the reference; none where the digits asked for are not reached.
 [[nodiscard]] AnswerOrNone answer_or_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question,
                                                const InDouble& fast);
 
-/// @brief What comes of a question at a point of a prepared system: what `solve` gives, or why it gives nothing. A bad question or
-/// point is an InputError.
+/// @brief What comes of a question at a point of a prepared system. A bad question or point is an InputError.
 [[nodiscard]] AnswerOrNone decide(const PreparedSystem& p, const SolvePoint& at, const Question& question);
 
-/// @brief Boundary, regime and sliding motion of a scene, with its masses in their order, as `sliding_solution` has them; with
-/// `proved` every number is proved. If one mass is asked about, it alone is listed.
-[[nodiscard]] AnswerOrNone decide_sliding(const SceneSource& source, const SlidingQuestion& question, bool proved = false);
+/// @brief Boundary, regime and sliding motion of a scene, as `sliding_solution` has them in double.
+[[nodiscard]] AnswerOrNone decide_sliding(const SceneSource& source, const Question& question,
+                                          const std::shared_ptr<const ModalBasis<Bounded<double>>>& modes = nullptr);
 
-/// @brief The same, where it has an answer: DomainError at a pole, PrecisionError for another reason.
-[[nodiscard]] inline Solution sliding_answer(const SceneSource& source, const SlidingQuestion& question, bool proved = false) {
-    return required(decide_sliding(source, question, proved));
+/// @brief The same; DomainError at a pole, PrecisionError where there is none for another reason.
+[[nodiscard]] inline Solution sliding_answer(const SceneSource& source, const Question& question,
+                                             const std::shared_ptr<const ModalBasis<Bounded<double>>>& modes = nullptr) {
+    return required(decide_sliding(source, question, modes));
 }
 
-/// @brief The same for every mass, refused if the digits asked for are not reached; without digits 6 are aimed at.
+/// @brief The same for every mass, refused if the digits asked for are not reached.
 [[nodiscard]] Solution sliding_answer(const SceneSource& source, std::optional<int> digits, bool proved);
 
 } // namespace denhartog

@@ -1,5 +1,6 @@
 /// @file
-/// @brief `find`: where a number of the scene has to be so that an amplitude has a given value, or is largest or least.
+/// @brief What amplitudes do when a number of the scene varies: where it has to be so that one has a given value, or is largest or
+/// least, `find`; and how much they change with it, the condition of an answer.
 #pragma once
 
 #include <optional>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "denhartog/answer/scene_source.hpp"
+#include "denhartog/answer/solution.hpp"
 #include "denhartog/number/certified.hpp"
 #include "denhartog/number/errors.hpp"
 
@@ -36,16 +38,11 @@ struct Wanted {
     AmplitudeIs of = AmplitudeIs::largest; ///< whether the largest or the least amplitude over that counts
 };
 
-/// @brief Reads `amplitude of mass 2 = 0.075`, `amplitude of mass 2 is least`, `largest amplitude of mass 2 over r 0.5:2 is least`.
-/// @param text  the sentence
-/// @return      what it wants
-/// @throws      InputError if it is no such sentence
+/// @brief Reads `amplitude of mass 2 = 0.075`, `amplitude of mass 2 is least`, `largest amplitude of mass 2 over r 0.5:2 is least`;
+/// InputError if it is no such sentence.
 [[nodiscard]] Wanted wanted_from(std::string_view text);
 
-/// @brief An interval from the text `A:B`.
-/// @param key   the number that varies in it
-/// @param ends  the text
-/// @return      the interval; none if the text is not two numbers
+/// @brief An interval of a number from the text `A:B`; none if that is not two numbers.
 [[nodiscard]] std::optional<VariedNumber> interval_from(std::string_view key, std::string_view ends);
 
 /// @brief What a place that was found is.
@@ -57,7 +54,7 @@ enum class PlaceIs : unsigned char {
     end_of_range ///< the extreme is at an end of the interval
 };
 
-/// @brief The name of a kind of place, as answers have it. @param is the kind @return its name
+/// @brief The name of a kind of place, as answers have it.
 [[nodiscard]] std::string_view name_of(PlaceIs is);
 
 /// @brief A place that was found.
@@ -86,20 +83,33 @@ struct FoundPlaces {
 /// Where it comes nearer to the value than at the places beside, it is followed to where it is nearest. What lies between two
 /// places and shows at neither is not found: the list is not proved to be whole, whereas each crossing in it is proved to the
 /// bounds of the amplitudes at its ends. An amplitude that is taken over a second number is the largest, or the least, that was
-/// seen there.
-/// @param scene    the text of a scene, which has the number that varies
-/// @param varied   the number and its interval
-/// @param wanted   what the amplitude has to be
-/// @param samples  from 2 to `most_samples_to_find`
-/// @param damping_tolerance  as in `System`
-/// @param effort   the work allowed to all questions together; null: each has its own
-/// @return         what was found
-/// @throws         InputError if the scene or the request breaks a rule; PrecisionError if nothing was found and some samples
-///                 have no answer
+/// seen there. `effort` is the work allowed to all questions together; null: each has its own. PrecisionError if nothing was found
+/// and some samples have no answer.
 [[nodiscard]] FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, const Wanted& wanted, int samples,
                                       double damping_tolerance = 0, Effort* effort = nullptr);
 
 /// @brief The largest number of samples of a search.
 inline constexpr int most_samples_to_find = 100'000;
+
+/// @brief The condition of the amplitudes for one number of a scene.
+struct ConditionOfAmplitudes {
+    std::string number;                           ///< its key; of a list with the place, counted from 1, behind a slash
+    std::vector<std::optional<double>> of_masses; ///< of each mass: the relative change of its amplitude over that of the number
+};
+
+/// @brief The conditions of all amplitudes, \f$ \frac{p}{X_k}\frac{\partial X_k}{\partial p} \f$, for each
+/// number p of a scene that is not zero and that it has a line for: masses, stiffnesses, damping ratios, frequency, the force or the
+/// base's motion, and friction.
+///
+/// They are estimates to two digits, by differences of answers on both sides with two steps that agree. There is none where they
+/// do not agree, as where the regime changes, where an answer is missing, or where a mass does not move. Entries of matrices are
+/// left out, because one changes with its mirror image; so are `mu`, the lists of loads and their phases. `effort` is the work allowed
+/// to all answers together; null: each has its own.
+[[nodiscard]] std::vector<ConditionOfAmplitudes> conditions_of(std::string_view scene, double damping_tolerance = 0,
+                                                               Effort* effort = nullptr);
+
+/// @brief What an answer that moves depends on too much: the first mode that the load excites and whose amplitude a unit in the last
+/// place of R changes by more than a thousandth. A sentence without its full stop, or nothing.
+[[nodiscard]] std::string warning_of(const SceneSource& source, const Solution& solution);
 
 } // namespace denhartog

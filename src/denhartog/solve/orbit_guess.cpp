@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "denhartog/number/effort.hpp"
 #include "denhartog/number/number.hpp"
 
 namespace denhartog {
@@ -182,6 +183,40 @@ std::vector<OrbitGuess> with_other_stops(const OrbitGuess& guess) {
         if (!other.directions.empty()) others.push_back(std::move(other));
     }
     return others;
+}
+
+std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source, std::optional<PeriodicOrbit>& followed) {
+    const Scene<double>& scene = source->in_double();
+    std::vector<OrbitGuess> all;
+    // Rounding of modes that double does not have itself would keep it from any motion that repeats itself.
+    const ModesInDouble modes = p.bounded ? ModesInDouble{p.bounded} : modes_in_double(source);
+    if (!modes.rounded_because.empty()) return all;
+    const std::shared_ptr<const ContactSystem> moving = p.moving ? p.moving : moving_in_double(source, modes);
+    if (!moving->rounded_because.empty()) return all;
+    ExactSolver solver(*moving, {*scene.r, *scene.beta, scene.mu});
+    OrbitSearch how;
+    how.with_stability = false;
+    how.effort = source->effort;
+    if (!followed) followed = periodic_orbit(solver, at_rest(moving->basis.r_n.size()), how);
+    PeriodicOrbit orbit = *followed;
+    if (orbit.status == OrbitStatus::permanently_stuck) return all;
+    if (orbit.status == OrbitStatus::not_converged)
+        orbit.symmetric = true; // rounding may be why; where the motion was last is near
+    SearchEffort effort_of_guesses(default_effort(moving->basis.r_n.size()), source->effort);
+    (void)solver.allow(&effort_of_guesses);
+    const auto add = [&](const OrbitGuess& guess) {
+        if (guess.directions.empty()) return;
+        const auto same = [&](const OrbitGuess& other) {
+            constexpr double near = 1e-3;
+            return other.directions == guess.directions && other.mirrored == guess.mirrored && other.periods == guess.periods &&
+                   std::ranges::equal(other.events, guess.events, [](double a, double b) { return std::abs(a - b) < near; });
+        };
+        if (std::ranges::none_of(all, same)) all.push_back(guess);
+    };
+    for (const double shortest : {0.0, 1e-9, 1e-6}) add(guess_of(solver, orbit, shortest));
+    for (const OrbitGuess& guess : std::vector<OrbitGuess>(all))
+        for (const OrbitGuess& other : with_other_stops(guess)) add(other);
+    return all;
 }
 
 } // namespace denhartog

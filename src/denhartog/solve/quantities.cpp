@@ -1,3 +1,4 @@
+// What are the numbers of a point, (33) to (39), (56), (64), (69)? Read `quantities`: in double, or else by the reference.
 #include "denhartog/solve/quantities.hpp"
 
 #include <algorithm>
@@ -10,7 +11,11 @@
 #include "denhartog/number/why.hpp"
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
-#include "denhartog/solve/quantities_of_sums.hpp"
+#if DENHARTOG_REFERENCE
+#include "denhartog/answer/printed.hpp"
+#include "denhartog/answer/reference_point.hpp"
+#include "denhartog/reference/sliding.hpp"
+#endif
 
 namespace denhartog {
 namespace {
@@ -28,8 +33,8 @@ bool is_motion(std::string_view name) { return name == "x" || name == "x'"; }
 
 bool is_asked_for(std::string_view name, PointNumbers asked) {
     if (asked == PointNumbers::all) return true;
-    const bool of_motion = is_motion(name) || name == "X_j" || name == "phi_j";
-    return asked == PointNumbers::sums ? !of_motion : is_motion(name);
+    const bool belongs_to_motion = is_motion(name) || name == "X_j" || name == "phi_j";
+    return asked == PointNumbers::sums ? !belongs_to_motion : is_motion(name);
 }
 
 // With zeros told apart a number without a size is one.
@@ -94,6 +99,93 @@ void take_contact_between(const System<double>& s, Quantities<Bounded<double>>& 
     if (!q.x_size.empty()) q.x_size.pop_back();
 }
 
+#if DENHARTOG_REFERENCE
+
+using namespace reference;
+
+// An instant, whole half-periods taken off; the motion of every second half-period is mirrored.
+struct InHalfPeriod {
+    Ball tau{};
+    bool mirrored = false;
+
+    explicit InHalfPeriod(const Ball& instant) {
+        const Ball halves = instant / pi<Ball>();
+        Ball whole;
+        arb_floor(whole.a, halves.a, ball_bits);
+        fmpz_t n;
+        fmpz_init(n);
+        const bool certain = arb_get_unique_fmpz(n, whole.a) != 0;
+        mirrored = fmpz_is_odd(n) != 0;
+        arb_set_fmpz(whole.a, n);
+        fmpz_clear(n);
+        if (!certain) throw Unproved(Why::may_be_half_period);
+        tau = instant - whole * pi<Ball>();
+    }
+};
+
+void add_motion(const PointInBalls& p, std::span<const double> tau, Quantities<Bounded<double>>& q) {
+    const ResponsesInBalls& r = *p.responses;
+    const Ball& beta = *p.scene.beta;
+    const SlidingContactInBalls contact = contact_in_balls(r, beta);
+    q.X_j = in_double(contact.X_j);
+    q.phi_j = in_double(contact.phi_j);
+    std::vector<SlidingMassInBalls> starts;
+    for (std::size_t k = 0; k < r.contact(); ++k) {
+        const bool is_contact = p.scene.is_the_contact(static_cast<slong>(k));
+        const SlidingMassInBalls& m = starts.emplace_back(start_of_mass_in_balls(r, contact, beta, k, is_contact));
+        q.x_size.push_back(in_double(root_of_positive(m.x0 * m.x0 + m.v0 * m.v0))); // (52), also of a mass that does not move
+    }
+    for (const double instant : tau) {
+        const InHalfPeriod at{Ball(instant)};
+        for (std::size_t k = 0; k < starts.size(); ++k) {
+            const Series x = displacement_in_balls(r, starts[k], beta, k, at.tau);
+            q.x.push_back(in_double(at.mirrored ? -x.rate(0) : x.rate(0)));
+            q.x_prime.push_back(in_double(at.mirrored ? -x.rate(1) : x.rate(1)));
+        }
+    }
+}
+
+Quantities<Bounded<double>> numbers_of(const PointInBalls& p, std::span<const double> tau) {
+    const ResponsesInBalls& r = *p.responses;
+    Quantities<Bounded<double>> q;
+    for (std::size_t k = 0; k < r.contact(); ++k) {
+        q.V.push_back({in_double(r.V[k].re), in_double(r.V[k].im)});
+        q.U.push_back(in_double(r.U[k]));
+        q.G.push_back(in_double(r.G[k]));
+    }
+    q.H_j = in_double(r.H);
+    q.S = in_double(p.boundary->S);
+    q.beta_lim = in_double(p.boundary->exact);
+    if (!p.scene.beta || *p.scene.beta >= p.boundary->exact) return q;
+    if (!(*p.scene.beta < p.boundary->exact)) throw Unproved({Why::may_be_boundary, 0});
+    add_motion(p, tau, q);
+    return q;
+}
+
+// The numbers of a point by the reference, proved and rounded to double. Bits are doubled until they are accepted; `accept` may put
+// zeros for some.
+template <class Accept>
+QuantitiesAnswer quantities_by_reference(const SceneSource& source, std::span<const double> tau, const Accept& accept) {
+    constexpr slong first = 192, most = 1024;
+    return with_more_bits(source, first, most, [&](const SceneSource& paid, slong bits, bool) {
+        std::optional<QuantitiesAnswer> answer(std::in_place);
+        answer->numbers = numbers_of(point_in_balls(paid, true), tau);
+        answer->method = {"closed form", "reference", {Why::proved, bits}};
+        answer->method.proved = true;
+        if (!accept(answer->numbers)) answer.reset();
+        return answer;
+    });
+}
+
+#else
+
+template <class Accept>
+QuantitiesAnswer quantities_by_reference(const SceneSource&, std::span<const double>, const Accept&) {
+    throw PrecisionError(Why::no_reference);
+}
+
+#endif
+
 } // namespace
 
 QuantitiesAnswer quantities(const SceneSource& asked_source, std::span<const double> tau, int digits, PointNumbers asked,
@@ -151,6 +243,18 @@ QuantitiesAnswer quantities(const SceneSource& asked_source, std::span<const dou
     answer.method.why = why + answer.method.why;
     if (has_zeros) answer.method.why += Why::zeros_given;
     return answer;
+}
+
+Quantities<Bounded<double>> quantities_in_double(const Scene<double>& scene, const ModeSums<Bounded<double>>& sums,
+                                                 std::span<const double> tau, Effort* effort) {
+    const double instant = instant_of_largest_demand(values_of(sums), effort);
+    Quantities<Bounded<double>> q =
+        quantities_without_motion(sums, as_input(scene.mu), Bounded<double>(std::min(instant, pi<double>())));
+    if (!scene.beta) return q;
+    std::vector<Bounded<double>> instants;
+    for (const double each : tau) instants.push_back(as_input(each));
+    add_motion(q, sums, as_input(*scene.beta), instants);
+    return q;
 }
 
 } // namespace denhartog

@@ -1,20 +1,58 @@
+// Which model answers a question in double? Read `answer` first: it asks the closed form, follows the start from rest where that
+// is needed, and takes the stuck response where the contact rests. `solve_in_double` puts the cheapest model before it.
 #include "denhartog/solve/solve.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "denhartog/answer/from_ground.hpp"
-#include "denhartog/answer/held_solution.hpp"
-#include "denhartog/answer/orbit_solution.hpp"
+#include "denhartog/answer/certify.hpp"
+#include "denhartog/answer/models_in_double.hpp"
+#include "denhartog/answer/modes_in_double.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/effort.hpp"
-#include "denhartog/scene/converted.hpp"
+#include "denhartog/number/tried.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/coupled_sums.hpp"
 #include "denhartog/solve/decision.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
 
 namespace denhartog {
 namespace {
+
+// A question to a scene, prepared.
+struct SolveTask {
+    SceneSource source;                          // the scene
+    Question question;                           // what is asked
+    const Scene<double>& scene;                  // the scene in double, which `source` holds
+    Aim aim;                                     // the digits
+    ModesInDouble known;                         // its modal basis
+    std::shared_ptr<const ContactSystem> moving; // for the exact solver; none where it is still to be prepared
+    bool open = false;                           // whether double leaves something open
+    bool regime_is_certain = true;               // whether the regime is certain nevertheless
+    Reasons unknown{};                           // why boundaries and closed form are not known; empty where they are
+    bool at_pole = false;                        // whether they do not exist
+    std::optional<PeriodicOrbit> orbit{};        // the motion from rest, where it was followed
+};
+
+void check(const Question& question, std::size_t N) {
+    (void)aim_of(question.digits);
+    if (question.mass) check_mass(*question.mass, N, "mass");
+}
+
+// Whether amplitude or phase of the contact is all that is asked for.
+bool asks_for_contact(const Question& question, const System<double>& s) {
+    return question.mass == contact_row(s) && !question.all &&
+           (question.asked == Asked::amplitude || question.asked == Asked::phase);
+}
+
+// The modes of a system as its contact has them.
+ContactModes modes_of_contact(const System<double>& s) {
+    const bool same = contact_row(s) == load_row(s);
+    const std::vector<Mass> rows = same ? std::vector<Mass>{s.contact} : std::vector<Mass>{s.contact, load_row(s)};
+    return contact_modes(std::make_shared<const ModalBasis<Bounded<double>>>(bounded_basis_at(s, rows)), Mass{0},
+                         Mass{same ? 0U : 1U});
+}
 
 Work work_so_far() { return {eigen_solves(), mode_evaluations(), phases_propagated()}; }
 
@@ -23,6 +61,78 @@ Solution with_work_since(const Work& before, Solution s) {
     s.work = {after.eigen_solves - before.eigen_solves, after.mode_evaluations - before.mode_evaluations,
               after.phases_propagated - before.phases_propagated};
     return s;
+}
+
+// Amplitude or phase of the contact alone, sliding at mu = 1: the cheapest model. False where it does not answer.
+bool answer_by_contact(const PreparedSystem& p, const SolvePoint& at, const Question& question, Solution& s) {
+    if (!p.contact || !asks_for_contact(question, p.scene().system)) return false;
+    const Aim aim = aim_of(question.digits);
+    if (aim.digits > most_digits_in_double) return false;
+    const auto contact = tried([&] { return contact_solution(*p.contact, as_input(at.r), as_input(at.beta)); });
+    if (!contact.value || !*contact.value) return false; // the next model says where a pole is
+    const ContactSolution& found = **contact.value;
+    const double relative = found.amplitude.e / found.amplitude.x;
+    const Attempted attempted{question.asked == Asked::phase ? std::max(relative, found.phase.e) : relative};
+    if (!(attempted.relative <= aim.tolerance)) return false;
+    s.r = exactly(at.r);
+    s.beta = exactly(at.beta);
+    s.slides_below = exactly(found.slides_below.x * (1 - aim.tolerance)); // its rounding must not raise it
+    s.masses = {{certified(found.amplitude), certified(found.phase), std::nullopt}};
+    s.method = {"closed form", "double", verdict(attempted, aim)};
+    s.relative_error = attempted.relative;
+    s.contact = p.scene().system.contact;
+    s.only = s.contact;
+    s.regime = {Regime::continuous, {}, false, Why::certainly_slides};
+    return true;
+}
+
+// Whether the boundaries tell that a motion that is not at rest has stops, seen or not.
+bool must_stop(const SolveTask& task, const Solution& s) {
+    return s.regime.regime == Regime::stick_slip && (task.scene.mu == 1 || every_motion_is_damped(*task.known.basis));
+}
+
+// The stuck response as the answer; `rests_at` is where the contact rests, if that was followed.
+void answer_by_stuck_response(const SolveTask& task, const std::optional<Certified>& rests_at, Solution& s) {
+    const std::shared_ptr<const ContactSystem> moving = task.moving ? task.moving : moving_in_double(task.source, task.known);
+    const HeldSolution held = held_solution(task.scene, moving->stuck, *task.known.basis, task.question.mass);
+    s.masses = held.masses;
+    s.from_ground = held.from_ground;
+    s.rest_interval = held.rest_interval;
+    s.rest_interval->rests_at = rests_at;
+    s.sticking_by_88 = held.sticking_by_88;
+    s.method = {"stuck response", "double", Why::bound_by_equations + verdict({held.relative}, task.aim)};
+    s.relative_error = held.relative;
+}
+
+// Numbers of the state of an orbit with their errors, that of the contact behind those of the masses where it has a row of its own.
+std::vector<Certified> certified_of(std::vector<double> numbers, const ExactSolver& solver, const auto& error) {
+    std::vector<Certified> out;
+    solver.system().stuck.contact.append(numbers);
+    for (std::size_t k = 0; k < numbers.size(); ++k) out.push_back({numbers[k], error(k), {}});
+    return out;
+}
+
+// A periodic orbit as the answer; `open` where double does not tell if the motion stops.
+void answer_by_orbit(const SolveTask& task, ExactSolver& solver, const PeriodicOrbit& orbit, bool open, Solution& s) {
+    const bool all = task.question.asked == Asked::motion && !task.question.mass;
+    const Bounded<double> frame = amplitude_of_frame(task.scene);
+    OrbitSolution found = orbit_solution(solver, orbit, task.question.mass, all ? frame.x : 0);
+    s.masses = std::move(found.masses);
+    s.from_ground.clear();
+    const bool absolute = task.scene.system.base_motion == BaseMotion::alone; // as they are
+    const std::vector<SolvedMass>& seen = absolute ? s.masses : found.from_ground;
+    for (std::size_t k = 0; all && k < std::min(seen.size(), number_of_masses(task.scene.system)); ++k)
+        s.from_ground.push_back(from_ground(seen[k], absolute ? Bounded<double>(1) : frame));
+    s.stops = std::move(found.stops);
+    s.start = SolvedState{certified_of(orbit.start.x, solver, [&](std::size_t) { return orbit.error_bound; }),
+                          certified_of(orbit.start.x_prime, solver, [&](std::size_t k) { return orbit.velocity_errors[k]; })};
+    s.periods = orbit.periods;
+    s.symmetric = orbit.symmetric;
+    if (task.question.asked == Asked::motion) s.stability = stability_of(orbit);
+    s.relative_error = task.question.asked == Asked::amplitude ? found.relative_amplitude
+                                                               : std::max(found.relative_amplitude, found.phase_error);
+    const Attempted attempted{s.relative_error, !open, Why::stops_open};
+    s.method = {"exact solver", "double", Why::bound_by_residual + verdict(attempted, task.aim)};
 }
 
 void set_regime(const SolveTask& task, Regime met, const Reasons& reason, Solution& s) {
@@ -146,9 +256,7 @@ void answer_from_rest(SolveTask& task, Solution& s) {
 }
 
 void answer(SolveTask& task, Solution& s) {
-    Tried<Solution> sliding = tried([&] {
-        return sliding_solution(task.source, {task.question.asked, task.question.digits, task.question.mass, task.known.basis});
-    });
+    Tried<Solution> sliding = tried([&] { return sliding_solution(task.source, task.question, task.known.basis); });
     task.at_pole = sliding.at_pole;
     if (task.at_pole || (!sliding.value && task.scene.mu > 1)) {
         task.unknown = sliding.why;
@@ -165,16 +273,6 @@ void answer(SolveTask& task, Solution& s) {
     } else {
         answer_by_regime(task, s);
     }
-}
-
-void keep_asked_mass(const Question& question, Solution& s) {
-    if (!question.mass) return;
-    s.from_ground.clear();
-    if (!s.only && !s.masses.empty()) {
-        s.masses = {s.masses[question.mass->index]};
-        s.only = question.mass;
-    }
-    for (OtherMotion& motion : s.motions) motion.masses = {motion.masses[question.mass->index]};
 }
 
 // Whether double leaves open if a motion with stops is stable, in a system whose every free motion decays.
@@ -218,6 +316,38 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
 }
 
 } // namespace
+
+PreparedSystem prepare(const SceneSource& source, const Question& question, Prepared points) {
+    PreparedSystem p{source};
+    check(p.scene());
+    const System<double>& s = p.scene().system;
+    check(question, number_of_masses(s));
+    const bool in_phase = s.load_phases.empty() && !load_depends_on_frequency(s);
+    if (s.damping_matrix.size() == 0 && p.scene().mu == 1 && in_phase && asks_for_contact(question, s))
+        p.contact = tried([&] { return modes_of_contact(s); }).value; // without, another model answers
+    if (points == Prepared::every_regime) {
+        const ModesInDouble modes = modes_in_double(source);
+        p.bounded = modes.basis;
+        p.moving = moving_in_double(source, modes);
+    }
+    return p;
+}
+
+PreparedSystem prepare(const System<double>& system, const Question& question, Prepared points) {
+    Scene<double> scene;
+    scene.system = system;
+    return prepare(scene_source(scene), question, points);
+}
+
+PreparedSystem with_static_friction(PreparedSystem system, double mu) {
+    system.source = with_static_friction(system.source, mu);
+    return system;
+}
+
+SceneSource source_at(const PreparedSystem& p, const SolvePoint& at) {
+    const SceneSource source = at.source != nullptr ? *at.source : at_point(p.source, at.r, at.beta);
+    return at.effort != nullptr ? with_effort(source, at.effort) : source;
+}
 
 AnswerOrNone decide(const PreparedSystem& prepared, const SolvePoint& asked_about, const Question& question) {
     const std::size_t N = number_of_masses(prepared.scene().system);

@@ -3,8 +3,6 @@
 #include <map>
 #include <memory>
 
-#include "denhartog/answer/from_ground.hpp"
-#include "denhartog/answer/reference_attempts.hpp"
 #include "denhartog/answer/reference_point.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
 #include "denhartog/number/effort.hpp"

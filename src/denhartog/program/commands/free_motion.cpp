@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "denhartog/answer/free_decay.hpp"
+#include "denhartog/answer/from_a_start.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/program/json/solution_json.hpp"
 #include "denhartog/scene/json_document.hpp"
@@ -127,7 +127,7 @@ Json free_motion_json(const UnloadedScene& unloaded, const SceneSource& source, 
         each.update(place_json(turn.x));
         all["turns"].push_back(each);
     }
-    for (const DecayStop& stop : motion.stops) {
+    for (const SolvedStop& stop : motion.stops) {
         Json each{{"start", instant(stop.start)},
                   {"end", instant(stop.end)},
                   {"start_error_bound", instant_bound(stop.start)},

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "denhartog/answer/exact_cycles.hpp"
+#include "denhartog/answer/from_a_start.hpp"
 #include "denhartog/program/json/number_json.hpp"
 
 namespace denhartog::program {

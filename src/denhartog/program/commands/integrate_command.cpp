@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "denhartog/answer/exact_cycles.hpp"
+#include "denhartog/answer/from_a_start.hpp"
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"

@@ -10,7 +10,7 @@
 #include "denhartog/program/output/result_files.hpp"
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
-#include "denhartog/solve/sampled_closed_form.hpp"
+#include "denhartog/solve/quantities.hpp"
 
 namespace denhartog::program {
 namespace {

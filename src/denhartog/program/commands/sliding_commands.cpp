@@ -10,7 +10,6 @@
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/json/solution_json.hpp"
 #include "denhartog/scene/point_rules.hpp"
-#include "denhartog/solve/condition.hpp"
 
 namespace denhartog::program {
 namespace {

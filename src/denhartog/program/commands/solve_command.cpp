@@ -11,7 +11,7 @@
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/scene/scene_rules.hpp"
-#include "denhartog/solve/condition.hpp"
+#include "denhartog/solve/find.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "denhartog/answer/free_decay.hpp"
+#include "denhartog/answer/from_a_start.hpp"
 #include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/scene/point_rules.hpp"
 
