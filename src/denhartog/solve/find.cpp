@@ -326,8 +326,8 @@ FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, cons
             given[second] = own;
             return admitted([&] {
                 AmplitudeSearch search(first_places(*wanted.over, given, samples), [&](double y) {
-                    SeenAmplitude seen = amplitude_with(second, y);
-                    if (!seen.amplitude && left_out++ == 0) left_out_why = seen.why;
+                    Tried<Certified> seen = amplitude_with(second, y);
+                    if (!seen.value && left_out++ == 0) left_out_why = seen.why;
                     return seen;
                 });
                 return search.amplitude_of_extreme(wanted.of == AmplitudeIs::largest);

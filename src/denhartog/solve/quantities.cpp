@@ -11,6 +11,7 @@
 #include "denhartog/number/why.hpp"
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/sliding/instants_of_maxima.hpp"
 #if DENHARTOG_REFERENCE
 #include "denhartog/answer/printed.hpp"
 #include "denhartog/answer/reference_point.hpp"
