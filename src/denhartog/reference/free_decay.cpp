@@ -53,13 +53,13 @@ public:
             Z_(s_.N + k) = x_prime(k) / s_.sigma;
         }
         Z_(2 * s_.N + 2) = Ball(1);
-        BallMatrix of_load(s_.N, 1), of_rate(s_.N, 1);
+        BallMatrix load_of_places(s_.N, 1), load_of_rates(s_.N, 1);
         for (slong k = 0; k < s_.N; ++k) {
-            of_load(k) = s_.load(0, k);
-            of_rate(k) = s_.load(0, s_.N + k) / s_.sigma;
+            load_of_places(k) = s_.load(0, k);
+            load_of_rates(k) = s_.load(0, s_.N + k) / s_.sigma;
         }
         mass_ = scene.M * (scene.r * scene.r);
-        if (s_.N > 1) reach_ = largest_square(scene.K, scene.w, of_load) + largest_square(mass_, scene.w, of_rate);
+        if (s_.N > 1) reach_ = largest_square(scene.K, scene.w, load_of_places) + largest_square(mass_, scene.w, load_of_rates);
         if (!solved(scene.K, scene.w, at_unit_force_)) throw Unproved("the stiffness matrix is not proved regular");
         compliance_ = (transposed(scene.w) * at_unit_force_)(0);
     }
@@ -170,10 +170,10 @@ private:
 
     void hold_contact() {
         const slong N = s_.N;
-        Ball of_others(0);
+        Ball others(0);
         for (slong i = 0; i < N; ++i)
-            if (i != s_.lead) of_others += s_.w(i) * Z_(N + i);
-        Z_(N + s_.lead) = s_.on_a_wall ? Ball(0) : -(of_others / s_.w(s_.lead));
+            if (i != s_.lead) others += s_.w(i) * Z_(N + i);
+        Z_(N + s_.lead) = s_.on_a_wall ? Ball(0) : -(others / s_.w(s_.lead));
     }
 
     // Displacements of the masses from their places of rest with the contact where it is.

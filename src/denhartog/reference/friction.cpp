@@ -91,16 +91,16 @@ StateMatrix state_matrix(const SceneInBalls& s) {
     const slong N = s.N();
     StateMatrix m{BallMatrix(2 * N, 2 * N), BallMatrix(2 * N, 1)};
     const BallMatrix mass = s.M * (s.r * s.r); // (7)
-    BallMatrix of_stiffness, of_damping, at_rest;
-    if (!solved(mass, s.K, of_stiffness) || !solved(mass, s.C * s.r, of_damping))
+    BallMatrix stiffness, damping, at_rest;
+    if (!solved(mass, s.K, stiffness) || !solved(mass, s.C * s.r, damping))
         throw Unproved("the mass matrix is not proved regular");
     if (!solved(s.K, s.w, at_rest)) throw Unproved("the stiffness matrix is not proved regular");
     for (slong i = 0; i < N; ++i) {
         m.A(i, N + i) = Ball(1);
         m.rest(i) = at_rest(i);
         for (slong k = 0; k < N; ++k) {
-            m.A(N + i, k) = -of_stiffness(i, k);
-            m.A(N + i, N + k) = -of_damping(i, k);
+            m.A(N + i, k) = -stiffness(i, k);
+            m.A(N + i, N + k) = -damping(i, k);
         }
     }
     return m;
@@ -341,9 +341,9 @@ ResponsesInBalls responses_of_modes(const SceneInBalls& s, ModesInBalls m) {
     }
     using Row = std::vector<Ball>;
     const auto open = [&m](const Row& k, const Row& n, const auto& f) { // what clusters leave open, a ball about zero
-        Row of_modes(m.R.size());
-        for (const ModeCluster& c : m.clusters) of_modes[c.first] = f(c.first);
-        return m.left_open(k, n, of_modes);
+        Row each(m.R.size());
+        for (const ModeCluster& c : m.clusters) each[c.first] = f(c.first);
+        return m.left_open(k, n, each);
     };
     const auto square = [&m](std::size_t i) { return m.R[i] * m.R[i]; };
     const auto V = [&](const Row& k, const Row& load) { // (33)

@@ -148,7 +148,7 @@ struct TermsOverX {
 
 // Which modes or clusters have their poles multiplied out: r_n^2 x^2 - 1 of V, cos(pi r_n x / 2) of U.
 struct FactorsOverX {
-    std::vector<bool> of_V{}, of_U{};
+    std::vector<bool> V{}, U{};
 };
 
 // A stretch of x as it was seen: less its middle, and the functions of the modes in its middle, over it, and at its ends.
@@ -168,8 +168,8 @@ public:
             const ModesInBalls m = modes_in_balls(part);
             const std::size_t before = psi_[N].size(); // modes of the parts before
             const bool loaded = arb_mat_is_zero(part.p.a) == 0, rubs = arb_mat_is_zero(part.w.a) == 0;
-            const auto copy = [&](const std::vector<Ball>& row, std::vector<Ball>& of_all) {
-                of_all.insert(of_all.end(), row.begin(), row.end());
+            const auto copy = [&](const std::vector<Ball>& row, std::vector<Ball>& all) {
+                all.insert(all.end(), row.begin(), row.end());
             };
             for (std::size_t k = 0; k < masses.size(); ++k) copy(m.psi[k], psi_[masses[k]]);
             if (rubs) copy(m.at_contact(), psi_[N]);
@@ -212,7 +212,7 @@ public:
             q.push_back(PolynomialInBalls(terms, r * x - 1, r) * PolynomialInBalls(terms, r * x + 1, r));
             one.emplace_back(terms, Ball(1), Ball(0));
         }
-        return {multiplied_out(std::move(one), q, factors.of_V), multiplied_out(std::move(sines), cosines, factors.of_U)};
+        return {multiplied_out(std::move(one), q, factors.V), multiplied_out(std::move(sines), cosines, factors.U)};
     }
     // Their values, with nothing multiplied out.
     [[nodiscard]] TermsOverX values(const Ball& x) const { return terms(x, 1, nothing_); }
@@ -227,8 +227,8 @@ public:
         const auto nearly_vanishes = [](const Ball& factor) { return !(abs(middle(factor)) > 2 * radius_of(factor)); };
         FactorsOverX poles = nothing_;
         for (std::size_t i = 0; i < r_n_.size(); ++i) {
-            poles.of_V[i] = loaded_[i] && nearly_vanishes((r_n_[i] * X - 1) * (r_n_[i] * X + 1));
-            poles.of_U[i] = nearly_vanishes(cos(pi<Ball>() * r_n_[i] * X / 2));
+            poles.V[i] = loaded_[i] && nearly_vanishes((r_n_[i] * X - 1) * (r_n_[i] * X + 1));
+            poles.U[i] = nearly_vanishes(cos(pi<Ball>() * r_n_[i] * X / 2));
         }
         return all_
             .insert_or_assign({a, b},

@@ -332,11 +332,11 @@ BallMatrix damping_matrix_in_balls(const SceneInBalls& s, const ModesInBalls& m)
     }
     const BallMatrix shapes = s.M * (shapes_of(m) * s.r);
     BallMatrix C = shapes * D * transposed(shapes);
-    std::vector<std::vector<Ball>> of_masses(N);
+    std::vector<std::vector<Ball>> rows(N);
     for (slong k = 0; k < N; ++k)
-        for (slong i = 0; i < N; ++i) of_masses[k].push_back(shapes(k, i));
+        for (slong i = 0; i < N; ++i) rows[k].push_back(shapes(k, i));
     for (slong k = 0; k < N; ++k)
-        for (slong n = 0; n < N; ++n) C(k, n) += m.left_open(of_masses[k], of_masses[n], rates);
+        for (slong n = 0; n < N; ++n) C(k, n) += m.left_open(rows[k], rows[n], rates);
     return C;
 }
 

@@ -51,10 +51,10 @@ bool enclosed_in_double(const BallMatrix& map, std::vector<Ball>& sizes) {
     const ComplexParts l(guess.values), V(guess.vectors), W(guess.inverse);
     const auto scaled = [](const Matrix<double>& X, const Matrix<double>& by) { return X * by.col(0).asDiagonal(); };
     const double units = (static_cast<double>(n) + 8) * u * more; // of the sizes of what is added up
-    const Matrix<double> of_V = scaled(V.size, l.size) + product(A.cwiseAbs(), V.size),
+    const Matrix<double> terms = scaled(V.size, l.size) + product(A.cwiseAbs(), V.size),
                          re = product(A, V.re) - (scaled(V.re, l.re) - scaled(V.im, l.im)),
                          im = product(A, V.im) - (scaled(V.re, l.im) + scaled(V.im, l.re)),
-                         left = re.cwiseAbs() + im.cwiseAbs() + units * of_V + product(off, V.size) * more;
+                         left = re.cwiseAbs() + im.cwiseAbs() + units * terms + product(off, V.size) * more;
     const Matrix<double> one = Matrix<double>::Identity(n, n), F_re = product(W.re, V.re) - product(W.im, V.im) - one,
                          F_im = product(W.re, V.im) + product(W.im, V.re),
                          F = F_re.cwiseAbs() + F_im.cwiseAbs() + units * (product(W.size, V.size) + one);

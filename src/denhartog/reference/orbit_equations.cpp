@@ -414,17 +414,17 @@ std::optional<BallMatrix> solution_from(const BallMatrix& u, const BallMatrix& s
 
 ProvedOrbit proved_near(const std::function<SceneInBalls()>& scene, const OrbitGuess& guess, slong bits) {
     const auto phases = static_cast<slong>(guess.events.size());
-    for (slong of_slopes = std::max({slong(64), bits / 6, bits_a_phase * phases});; of_slopes *= 2) {
+    for (slong bits_of_slopes = std::max({slong(64), bits / 6, bits_a_phase * phases});; bits_of_slopes *= 2) {
         // A long motion, or its events, widen the states as they widen the slopes.
-        const Bits all(std::max(bits, of_slopes + 64));
+        const Bits all(std::max(bits, bits_of_slopes + 64));
         const ContactMechanics s(scene());
         OrbitUnknowns o = unknowns_of(s, guess);
         try {
-            return NewtonSearch(s, o, of_slopes).proved();
+            return NewtonSearch(s, o, bits_of_slopes).proved();
         } catch (const Disproved&) {
             throw;
         } catch (const Unproved&) {
-            if (of_slopes >= std::max({bits, slong(256), 2 * bits_a_phase * phases})) throw;
+            if (bits_of_slopes >= std::max({bits, slong(256), 2 * bits_a_phase * phases})) throw;
         }
     }
 }
