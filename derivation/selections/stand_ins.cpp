@@ -57,7 +57,7 @@ std::vector<StandIn> stand_ins() {
     const auto name = [](const char* latex) { return Symbolic(GiNaC::possymbol(latex, latex)); };
     const Symbolic x = name("x"), y = name("y"), R = name("R"), s = name("s"), q = name("q"), zeta = name("\\zeta"),
                    p = name("p"), K = name("K");
-    const std::string special = "evaluation/special.hpp", entire = "evaluation/entire_functions.hpp";
+    const std::string special = "evaluation/special.hpp", entire = "evaluation/detail/entire_functions.hpp";
     const auto pair = [](const Symbolic& a, const Symbolic& b) { return latex_of(a) + ",\\ " + latex_of(b); };
     const SineCosine<Symbolic> half = scalar::sine_cosine_of_half_period(R, y);
     const Complex<Symbolic> quotient = scalar::exp_minus_one_over({x, y});

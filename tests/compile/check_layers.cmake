@@ -1,7 +1,7 @@
 # No file includes a room above its own, no two rooms include each other, none but the derivation includes GiNaC, and what the
 # derivation refutes (as_printed.hpp) is included by nothing that is shipped. The plain closed form of the kit, the known mistakes,
 # which are made in it, and the questions include nothing of the library, whose faults they would share. The rooms from the bottom
-# to the top; those of one line know nothing of each other.
+# to the top; those of one line know nothing of each other. A header in detail/ is for its own room alone.
 set(rank 0)
 foreach(rooms version elementary number "search;formulas" evaluation scene model sliding stick_slip orbit "paper_algorithm;reference" answer "solve;ledger" map messages denhartog "c;conformance" program)
   math(EXPR rank "${rank} + 1")
@@ -44,6 +44,9 @@ foreach(file IN LISTS files)
     elseif(included MATCHES "^(denhartog|conformance|elementary)/")
       math(EXPR edges "${edges} + 1")
       room_of(${included} included_room)
+      if(NOT included_room STREQUAL room AND included MATCHES "/detail/")
+        list(APPEND faults "${file} includes ${included}, which is its room's own")
+      endif()
       if(NOT included_room STREQUAL room AND NOT rank_of_${included_room} LESS rank_of_${room})
         list(APPEND faults "${file} includes ${included}")
       endif()

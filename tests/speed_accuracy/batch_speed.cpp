@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "denhartog/evaluation/mode_arrays.hpp"
-#include "denhartog/evaluation/vector_functions.hpp"
+#include "denhartog/evaluation/detail/vector_functions.hpp"
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/sliding/bounded_modes.hpp"
@@ -80,7 +80,7 @@ Table batch_speed(int repeats) {
         {},
         "Least of " + std::to_string(repeats) +
             " runs: processor time on one thread, time by the clock on several. Limits: the compiler's vector maths library, or "
-            "the functions of evaluation/vector_functions.hpp by themselves, for one exp, one sine and one cosine; one square "
+            "the functions of evaluation/detail/vector_functions.hpp by themselves, for one exp, one sine and one cosine; one square "
             "root. Widest vectors: " +
             evaluation::name(evaluation::supported_vectors().back()) + "."};
     Rates rates{table, repeats};
@@ -172,7 +172,7 @@ Table vector_function_errors() {
         own_square = std::max(own_square, ulps(h.cosine_square, c * c));
     }
     return {"Errors of vector functions, units in the last place, " + std::to_string(n) + " seeded arguments",
-            {"function", "compiler's vector library", "evaluation/vector_functions.hpp"},
+            {"function", "compiler's vector library", "evaluation/detail/vector_functions.hpp"},
             {{"exp(-y)", digits(of_exp), digits(own_exp)},
              {"exp(-y) - 1", "", digits(own_difference)},
              {"sin(x)", digits(of_sin), ""},

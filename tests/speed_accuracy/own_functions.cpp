@@ -1,6 +1,6 @@
 #include "tests/speed_accuracy/own_functions.hpp"
 
-#include "denhartog/evaluation/vector_functions.hpp"
+#include "denhartog/evaluation/detail/vector_functions.hpp"
 
 namespace denhartog::tests {
 namespace {

@@ -1,5 +1,5 @@
 /// @file
-/// @brief The exponential and the products of sine and cosine of `evaluation/vector_functions.hpp` over arrays, and nothing else.
+/// @brief The exponential and the products of sine and cosine of `evaluation/detail/vector_functions.hpp` over arrays, and nothing else.
 #pragma once
 
 #include <span>

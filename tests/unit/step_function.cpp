@@ -1,5 +1,5 @@
 // Numbers over a step: values, zeros found in order, none lost, those at the start left out.
-#include "denhartog/paper_algorithm/step_function.hpp"
+#include "denhartog/paper_algorithm/detail/step_function.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "denhartog/evaluation/vector_functions.hpp"
+#include "denhartog/evaluation/detail/vector_functions.hpp"
 
 #include <cmath>
 #include <random>

@@ -6,7 +6,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "denhartog/evaluation/vector_functions.hpp"
+#include "denhartog/evaluation/detail/vector_functions.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 

@@ -12,7 +12,7 @@
 /// R is the modal frequency ratio (22), zeta the modal damping ratio, x = tau/R, and h the parts at the end of the half-period.
 #pragma once
 
-#include "denhartog/evaluation/entire_functions.hpp"
+#include "denhartog/evaluation/detail/entire_functions.hpp"
 #include "denhartog/evaluation/mode_values.hpp"
 
 namespace denhartog::evaluation {

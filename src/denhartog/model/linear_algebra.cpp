@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 #include <limits>
 
-#include "denhartog/model/product_of_doubles.hpp"
+#include "denhartog/model/detail/product_of_doubles.hpp"
 #include "denhartog/number/why.hpp"
 
 namespace denhartog {

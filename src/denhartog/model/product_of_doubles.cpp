@@ -1,4 +1,4 @@
-#include "denhartog/model/product_of_doubles.hpp"
+#include "denhartog/model/detail/product_of_doubles.hpp"
 
 #include <algorithm>
 

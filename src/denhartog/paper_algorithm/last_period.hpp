@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "denhartog/paper_algorithm/dense_step.hpp"
+#include "denhartog/paper_algorithm/detail/dense_step.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
 
 namespace denhartog {

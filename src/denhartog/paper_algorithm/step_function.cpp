@@ -1,4 +1,4 @@
-#include "denhartog/paper_algorithm/step_function.hpp"
+#include "denhartog/paper_algorithm/detail/step_function.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "denhartog/evaluation/contact.hpp"
 #include "denhartog/formulas/system.hpp"
 #include "denhartog/number/ball_or_none.hpp"
-#include "denhartog/scene/scene_item.hpp"
+#include "denhartog/scene/detail/scene_item.hpp"
 
 namespace denhartog {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <cstdio>
 
-#include "denhartog/evaluation/vector_functions.hpp"
-#include "denhartog/model/product_of_doubles.hpp"
+#include "denhartog/evaluation/detail/vector_functions.hpp"
+#include "denhartog/model/detail/product_of_doubles.hpp"
 #include "elementary/elementary.hpp"
 
 using namespace denhartog;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "denhartog/paper_algorithm/contact_equations.hpp"
-#include "denhartog/paper_algorithm/step_function.hpp"
+#include "denhartog/paper_algorithm/detail/step_function.hpp"
 #include "elementary/elementary.hpp"
 
 namespace denhartog {
