@@ -1,7 +1,7 @@
 /// @file
 /// @brief Whether an answer in double has its digits: numbers carry a bound of their error, `Bounded<double>`. No error is
-/// measured by computing twice. Where the bounds do not leave the digits asked for, the reference answers. And the motion as it is
-/// seen from the ground, where base and wall, or the wall alone, move by \f$ b\cos\tau \f$: absolute displacements are the
+/// measured by computing twice. Where the bounds do not leave the digits asked for, the reference answers. And the motion as it
+/// is seen from the ground, where base and wall, or the wall alone, move by \f$ b\cos\tau \f$: absolute displacements are the
 /// relative ones and that.
 #pragma once
 

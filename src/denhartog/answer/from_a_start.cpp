@@ -1,5 +1,5 @@
-// What is the motion from a start? In double over many periods, `exact_cycles` and `motion_history`, both by `last_part`; and proved, after
-// the load is taken away, until the contact rests, `free_decay`.
+// What is the motion from a start? In double over many periods, `exact_cycles` and `motion_history`, both by `last_part`; and
+// proved, after the load is taken away, until the contact rests, `free_decay`.
 #include "denhartog/answer/from_a_start.hpp"
 
 #include <algorithm>

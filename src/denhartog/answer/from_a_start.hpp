@@ -1,6 +1,7 @@
 /// @file
-/// @brief Motions from a start: the exact solver asked as the paper's algorithm is, with the same start, the same number of periods and
-/// the same outcome; and how a motion comes to rest after its harmonic load is taken away, which the reference proves.
+/// @brief Motions from a start: the exact solver asked as the paper's algorithm is, with the same start, the same number of
+/// periods and the same outcome; and how a motion comes to rest after its harmonic load is taken away, which the reference
+/// proves.
 #pragma once
 
 #include <optional>
@@ -16,9 +17,9 @@
 
 namespace denhartog {
 
-/// @brief The motion over a number of periods in closed form from phase to phase, read off as the paper reads its own, or a status with
-/// its reason. Tolerances, limits and history of the settings do not apply; of the counters there is `phases` alone. The phase is the
-/// instant of the largest |x_k|, half a period on where x_k is negative there. @eq{6,74,75}
+/// @brief The motion over a number of periods in closed form from phase to phase, read off as the paper reads its own, or a
+/// status with its reason. Tolerances, limits and history of the settings do not apply; of the counters there is `phases` alone.
+/// The phase is the instant of the largest |x_k|, half a period on where x_k is negative there. @eq{6,74,75}
 [[nodiscard]] PaperMotion exact_cycles(const SceneSource& source, const PaperSettings& settings);
 
 /// @brief What is wanted of the history of a motion.
@@ -54,13 +55,15 @@ struct MotionHistory {
 /// PrecisionError where double does not tell the displacement of a contact between two masses. @eq{6,74,75}
 [[nodiscard]] MotionHistory motion_history(const SceneSource& source, const HistorySettings& settings);
 
-/// @brief The places to which the constant load of a scene moves the masses, about which every steady motion is the one without it.
+/// @brief The places to which the constant load of a scene moves the masses, about which every steady motion is the one without
+/// it.
 /// \f[ \bar{\mathbf x}_s = \mathbf K^{-1}\mathbf s \f]
 ///
-/// With \f$ \bar{\mathbf x} = \bar{\mathbf x}_s+\mathbf y \f$ the constant load s drops out of (6). Friction depends on the velocity of
-/// the contact, and at rest on all other forces on it, (2), (3), (74), (75): both are the same functions of y as they were of x
-/// without s. So y is a motion without the constant load, in every regime, with the same stops at the same instants. In units of
-/// P / k_1, proved; none without a constant load. PrecisionError where the stiffness matrix is not proved regular. @eq{6,74,75}
+/// With \f$ \bar{\mathbf x} = \bar{\mathbf x}_s+\mathbf y \f$ the constant load s drops out of (6). Friction depends on the
+/// velocity of the contact, and at rest on all other forces on it, (2), (3), (74), (75): both are the same functions of y as they
+/// were of x without s. So y is a motion without the constant load, in every regime, with the same stops at the same instants. In
+/// units of P / k_1, proved; none without a constant load. PrecisionError where the stiffness matrix is not proved regular.
+/// @eq{6,74,75}
 [[nodiscard]] std::vector<Certified> place_of_rest(const SceneSource& source);
 
 /// @brief Where the velocity of the contact is zero at the end of a half-cycle.
@@ -80,14 +83,14 @@ struct FreeDecay {
     /// Whether the other masses come to rest at these places. True: every free motion of theirs is damped, and they tend to them.
     /// False: nothing damps them, and they move about them for ever. Empty: neither is proved, or there are no other masses.
     std::optional<bool> others_come_to_rest;
-    /// Whether the springs pull on the contact at rest with static friction, to some hundred digits. If the two are equal, (74) lets
-    /// it stick, as this says.
+    /// Whether the springs pull on the contact at rest with static friction, to some hundred digits. If the two are equal, (74)
+    /// lets it stick, as this says.
     bool on_limit = false;
 };
 
-/// @brief The motion of a scene from a start after its harmonic load is taken away, until the contact rests for good, or `until` an
-/// instant; the constant load stays. Where nothing damps the other masses they may set the contact in motion again and again. beta is
-/// positive; P and the frequency are no more than units. PrecisionError where something cannot be proved. @eq{6,74,75}
+/// @brief The motion of a scene from a start after its harmonic load is taken away, until the contact rests for good, or `until`
+/// an instant; the constant load stays. Where nothing damps the other masses they may set the contact in motion again and again.
+/// beta is positive; P and the frequency are no more than units. PrecisionError where something cannot be proved. @eq{6,74,75}
 [[nodiscard]] FreeDecay free_decay(const SceneSource& source, const State& start, const std::optional<double>& until = {});
 
 } // namespace denhartog

@@ -1,5 +1,5 @@
-// What do the masses do while the contact is held, and where may it rest? Read `held_response` first: Section 4.3 for any contact.
-// After it come (88) as printed, and what errors of the modes make of the damping matrix, which is an error of both.
+// What do the masses do while the contact is held, and where may it rest? Read `held_response` first: Section 4.3 for any
+// contact. After it come (88) as printed, and what errors of the modes make of the damping matrix, which is an error of both.
 #include "denhartog/answer/models_in_double.hpp"
 
 #include <algorithm>
@@ -144,8 +144,8 @@ std::optional<Certified> limit_by_88(const Scene<double>& scene, const StuckConf
     return certified(limit);
 }
 
-// Bounds of what errors of the modes make of the damping matrix (19): those of frequencies, of ratios and of the modes' sizes, and
-// modes that rounding turns towards each other, which have different damping. A mode far from all others is turned as well.
+// Bounds of what errors of the modes make of the damping matrix (19): those of frequencies, of ratios and of the modes' sizes,
+// and modes that rounding turns towards each other, which have different damping. A mode far from all others is turned as well.
 Matrix<double> errors_of_C(const Scene<double>& scene, const ModalBasis<Bounded<double>>& basis) {
     const System<double>& s = scene.system;
     const auto N = static_cast<Eigen::Index>(basis.r_n.size());

@@ -1,6 +1,7 @@
 /// @file
-/// @brief The models that answer in double, every number with its bound: the closed form where the contact slides throughout, the stuck
-/// response where it rests for ever, and the periodic orbit that the exact solver finds; and the motions that other starts lead to.
+/// @brief The models that answer in double, every number with its bound: the closed form where the contact slides throughout, the
+/// stuck response where it rests for ever, and the periodic orbit that the exact solver finds; and the motions that other starts
+/// lead to.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +32,8 @@ inline constexpr double hardly_coupled = 1e-6;
 /// @brief See `hardly_coupled`: a part of (69).
 inline constexpr double hardly_changed = 1e-9;
 
-/// @brief The sums at a frequency ratio, and what searches for instants need of them: values without bounds, found when first asked for.
+/// @brief The sums at a frequency ratio, and what searches for instants need of them: values without bounds, found when first
+/// asked for.
 class SearchedSums {
 public:
     /// @brief Of sums. Searches take their share of `effort`.
@@ -46,7 +48,8 @@ public:
     [[nodiscard]] FrictionMotions& motions();
     /// @brief The instants of the largest demands: that of the sum over modes, then those of the modes.
     [[nodiscard]] std::vector<double> demands();
-    /// @brief The steady state below the boundary; `with_rivals` the errors of phases hold other instants that may be the largest's.
+    /// @brief The steady state below the boundary; `with_rivals` the errors of phases hold other instants that may be the
+    /// largest's.
     /// @eq{38,39,44,45,47,52,53}
     [[nodiscard]] SteadyState<Bounded<double>> steady_state(const Bounded<double>& beta, std::optional<Mass> only,
                                                             bool with_rivals);
@@ -58,6 +61,9 @@ private:
     std::optional<FrictionMotions> motions_{};
 };
 
+/// @brief Whether the load excites a mode, beyond the bounds of its shape.
+[[nodiscard]] bool is_excited(const ModalBasis<Bounded<double>>& basis, const System<double>& system, std::size_t mode);
+
 /// @brief What is known of a point.
 struct SlidingPoint {
     Boundary<Bounded<double>> boundary;                ///< the boundary there
@@ -68,13 +74,13 @@ struct SlidingPoint {
 };
 
 /// @brief The point of a scene, without beta its boundary alone; if one mass is asked about no other has a maximum. Errors count
-/// relative to amplitudes and friction ratios, absolute for phases. DomainError at a pole of a mode without damping, PrecisionError
-/// where a maximum is not settled. @eq{38,39,44,45,47,52,53,69}
+/// relative to amplitudes and friction ratios, absolute for phases. DomainError at a pole of a mode without damping,
+/// PrecisionError where a maximum is not settled. @eq{38,39,44,45,47,52,53,69}
 [[nodiscard]] SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Bounded<double>>& basis,
                                          const Question& question, Effort* effort = nullptr);
 
-/// @brief The same as an answer; `modes` are those in double, where they are prepared. A bad scene and bad digits are an InputError,
-/// a pole is a DomainError, which says `Why::pole_by_rounding` if it is within a few units in the last place.
+/// @brief The same as an answer; `modes` are those in double, where they are prepared. A bad scene and bad digits are an
+/// InputError, a pole is a DomainError, which says `Why::pole_by_rounding` if it is within a few units in the last place.
 [[nodiscard]] Solution sliding_solution(const SceneSource& source, const Question& question,
                                         std::shared_ptr<const ModalBasis<Bounded<double>>> modes = nullptr);
 
@@ -87,8 +93,8 @@ struct HeldSolution {
     double relative = 0;                     ///< largest error, relative to amplitudes, absolute for phases
 };
 
-/// @brief The stuck response for rest at zero; what it leaves over in the equations of motion bounds its error. With `only` the errors
-/// of one mass count. DomainError where the load excites the resonance of an undamped stuck mode. @eq{88}
+/// @brief The stuck response for rest at zero; what it leaves over in the equations of motion bounds its error. With `only` the
+/// errors of one mass count. DomainError where the load excites the resonance of an undamped stuck mode. @eq{88}
 [[nodiscard]] HeldSolution held_solution(const Scene<double>& scene, const StuckConfiguration& stuck,
                                          const ModalBasis<Bounded<double>>& basis, std::optional<Mass> only = std::nullopt);
 
@@ -104,29 +110,29 @@ struct OrbitSolution {
     double phase_error = 0;                ///< largest error of a phase
 };
 
-/// @brief Amplitudes, phases and stops of an orbit, along which the solver is moved once more. The error of a phase is that of the
-/// velocity at the extremum over the acceleration there; so is that of an instant, of the end of a stop with the load on the contact
-/// and its rate. With `only` one mass is asked about. `frame` is by how much the frame of the displacements moves.
+/// @brief Amplitudes, phases and stops of an orbit, along which the solver is moved once more. The error of a phase is that of
+/// the velocity at the extremum over the acceleration there; so is that of an instant, of the end of a stop with the load on the
+/// contact and its rate. With `only` one mass is asked about. `frame` is by how much the frame of the displacements moves.
 [[nodiscard]] OrbitSolution orbit_solution(ExactSolver& solver, const PeriodicOrbit& orbit,
                                            std::optional<Mass> only = std::nullopt, double frame = 0);
 
 /// @brief Where the contact of an orbit of permanent sticking rests; none without a finite bound of its error.
 [[nodiscard]] std::optional<Certified> place_of_rest(const PeriodicOrbit& orbit);
 
-/// @brief Whether an orbit is the sliding motion of the closed form, whose contact has the amplitude X_j, as far as double can tell:
-/// its stops, and whether it mirrors itself, may be rounding next to the boundary.
+/// @brief Whether an orbit is the sliding motion of the closed form, whose contact has the amplitude X_j, as far as double can
+/// tell: its stops, and whether it mirrors itself, may be rounding next to the boundary.
 [[nodiscard]] inline bool is_sliding_motion(const PeriodicOrbit& orbit, double X_j) {
     return orbit.periods == 1 && std::abs(orbit.contact.amplitude - X_j) <= 16 * orbit.error_bound + 1e-9 * X_j;
 }
 
-/// @brief Whether an orbit below the boundary can be no other than the closed form's: static friction acts in stops alone, so that one
-/// without any is a motion with mu = 1, and that is unique where every free motion is damped.
+/// @brief Whether an orbit below the boundary can be no other than the closed form's: static friction acts in stops alone, so
+/// that one without any is a motion with mu = 1, and that is unique where every free motion is damped.
 [[nodiscard]] inline bool must_be_sliding_motion(const PeriodicOrbit& orbit, bool damped) {
     return damped && orbit.stops.empty();
 }
 
-/// @brief Whether double does not tell if the contact stops: beyond the boundary of sliding stops may be too short to be seen, and
-/// those of the closed form's motion (`slides`) may be rounding. `stops`: the motion has some for certain.
+/// @brief Whether double does not tell if the contact stops: beyond the boundary of sliding stops may be too short to be seen,
+/// and those of the closed form's motion (`slides`) may be rounding. `stops`: the motion has some for certain.
 [[nodiscard]] inline bool stops_are_open(const PeriodicOrbit& orbit, bool beyond, bool stops, bool slides) {
     return orbit.stops.empty() ? stops || (beyond && orbit.symmetric && orbit.periods == 1) : slides;
 }
@@ -135,8 +141,8 @@ struct OrbitSolution {
 [[nodiscard]] Stability stability_of(const PeriodicOrbit& orbit);
 
 /// @brief Distinct steady motions that were found, the one from rest first; more may exist. The starts are the same in every run:
-/// rest; the sliding motion, larger and smaller ones; the contact displaced; random states; the orbits of neighbouring r and beta.
-/// Newton's method from these finds the unstable ones. Where the motion is known to be unique rest alone is followed.
+/// rest; the sliding motion, larger and smaller ones; the contact displaced; random states; the orbits of neighbouring r and
+/// beta. Newton's method from these finds the unstable ones. Where the motion is known to be unique rest alone is followed.
 [[nodiscard]] std::vector<OtherMotion> other_motions(const Scene<double>& scene, const ContactSystem& system,
                                                      const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis,
                                                      Effort* effort);

@@ -1,5 +1,5 @@
-// What are the modes of a system, (14) to (18), in double? Those of double where they have their digits; else those of the reference,
-// rounded, whose part of the file begins with `DENHARTOG_REFERENCE`.
+// What are the modes of a system, (14) to (18), in double? Those of double where they have their digits; else those of the
+// reference, rounded, whose part of the file begins with `DENHARTOG_REFERENCE`.
 #include "denhartog/answer/modes_in_double.hpp"
 
 #include <algorithm>

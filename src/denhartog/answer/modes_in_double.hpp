@@ -1,6 +1,6 @@
 /// @file
-/// @brief The modes of a system in double, and by the reference, each number proved and rounded to double. What an answer says of a
-/// damping matrix that couples them.
+/// @brief The modes of a system in double, and by the reference, each number proved and rounded to double. What an answer says of
+/// a damping matrix that couples them.
 #pragma once
 
 #include <memory>
@@ -36,25 +36,27 @@ struct CoupledDamping {
     std::vector<double> damping_ratios; ///< those nearest to the matrix, mode by mode
 };
 
-/// @brief How much the damping matrix of a scene couples the modes, by double or else by the reference; none where damping was given by
-/// ratios, or it does not by more than the bounds of its entries. @eq{18}
+/// @brief How much the damping matrix of a scene couples the modes, by double or else by the reference; none where damping was
+/// given by ratios, or it does not by more than the bounds of its entries. @eq{18}
 [[nodiscard]] std::optional<CoupledDamping> coupled_damping(const SceneSource& source);
 
-/// @brief The modal basis to `digits_by_default` digits, in double if that has them, else by the reference; of modes with one frequency,
-/// and of more than 200 masses, what double has. @eq{14,15,18}
+/// @brief The modal basis to `digits_by_default` digits, in double if that has them, else by the reference; of modes with one
+/// frequency, and of more than 200 masses, what double has. @eq{14,15,18}
 [[nodiscard]] std::shared_ptr<const ModalBasis<Bounded<double>>>
 certain_modes(const SceneSource& source, const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis);
 
-/// @brief (23), (28), (29) of each mode, which no damping couples, likewise; DomainError at a pole of an undamped one. @eq{22,23,28,29}
+/// @brief (23), (28), (29) of each mode, which no damping couples, likewise; DomainError at a pole of an undamped one.
+/// @eq{22,23,28,29}
 [[nodiscard]] std::vector<evaluation::ModeFunctions<Bounded<double>>>
 certain_mode_functions(const SceneSource& source, const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis);
 
 /// @brief The numbers of a basis that must have digits: frequencies, damping ratios, and the largest entry of each mode shape.
 [[nodiscard]] std::vector<Bounded<double>> sizes_in(const ModalBasis<Bounded<double>>& basis);
 
-/// @brief The modal basis by the reference, with the rows and signs of that in double; `D` is filled where a damping matrix counts.
-/// Modes that no bits tell apart are refused, or, where `coinciding` ones may be taken, have bounds that hold any orthonormal shapes.
-/// PrecisionError where something cannot be proved, or the library was built without the reference. @eq{14,15,18}
+/// @brief The modal basis by the reference, with the rows and signs of that in double; `D` is filled where a damping matrix
+/// counts. Modes that no bits tell apart are refused, or, where `coinciding` ones may be taken, have bounds that hold any
+/// orthonormal shapes. PrecisionError where something cannot be proved, or the library was built without the reference.
+/// @eq{14,15,18}
 [[nodiscard]] ModalBasis<Bounded<double>> modes_by_reference(const SceneSource& source, bool coinciding);
 
 /// @brief (23), (28), (29) of each mode by the reference, to 6 digits or as many as all bits give; PrecisionError also at a pole.

@@ -1,5 +1,5 @@
-// What do the masses do along a periodic orbit, and when does the contact stop? Read `orbit_solution`; what it needs of the orbit is
-// `OnOrbit`. `other_motions` seeks more orbits from other starts.
+// What do the masses do along a periodic orbit, and when does the contact stop? Read `orbit_solution`; what it needs of the orbit
+// is `OnOrbit`. `other_motions` seeks more orbits from other starts.
 
 #include <algorithm>
 #include <cmath>
@@ -28,8 +28,8 @@ public:
         phases = solver.run(orbit.start, 0.0, stretch).phases;
     }
 
-    // How that vanishes which ends the phase before an instant, one of sliding or of sticking; the search for the end may have come
-    // to other last digits before. None where no such phase ends there.
+    // How that vanishes which ends the phase before an instant, one of sliding or of sticking; the search for the end may have
+    // come to other last digits before. None where no such phase ends there.
     std::optional<EndOfPhase> end_at(double tau, bool slides) {
         while (tau >= stretch) tau -= stretch;
         double nearest = sqrt(unit_of<double>()) * stretch;

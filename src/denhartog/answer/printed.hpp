@@ -44,8 +44,8 @@ public:
     }
     /// @brief A number that must have them beside the size of another.
     void beside(const Ball& x, const Ball& size) { count(radius_of(x) / abs(size)); }
-    /// @brief A mass, whose phase need not have the digits where it is not `asked` for; at rest, within what its amplitude may be, where
-    /// that is nothing beside the largest as far as all the bits can tell.
+    /// @brief A mass, whose phase need not have the digits where it is not `asked` for; at rest, within what its amplitude may
+    /// be, where that is nothing beside the largest as far as all the bits can tell.
     [[nodiscard]] SolvedMass mass(const Ball& amplitude, const std::optional<Ball>& phase, bool asked, const Ball& largest);
     /// @brief Whether every number that must have the digits has them.
     [[nodiscard]] bool enough() const { return enough_; }

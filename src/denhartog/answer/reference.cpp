@@ -1,5 +1,5 @@
-// What does the reference answer? Read `attempt`: the regime by the boundaries first, then the motion of the regime, (38) to (53), the
-// stuck response or an orbit, each written by one function.
+// What does the reference answer? Read `attempt`: the regime by the boundaries first, then the motion of the regime, (38) to
+// (53), the stuck response or an orbit, each written by one function.
 #if DENHARTOG_REFERENCE
 #include "denhartog/answer/reference.hpp"
 
@@ -127,24 +127,24 @@ void write_sliding(const PointInBalls& p, const Scene<double>& scene, const Refe
 
 // False where static friction does not hold the contact.
 bool write_stuck(const PointInBalls& p, const Scene<double>& scene, const ReferenceQuestion& q, WrittenNumbers& w, Solution& s) {
-    if (!p.stuck) throw Unproved(Why::may_resonate_held);
+    const StuckInBalls& stuck = required_stuck(p);
     if (*p.scene.beta < *p.sticking) return false;
     if (!(*p.scene.beta >= *p.sticking)) throw Unproved({Why::may_be_boundary, 1});
-    Ball largest = p.stuck->compliance * size_of(p.stuck->load); // no mass moves where the load acts on the contact
-    for (const Complex<Ball>& X : p.stuck->X) largest = larger(largest, size_of(X));
+    Ball largest = stuck.compliance * size_of(stuck.load); // no mass moves where the load acts on the contact
+    for (const Complex<Ball>& X : stuck.X) largest = larger(largest, size_of(X));
     const auto row = [&](std::size_t k) {
-        const bool is_contact = k == p.stuck->X.size() || (!contact_moves_apart(s) && k == s.contact.index);
+        const bool is_contact = k == stuck.X.size() || (!contact_moves_apart(s) && k == s.contact.index);
         if (is_contact) return SolvedMass{w.shown(Ball(0)), std::nullopt, std::nullopt};
-        const Complex<Ball>& X = p.stuck->X[k];
+        const Complex<Ball>& X = stuck.X[k];
         return w.mass(size_of(X), wrapped_in_balls(-argument(X)), q.asked != Asked::amplitude, largest);
     };
     write_masses(scene, q.mass, row, s);
     if (const std::optional<Ball> frame = frame_of(scene, q, p.scene.r))
-        for (Complex<Ball> X : p.stuck->X) {
+        for (Complex<Ball> X : stuck.X) {
             X.re += *frame;
             s.from_ground.push_back(from_ground(size_of(X), wrapped_in_balls(-argument(X)), *frame, w));
         }
-    const Ball to = (p.scene.mu * *p.scene.beta - size_of(p.stuck->load)) * p.stuck->compliance;
+    const Ball to = (p.scene.mu * *p.scene.beta - size_of(stuck.load)) * stuck.compliance;
     s.rest_interval = RestInterval{w.shown(-to), w.shown(to), std::nullopt};
     s.method.model = "stuck response";
     return true;

@@ -17,21 +17,23 @@ namespace denhartog {
 /// @brief Whether the library was built with the reference. @return false of one built with `DENHARTOG_REFERENCE=OFF`
 [[nodiscard]] bool has_reference();
 
-/// @brief A question to the reference: the digits, or those by default, are all certain in the answer, and every number is proved.
+/// @brief A question to the reference: the digits, or those by default, are all certain in the answer, and every number is
+/// proved.
 struct ReferenceQuestion : Question {
     std::optional<Regime> met{};    ///< the regime of the motion that is meant, where the friction ratio does not tell it
     bool closed_form_alone = false; ///< whether only boundary and regime are wanted outside the sliding regime
 };
 
-/// @brief The answer of the reference; without beta the boundaries alone. Bits are doubled until every number asked for has its digits.
-/// `guesses` gives motions with stops near the one that is meant, as double sees them, the likeliest first; it is called once at
-/// most. InputError where the scene breaks a rule that double is too coarse to see broken.
+/// @brief The answer of the reference; without beta the boundaries alone. Bits are doubled until every number asked for has its
+/// digits. `guesses` gives motions with stops near the one that is meant, as double sees them, the likeliest first; it is called
+/// once at most. InputError where the scene breaks a rule that double is too coarse to see broken.
 [[nodiscard]] AnswerOrNone solution_by_reference(const SceneSource& source, const ReferenceQuestion& question,
                                                  const std::function<std::vector<OrbitGuess>()>& guesses);
 
-/// @brief The motion of an answer to `Asked::motion` at instants from a maximum of the force; a contact that never moves rests at zero.
-/// A displacement may be off by `tolerance` of the amplitude of its mass, beside the error of that amplitude, and a velocity of the
-/// largest of its mass or of the amplitude, whichever is more. PrecisionError where it is not proved to be the answer's motion.
+/// @brief The motion of an answer to `Asked::motion` at instants from a maximum of the force; a contact that never moves rests at
+/// zero. A displacement may be off by `tolerance` of the amplitude of its mass, beside the error of that amplitude, and a
+/// velocity of the largest of its mass or of the amplitude, whichever is more. PrecisionError where it is not proved to be the
+/// answer's motion.
 [[nodiscard]] std::vector<State> samples_by_reference(const SceneSource& source, const Solution& solution,
                                                       const std::vector<double>& tau, double tolerance,
                                                       const std::function<std::vector<OrbitGuess>()>& guesses);
@@ -46,9 +48,9 @@ struct RangeInText {
     std::string to;   ///< above it
 };
 
-/// @brief The invariant points of every mass in a range, damping left out, and the stretches that stay undecided. Bits are doubled until
-/// every point has its digits, once at most where none are asked for. InputError where the range breaks a rule, PrecisionError where
-/// something cannot be proved. @eq{87}
+/// @brief The invariant points of every mass in a range, damping left out, and the stretches that stay undecided. Bits are
+/// doubled until every point has its digits, once at most where none are asked for. InputError where the range breaks a rule,
+/// PrecisionError where something cannot be proved. @eq{87}
 [[nodiscard]] std::vector<InvariantPointsOfMass<Certified>> invariant_points(const SceneSource& source, const RangeInText& range,
                                                                              std::optional<int> digits = {});
 

@@ -27,8 +27,8 @@ using MotionInBalls = std::function<BallMatrix(const Ball& tau)>;
 
 constexpr double rounding = 1e-15; // more than that to a double
 
-// The number as it is handed out: zero where it may be zero, as the velocity of a contact at rest. It is off by twice the radius of
-// the ball at most, and by the rounding.
+// The number as it is handed out: zero where it may be zero, as the velocity of a contact at rest. It is off by twice the radius
+// of the ball at most, and by the rounding.
 double sample_of(const Ball& x) { return x.may_vanish() ? 0 : static_cast<double>(x); }
 
 // Whether a state is that of the answer at tau = 0.

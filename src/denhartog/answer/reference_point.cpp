@@ -1,5 +1,5 @@
-// What is known of a point of a scene in the bits of the moment? Read `point_in_balls`, whose damping is that of `scene_in_balls`.
-// `with_enough_bits` doubles the bits until that is enough.
+// What is known of a point of a scene in the bits of the moment? Read `point_in_balls`, whose damping is that of
+// `scene_in_balls`. `with_enough_bits` doubles the bits until that is enough.
 #if DENHARTOG_REFERENCE
 #include "denhartog/answer/reference_point.hpp"
 
@@ -16,8 +16,8 @@ using namespace reference;
 
 namespace {
 
-// The same scene with the nearest damping that each mode has by itself, (18). Whatever the modes of a cluster are, what each has is
-// between the least and the largest eigenvalue of their block.
+// The same scene with the nearest damping that each mode has by itself, (18). Whatever the modes of a cluster are, what each has
+// is between the least and the largest eigenvalue of their block.
 SceneInBalls by_themselves(SceneInBalls s, const ModesInBalls& m, BallMatrix D) {
     for (const ModeCluster& c : m.clusters) {
         const auto first = static_cast<slong>(c.first), last = static_cast<slong>(c.last);

@@ -1,6 +1,6 @@
 /// @file
-/// @brief A point of a scene as the reference sees it; and how the reference goes on until it has a proof, with more bits, and from one
-/// guess of a motion to the next. Included by sources only.
+/// @brief A point of a scene as the reference sees it; and how the reference goes on until it has a proof, with more bits, and
+/// from one guess of a motion to the next. Included by sources only.
 #pragma once
 
 #include <functional>
@@ -16,8 +16,8 @@
 
 namespace denhartog {
 
-/// @brief Tries with bits from `first` on, doubled up to `most`, until an attempt says that they were enough. PrecisionError where
-/// something cannot be proved, or the budget of work, its own one where the scene had none, is spent.
+/// @brief Tries with bits from `first` on, doubled up to `most`, until an attempt says that they were enough. PrecisionError
+/// where something cannot be proved, or the budget of work, its own one where the scene had none, is spent.
 void with_enough_bits(const SceneSource& source, slong first, slong most,
                       const std::function<bool(const SceneSource& paid, slong bits, bool last)>& attempt);
 
@@ -42,8 +42,8 @@ public:
     /// @brief What makes them, the likeliest first, is called when they are first needed.
     explicit OrbitGuesses(const std::function<std::vector<OrbitGuess>()>& made) : made_(made) {}
 
-    /// @brief The first that is proved. What is disproved is not tried again, and what is proved is tried first. Unproved is thrown where
-    /// there is none; Disproved where none is left to be tried.
+    /// @brief The first that is proved. What is disproved is not tried again, and what is proved is tried first. Unproved is
+    /// thrown where there is none; Disproved where none is left to be tried.
     template <class Prove>
     [[nodiscard]] auto first_proved(Effort* effort, const Prove& prove) {
         if (!known_) guesses_ = made_();
@@ -93,7 +93,8 @@ struct PointInBalls {
 /// @brief The same at r = 1, where psi of (17) is phi, under the load that it has at its own r.
 [[nodiscard]] reference::SceneInBalls scene_at_one(const SceneSource& source);
 
-/// @brief The damping matrix in the modes, \f$ \boldsymbol\Psi^T\mathbf{C}\boldsymbol\Psi \f$; its diagonal damps each by itself. @eq{18}
+/// @brief The damping matrix in the modes, \f$ \boldsymbol\Psi^T\mathbf{C}\boldsymbol\Psi \f$; its diagonal damps each by itself.
+/// @eq{18}
 [[nodiscard]] BallMatrix damping_of_modes(const reference::SceneInBalls& scene, const reference::ModesInBalls& modes);
 
 /// @brief How far K M^-1 C is from C M^-1 K for the damping D in the modes, and the sizes of both, which are squares.

@@ -1,5 +1,5 @@
-// What are boundary, regime and steady state where the contact slides throughout, (38) to (53) and (69), in double? Read `sliding_point`;
-// `sliding_solution` makes an answer of it.
+// What are boundary, regime and steady state where the contact slides throughout, (38) to (53) and (69), in double? Read
+// `sliding_point`; `sliding_solution` makes an answer of it.
 #include "denhartog/answer/models_in_double.hpp"
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/model/modal_basis.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/why.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/coupled_sums.hpp"
@@ -73,16 +74,11 @@ Number paper_limit(const Scene<double>& scene, ModalBasis<Number> basis, const B
 }
 
 // Next to a pole the numbers are those of rounding: one unit in the last place of r changes them by a tenth and more.
-void check_poles(const ModalBasis<Number>& basis, const LoadRows& load, double r) {
+void check_poles(const ModalBasis<Number>& basis, const System<double>& system, double r) {
     constexpr double units = 8;
     for (std::size_t i = 0; i < basis.r_n.size() && !basis.coupled(); ++i) {
         const double R = r / basis.r_n[i].x;
-        const auto excites = [&](Mass row) {
-            const Number& loaded = basis.phi(static_cast<Eigen::Index>(row.index), static_cast<Eigen::Index>(i));
-            return std::abs(loaded.x) > loaded.e;
-        };
-        const bool excited = excites(load.re) || (load.im && excites(*load.im));
-        if (basis.zeta[i].x == 0 && excited && std::abs(R - 1) <= units * unit_of<double>())
+        if (basis.zeta[i].x == 0 && std::abs(R - 1) <= units * unit_of<double>() && is_excited(basis, system, i))
             throw DomainError({Why::pole_by_rounding, i + 1, R, R == 1});
     }
 }
@@ -97,7 +93,8 @@ SolvedMass solved_mass(const MassResponse<Number>& m, bool with_motion) {
     return mass;
 }
 
-// Sums whose displacements are absolute; friction knows the relative one of the contact alone, the row behind those of the masses.
+// Sums whose displacements are absolute; friction knows the relative one of the contact alone, the row behind those of the
+// masses.
 ModeSums<Number> sums_from_ground(const ModeSums<Number>& s, std::size_t N, BaseMotion motion, const Number& b) {
     ModeSums<Number> seen = s;
     const std::size_t j = s.contact.index;
@@ -153,6 +150,15 @@ void write_point(const Scene<double>& scene, SlidingPoint& point, Asked asked, S
 
 } // namespace
 
+bool is_excited(const ModalBasis<Number>& basis, const System<double>& system, std::size_t mode) {
+    const auto reaches = [&](Mass row) {
+        const Number& p = basis.phi(static_cast<Eigen::Index>(row.index), static_cast<Eigen::Index>(mode));
+        return std::abs(p.x) > p.e;
+    };
+    const LoadRows load = load_rows(system);
+    return reaches(load.re) || (load.im && reaches(*load.im));
+}
+
 FrictionMotions& SearchedSums::motions() {
     constexpr std::size_t most_remembered = std::size_t(1) << 16;
     if (!motions_ || motions_->remembered() > most_remembered) motions_.emplace(values(), effort_);
@@ -206,7 +212,7 @@ Solution sliding_solution(const SceneSource& source, const Question& question, s
     if (!modes) check(scene);
     (void)frequency_ratio_of(scene);
     if (!modes) modes = modes_with_errors(scene.system, source->effort);
-    check_poles(*modes, load_rows(scene.system), *scene.r);
+    check_poles(*modes, scene.system, *scene.r);
     SlidingPoint point = sliding_point(scene, *modes, question, source->effort);
     Solution s;
     s.asked = question.asked;

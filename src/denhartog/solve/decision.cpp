@@ -39,9 +39,9 @@ AnswerOrNone without_proof(AnswerInDouble found, const AnswerOrNone& proof, Reas
     return found;
 }
 
-// The reference for a proof and for more digits than double has; else double, if that settles the question or refuses it at a pole
-// that is met by rounding; else the reference, of many masses only if digits were asked for. If that has no proof, what double has,
-// or the reasons of both.
+// The reference for a proof and for more digits than double has; else double, if that settles the question or refuses it at a
+// pole that is met by rounding; else the reference, of many masses only if digits were asked for. If that has no proof, what
+// double has, or the reasons of both.
 template <class ByReference, class Fast>
 AnswerOrNone in_turn(std::size_t N, Effort* effort, const Question& question, const ByReference& by_reference, const Fast& fast) {
     if (question.proved || question.digits > most_digits_in_double) return by_reference(AnswerInDouble{});
@@ -186,8 +186,8 @@ FreeModes free_modes(const ModalBasis<Number>& basis, Mass contact, const Number
     return found;
 }
 
-// Says that mode i may keep any share of the sliding motion, and how far the contact then moves at most: until its velocity over the
-// half-period would change its sign.
+// Says that mode i may keep any share of the sliding motion, and how far the contact then moves at most: until its velocity over
+// the half-period would change its sign.
 void say_what_is_kept(std::size_t i, const System<double>& system, Solution& s) {
     const auto basis = modes_with_errors(system);
     const ModeSums<double> sums = values_of(bounded_sums(system, *basis, as_input(s.r.value)));

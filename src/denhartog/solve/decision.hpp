@@ -1,9 +1,9 @@
 /// @file
 /// @brief What answers a question.
 ///
-/// The reference, if a proof or 15 digits and more are asked for. Else double, if it has the digits, the regime and the stability;
-/// if not, the reference. If the reference has no proof either, double answers if its regime is certain; else nothing does. Where a
-/// question has no answer, that is a value, see `Outcome`; the functions that users call make an exception of it.
+/// The reference, if a proof or 15 digits and more are asked for. Else double, if it has the digits, the regime and the
+/// stability; if not, the reference. If the reference has no proof either, double answers if its regime is certain; else nothing
+/// does. Where a question has no answer, that is a value, see `Outcome`; the functions that users call make an exception of it.
 #pragma once
 
 #include <functional>
@@ -32,26 +32,27 @@ struct SolvePoint {
 [[nodiscard]] SceneSource source_at(const PreparedSystem& p, const SolvePoint& at);
 
 /// @brief Says whether the velocities are known not to depend on the start, and why; and what is steady besides where a mode
-/// without damping keeps any share of the sliding motion. The answer has its point already; `contact` is the row of the contact in
-/// the shapes of the basis.
+/// without damping keeps any share of the sliding motion. The answer has its point already; `contact` is the row of the contact
+/// in the shapes of the basis.
 ///
 /// With mu = 1 no two motions move apart, and their distance stays the same only if friction and dampers do no work on their
-/// difference. That is then a free motion of modes without damping, which lets the contact turn at the same instants: at multiples
-/// of pi. Of modes whose phases over pi are told from 0, from pi and from each other's it is zero. A mode with an even number of
-/// periods in one of the force may keep any share. Of one mass that stops, two motions at the same distance rest and break
-/// away together, and so from the same place.
+/// difference. That is then a free motion of modes without damping, which lets the contact turn at the same instants: at
+/// multiples of pi. Of modes whose phases over pi are told from 0, from pi and from each other's it is zero. A mode with an even
+/// number of periods in one of the force may keep any share. Of one mass that stops, two motions at the same distance rest and
+/// break away together, and so from the same place.
 void say_whether_unique(const ModalBasis<Bounded<double>>& basis, Mass contact, const System<double>& system, double mu,
                         Solution& s);
 
-/// @brief What a proof of a motion that double found periodic starts from. Stops and slips shorter than `shortest`, in tau, are left
-/// out. There are no directions where the motion has no phases that repeat.
+/// @brief What a proof of a motion that double found periodic starts from. Stops and slips shorter than `shortest`, in tau, are
+/// left out. There are no directions where the motion has no phases that repeat.
 [[nodiscard]] OrbitGuess guess_of(ExactSolver& solver, const PeriodicOrbit& orbit, double shortest = 0);
 
-/// @brief Motions that differ from a guess by one stop of nearly no length, which rounding may have invented or hidden; the likeliest
-/// first: one where the contact turns or is slow, and the guess without its shortest stop or slip.
+/// @brief Motions that differ from a guess by one stop of nearly no length, which rounding may have invented or hidden; the
+/// likeliest first: one where the contact turns or is slow, and the guess without its shortest stop or slip.
 [[nodiscard]] std::vector<OrbitGuess> with_other_stops(const OrbitGuess& guess);
 
-/// @brief Motions near the one from rest, as double sees them, the likeliest first; that one is followed here if it was not before.
+/// @brief Motions near the one from rest, as double sees them, the likeliest first; that one is followed here if it was not
+/// before.
 [[nodiscard]] std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source,
                                                  std::optional<PeriodicOrbit>& followed);
 

@@ -1,5 +1,5 @@
-// How do amplitudes depend on a number of the scene? `amplitudes_of` solves a scene with one number changed; `find_places` seeks where an
-// amplitude is as wanted, and `conditions_of` takes differences.
+// How do amplitudes depend on a number of the scene? `amplitudes_of` solves a scene with one number changed; `find_places` seeks
+// where an amplitude is as wanted, and `conditions_of` takes differences.
 #include "denhartog/solve/find.hpp"
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "denhartog/answer/models_in_double.hpp"
 #include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/answer/solution.hpp"
-#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/json_document.hpp"
@@ -192,8 +192,8 @@ struct SensitiveMode {
     double change;    // by what part its amplitude changes if R changes by a unit in the last place
 };
 
-// |v_d| of (23) changes by (1 - R) / ((1 - R)^2 + zeta^2) of itself, for a relative change of R. A damping matrix has none unless it
-// is zero.
+// |v_d| of (23) changes by (1 - R) / ((1 - R)^2 + zeta^2) of itself, for a relative change of R. A damping matrix has none unless
+// it is zero.
 std::optional<SensitiveMode> sensitive_mode(const SceneSource& source) {
     constexpr double noticeable = 1e-3, unit = std::numeric_limits<double>::epsilon();
     const System<double>& s = source->in_double().system;
@@ -201,15 +201,10 @@ std::optional<SensitiveMode> sensitive_mode(const SceneSource& source) {
     if (s.damping_matrix.size() > 0 ? !s.damping_matrix.isZero(0) : damped) return std::nullopt;
     const ModesInDouble found = modes_in_double(source);
     const ModalBasis<Bounded<double>>& modes = *found.basis;
-    const LoadRows load = load_rows(s);
     for (std::size_t i = 0; i < modes.r_n.size(); ++i) {
-        const auto excites = [&](Mass row) {
-            const Bounded<double>& p = modes.phi(static_cast<Eigen::Index>(row.index), static_cast<Eigen::Index>(i));
-            return std::abs(p.x) > p.e;
-        };
         const double R = frequency_ratio_of(source->in_double()) / modes.r_n[i].x, zeta = modes.zeta[i].x;
         const double apart = std::abs(R - 1) + unit, change = unit * apart / (apart * apart + zeta * zeta);
-        if (change > noticeable && (excites(load.re) || (load.im && excites(*load.im)))) return SensitiveMode{i, R, change};
+        if (change > noticeable && is_excited(modes, s, i)) return SensitiveMode{i, R, change};
     }
     return std::nullopt;
 }

@@ -1,6 +1,6 @@
 /// @file
-/// @brief What amplitudes do when a number of the scene varies: where it has to be so that one has a given value, or is largest or
-/// least, `find`; and how much they change with it, the condition of an answer.
+/// @brief What amplitudes do when a number of the scene varies: where it has to be so that one has a given value, or is largest
+/// or least, `find`; and how much they change with it, the condition of an answer.
 #pragma once
 
 #include <optional>
@@ -38,8 +38,8 @@ struct Wanted {
     AmplitudeIs of = AmplitudeIs::largest; ///< whether the largest or the least amplitude over that counts
 };
 
-/// @brief Reads `amplitude of mass 2 = 0.075`, `amplitude of mass 2 is least`, `largest amplitude of mass 2 over r 0.5:2 is least`;
-/// InputError if it is no such sentence.
+/// @brief Reads `amplitude of mass 2 = 0.075`, `amplitude of mass 2 is least`, `largest amplitude of mass 2 over r 0.5:2 is
+/// least`; InputError if it is no such sentence.
 [[nodiscard]] Wanted wanted_from(std::string_view text);
 
 /// @brief An interval of a number from the text `A:B`; none if that is not two numbers.
@@ -78,13 +78,13 @@ struct FoundPlaces {
 
 /// @brief Seeks the places in the interval.
 ///
-/// The amplitude is asked for at `samples` + 1 places and, if the frequency varies, at the natural frequencies, sliding and stuck.
-/// Two neighbours at which it certainly is on different sides of the value hold a crossing, which is then narrowed by bracketing.
-/// Where it comes nearer to the value than at the places beside, it is followed to where it is nearest. What lies between two
-/// places and shows at neither is not found: the list is not proved to be whole, whereas each crossing in it is proved to the
-/// bounds of the amplitudes at its ends. An amplitude that is taken over a second number is the largest, or the least, that was
-/// seen there. `effort` is the work allowed to all questions together; null: each has its own. PrecisionError if nothing was found
-/// and some samples have no answer.
+/// The amplitude is asked for at `samples` + 1 places and, if the frequency varies, at the natural frequencies, sliding and
+/// stuck. Two neighbours at which it certainly is on different sides of the value hold a crossing, which is then narrowed by
+/// bracketing. Where it comes nearer to the value than at the places beside, it is followed to where it is nearest. What lies
+/// between two places and shows at neither is not found: the list is not proved to be whole, whereas each crossing in it is
+/// proved to the bounds of the amplitudes at its ends. An amplitude that is taken over a second number is the largest, or the
+/// least, that was seen there. `effort` is the work allowed to all questions together; null: each has its own. PrecisionError if
+/// nothing was found and some samples have no answer.
 [[nodiscard]] FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, const Wanted& wanted, int samples,
                                       double damping_tolerance = 0, Effort* effort = nullptr);
 
@@ -97,19 +97,19 @@ struct ConditionOfAmplitudes {
     std::vector<std::optional<double>> of_masses; ///< of each mass: the relative change of its amplitude over that of the number
 };
 
-/// @brief The conditions of all amplitudes, \f$ \frac{p}{X_k}\frac{\partial X_k}{\partial p} \f$, for each
-/// number p of a scene that is not zero and that it has a line for: masses, stiffnesses, damping ratios, frequency, the force or the
-/// base's motion, and friction.
+/// @brief The conditions of all amplitudes, \f$ \frac{p}{X_k}\frac{\partial X_k}{\partial p} \f$, for each number p of a scene
+/// that is not zero and that it has a line for: masses, stiffnesses, damping ratios, frequency, the force or the base's motion,
+/// and friction.
 ///
 /// They are estimates to two digits, by differences of answers on both sides with two steps that agree. There is none where they
 /// do not agree, as where the regime changes, where an answer is missing, or where a mass does not move. Entries of matrices are
-/// left out, because one changes with its mirror image; so are `mu`, the lists of loads and their phases. `effort` is the work allowed
-/// to all answers together; null: each has its own.
+/// left out, because one changes with its mirror image; so are `mu`, the lists of loads and their phases. `effort` is the work
+/// allowed to all answers together; null: each has its own.
 [[nodiscard]] std::vector<ConditionOfAmplitudes> conditions_of(std::string_view scene, double damping_tolerance = 0,
                                                                Effort* effort = nullptr);
 
-/// @brief What an answer that moves depends on too much: the first mode that the load excites and whose amplitude a unit in the last
-/// place of R changes by more than a thousandth. A sentence without its full stop, or nothing.
+/// @brief What an answer that moves depends on too much: the first mode that the load excites and whose amplitude a unit in the
+/// last place of R changes by more than a thousandth. A sentence without its full stop, or nothing.
 [[nodiscard]] std::string warning_of(const SceneSource& source, const Solution& solution);
 
 } // namespace denhartog

@@ -122,8 +122,8 @@ OrbitGuess guess_with_phases(ExactSolver& solver, const PeriodicOrbit& orbit, do
     std::size_t m = 1;
     while (m + 1 < seen.size() && !(seen[m + 1].index == seen[1].index && seen[m + 1].stretch == seen[1].stretch + 1)) ++m;
     if (seen.size() < 2 * m + 1) return {};
-    // Event 0 lies between phases that are certainly there: neither is short. Of two events as good it is one where the contact comes
-    // to rest, whatever rounding makes of them: a proof from there takes fewer bits.
+    // Event 0 lies between phases that are certainly there: neither is short. Of two events as good it is one where the contact
+    // comes to rest, whatever rounding makes of them: a proof from there takes fewer bits.
     std::size_t first = 1;
     double longest = 0;
     for (std::size_t k = 1; k <= m; ++k) {

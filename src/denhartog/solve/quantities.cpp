@@ -163,8 +163,8 @@ Quantities<Bounded<double>> numbers_of(const PointInBalls& p, std::span<const do
     return q;
 }
 
-// The numbers of a point by the reference, proved and rounded to double. Bits are doubled until they are accepted; `accept` may put
-// zeros for some.
+// The numbers of a point by the reference, proved and rounded to double. Bits are doubled until they are accepted; `accept` may
+// put zeros for some.
 template <class Accept>
 QuantitiesAnswer quantities_by_reference(const SceneSource& source, std::span<const double> tau, const Accept& accept) {
     constexpr slong first = 192, most = 1024;

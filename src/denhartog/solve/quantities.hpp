@@ -34,8 +34,8 @@ struct Quantities {
     std::vector<T> x_size;     ///< amplitudes of the monoharmonic motions, Eq. (52): what errors of x and x' are relative to
 };
 
-/// @brief Lists all numbers of a point: name, mass, value, and the size that its error is relative to, which is |V| for the parts of V,
-/// 1 for a phase, (52) for x_k.
+/// @brief Lists all numbers of a point: name, mass, value, and the size that its error is relative to, which is |V| for the parts
+/// of V, 1 for a phase, (52) for x_k.
 template <class T, class Read>
 void list(const Quantities<T>& q, const Read& read) {
     for (std::size_t k = 0; k < q.V.size(); ++k) {
@@ -72,12 +72,12 @@ struct QuantitiesAnswer {
     double relative = 0;                 ///< the largest bound of those asked for over its size, see `list`
 };
 
-/// @brief The numbers of a point to 1 to 15 digits, in double if its bounds have them, else by the reference. Instants may be any; zero
-/// is at a maximum of x_j.
+/// @brief The numbers of a point to 1 to 15 digits, in double if its bounds have them, else by the reference. Instants may be
+/// any; zero is at a maximum of x_j.
 ///
-/// A number that the reference finds below 1e-25 of the largest of its kind, and to which its bound does not leave the digits, comes
-/// out as zero with its bound: it is zero without being so by its formula, as at an antiresonance, or lies too low to tell. InputError,
-/// at a pole of a mode without damping DomainError, PrecisionError where the digits are not reached.
+/// A number that the reference finds below 1e-25 of the largest of its kind, and to which its bound does not leave the digits,
+/// comes out as zero with its bound: it is zero without being so by its formula, as at an antiresonance, or lies too low to tell.
+/// InputError, at a pole of a mode without damping DomainError, PrecisionError where the digits are not reached.
 /// @eq{33,34,35,38,39,41,56,64,69}
 [[nodiscard]] QuantitiesAnswer quantities(const SceneSource& source, std::span<const double> tau, int digits,
                                           PointNumbers asked = PointNumbers::all,
@@ -114,7 +114,8 @@ void add_motion(Quantities<T>& q, const ModeSums<T>& s, const T& beta, const std
     for (const MassResponse<T>& m : state.masses) q.x_size.push_back(m.amplitude_monoharmonic);
 }
 
-/// @brief All numbers of a point in double, of a contact between two masses too, which comes last. A search has its share of `effort`.
+/// @brief All numbers of a point in double, of a contact between two masses too, which comes last. A search has its share of
+/// `effort`.
 [[nodiscard]] Quantities<Bounded<double>> quantities_in_double(const Scene<double>& scene, const ModeSums<Bounded<double>>& sums,
                                                                std::span<const double> tau, Effort* effort = nullptr);
 

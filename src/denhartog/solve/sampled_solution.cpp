@@ -1,5 +1,6 @@
-// Where are the masses at evenly spaced instants? Read `sampled_solution`: the closed form and the stuck response are recurrences, a
-// motion with stops is followed from phase to phase, and where double does not have the digits the reference answers.
+// Where are the masses at evenly spaced instants? Read `sampled_solution`: the closed form and the stuck response are
+// recurrences, a motion with stops is followed from phase to phase, and where double does not have the digits the reference
+// answers.
 #include "denhartog/solve/sampled_solution.hpp"
 
 #include <algorithm>

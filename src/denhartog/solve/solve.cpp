@@ -104,7 +104,8 @@ void answer_by_stuck_response(const SolveTask& task, const std::optional<Certifi
     s.relative_error = held.relative;
 }
 
-// Numbers of the state of an orbit with their errors, that of the contact behind those of the masses where it has a row of its own.
+// Numbers of the state of an orbit with their errors, that of the contact behind those of the masses where it has a row of its
+// own.
 std::vector<Certified> certified_of(std::vector<double> numbers, const ExactSolver& solver, const auto& error) {
     std::vector<Certified> out;
     solver.system().stuck.contact.append(numbers);
@@ -186,7 +187,8 @@ Reasons cost_of_fast_mode(const ExactSolver& solver, const PeriodicOrbit& none) 
     throw PrecisionError(Why::none_from_rest + why + Why::certain + s.regime.reason);
 }
 
-// The steady motion of a regime that the boundaries tell, where the one from rest is not known. A sliding motion is in `s` already.
+// The steady motion of a regime that the boundaries tell, where the one from rest is not known. A sliding motion is in `s`
+// already.
 void answer_by_regime(SolveTask& task, Solution& s) {
     if (task.question.asked == Asked::regime) return answer_by_boundaries(task, "boundaries", s);
     if (s.regime.regime == Regime::permanent_sticking) answer_by_stuck_response(task, std::nullopt, s);

@@ -1,6 +1,6 @@
 /// @file
-/// @brief `solve`: the answer in every regime by the cheapest model that is certain to have the digits asked for; and what a question
-/// to a system needs that does not depend on r and beta, done once for many points.
+/// @brief `solve`: the answer in every regime by the cheapest model that is certain to have the digits asked for; and what a
+/// question to a system needs that does not depend on r and beta, done once for many points.
 ///
 /// The models, cheapest first:
 ///  1. amplitude or phase of the mass in contact alone, mu = 1: (38), (39) below a lower bound of (69), see `contact_alone.hpp`;
