@@ -6,7 +6,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/why.hpp"
 #include "denhartog/scene/scene_json.hpp"
-#include "denhartog/solve/amplitude_search.hpp"
+#include "denhartog/solve/detail/amplitude_search.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/closed_form.hpp"
 #include "tests/unit/program_table.hpp"
