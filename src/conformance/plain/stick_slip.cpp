@@ -205,6 +205,7 @@ void PlainContact::settle() {
         }
         if (std::optional<PlainRow> found = by_newton()) {
             now = std::move(*found);
+            run(); // after which it is known whether the contact rests at the end of a period
             run();
             return;
         }
