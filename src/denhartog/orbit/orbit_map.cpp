@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/sliding/bounded_modes.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
 #include "elementary/elementary.hpp"
 
 namespace denhartog {
@@ -54,7 +54,7 @@ bool OrbitMap::apply(const State& z, int half_periods, bool with_jacobian) {
     difference_ = denhartog::difference(image_, z);
     if (!with_jacobian) return true;
     const Column energies = largest_energies();
-    const double units = eps * static_cast<int>(motion_->phases.size());
+    const double units = double_epsilon * static_cast<int>(motion_->phases.size());
     const double rounding_of_coupled = rounding_of_coupled_modes() * energies.sum();
     rounding_ = (errors_between_modes(units, false) * energies).array() + rounding_of_coupled;
     with_mode_errors_ = (errors_between_modes(units, true) * energies).array() + rounding_of_coupled;
@@ -134,10 +134,11 @@ Matrix<double> OrbitMap::errors_between_modes(double units, bool mode_errors) co
         for (std::size_t k = 0; k < s.basis.r_n.size(); ++k) {
             const double r_k = s.basis.r_n[k];
             E(i, k) += units * (mode_errors ? std::max(1.0, r_i / r_k) : i == k);
-            if (i == k) E(i, i) += length * r_i / r * std::max(mode_errors ? s.detuned[i] / 8 : 0, static_cast<int>(N) * eps);
+            if (i == k)
+                E(i, i) += length * r_i / r * std::max(mode_errors ? s.detuned[i] / 8 : 0, static_cast<int>(N) * double_epsilon);
             if (i == k || !mode_errors) continue;
             const double angle =
-                static_cast<int>(N + 1) * eps +
+                static_cast<int>(N + 1) * double_epsilon +
                 angle_of_turn(Bounded<double>(r_i, r_i * s.detuned[i]), Bounded<double>(r_k, r_k * s.detuned[k])) / 8;
             const double damping = 2 * std::abs(s.basis.zeta[i] * r_i - s.basis.zeta[k] * r_k);
             const double stiffness = std::abs(r_i - r_k) * (r_i + r_k) + damping * std::max(r, r_k);
@@ -157,12 +158,12 @@ double OrbitMap::rounding_of_coupled_modes() const {
     if (!basis.coupled()) return 0;
     const double rate = 1 + (basis.r_n.back() + largest_row_sum(basis.D)) / solver_->excitation().r;
     const double steps = static_cast<int>(motion_->phases.size()) + h_ * pi<double>() * rate;
-    return 4 * static_cast<int>(2 * N + 2) * eps * steps;
+    return 4 * static_cast<int>(2 * N + 2) * double_epsilon * steps;
 }
 
 double OrbitMap::rounding_of_jacobian() const {
     const double phases = static_cast<int>(motion_->phases.size());
-    const double units = 4 * (static_cast<int>(N) + 8) * eps * phases;
+    const double units = 4 * (static_cast<int>(N) + 8) * double_epsilon * phases;
     const Matrix<double> E = errors_between_modes(units, true);
     return sqrt(E.rowwise().sum().maxCoeff() * E.colwise().sum().maxCoeff()) + rounding_of_coupled_modes();
 }

@@ -58,7 +58,7 @@ MassMotion contact_motion(const OrbitMap& map, double error) {
     // it first. Elsewhere the start of the stretch comes last and has to be larger by more than rounding.
     const bool rests_across =
         motion.phases.size() > 1 && motion.phases.front().direction == 0 && motion.phases.back().direction == 0;
-    double x = rests_across ? 0.0 : x_at(0) * (1 - 16 * eps), tau = 0;
+    double x = rests_across ? 0.0 : x_at(0) * (1 - 16 * double_epsilon), tau = 0;
     for (std::size_t n = 1; n < motion.phases.size(); ++n) {
         if (motion.phases[n - 1].direction == 0) continue;
         const double x_j = x_at(n);
@@ -82,7 +82,7 @@ std::vector<Multiplier> multipliers_in_energy(const OrbitMap& map, const Matrix<
     const long n = jacobian.rows();
     map.solver().effort().spend(n * n * n / 32); // what making the matrix diagonal takes
     const bool is_known = error >= 0;            // else it is no number
-    return multipliers_of(jacobian, is_known ? error : std::numeric_limits<double>::infinity(), growth * (1 + eps));
+    return multipliers_of(jacobian, is_known ? error : std::numeric_limits<double>::infinity(), growth * (1 + double_epsilon));
 }
 
 // Multipliers of the others, over the stretch of the map that was applied to a motion whose contact rested throughout.
@@ -94,7 +94,7 @@ std::vector<Multiplier> multipliers_of_rest(const OrbitMap& map) {
     const double phases = static_cast<int>(map.motion().phases.size());
     const double turn = map.half_periods() * pi<double>() * fastest / r;
     const double error =
-        4 * (static_cast<int>(map.N) + 8) * eps * (phases + turn) * static_cast<int>(map.N) * (fastest / slowest);
+        4 * (static_cast<int>(map.N) + 8) * double_epsilon * (phases + turn) * static_cast<int>(map.N) * (fastest / slowest);
     return multipliers_in_energy(map, in_energy_coordinates(map.jacobian(), s.stuck.momentum, s.stuck.shapes, s.stuck.r_n, r),
                                  error, 1);
 }

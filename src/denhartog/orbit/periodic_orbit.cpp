@@ -215,7 +215,7 @@ private:
             if (!map_.apply(z, part, false)) continue;
             const double apart = map_.norm(map_.difference());
             State w = z;
-            if (apart * apart < eps * map_.norm(z) * map_.norm(z) && map_.find_fixed_point(w, part, BadSteps::some)) {
+            if (apart * apart < double_epsilon * map_.norm(z) * map_.norm(z) && map_.find_fixed_point(w, part, BadSteps::some)) {
                 z = w;
                 h = part;
                 applied = true;

@@ -52,7 +52,7 @@ public:
     // Its rounding error: some units of its terms.
     [[nodiscard]] double noise(Eigen::Index row, double t) {
         motion_.differentiate_at(t);
-        return 4 * eps * (sizes_.row(row).dot(column(motion_.q[0]).cwiseAbs()) + frame_);
+        return 4 * double_epsilon * (sizes_.row(row).dot(column(motion_.q[0]).cwiseAbs()) + frame_);
     }
 
     // The size of the displacement as a curve, which refers to this object.
@@ -144,7 +144,7 @@ Jet ExactSolver::velocity_ahead(int direction, double t) {
         jet.second = size * energy_norm(sliding_, 2);
         jet.growth = size * column(sliding_.F).norm();
     }
-    jet.noise *= eps;
+    jet.noise *= double_epsilon;
     return jet;
 }
 
@@ -159,7 +159,7 @@ Jet ExactSolver::load_ahead(double t) {
         jet.second += load_per_energy_ * energy_norm(sticking_, 2) + load_rest_;
         jet.growth = load_growth_;
     }
-    jet.noise *= eps;
+    jet.noise *= double_epsilon;
     return jet;
 }
 

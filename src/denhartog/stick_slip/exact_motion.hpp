@@ -32,7 +32,7 @@ struct LinearSum;
 } // namespace evaluation
 struct Jet;
 
-inline constexpr double eps = std::numeric_limits<double>::epsilon(); ///< distance of 1 from the next double
+inline constexpr double double_epsilon = std::numeric_limits<double>::epsilon(); ///< distance of 1 from the next double
 
 /// @brief A view of numbers as a column, to be read or written.
 template <class Values>

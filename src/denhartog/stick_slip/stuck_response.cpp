@@ -28,7 +28,7 @@ double amplitude_of(const Complex<double>& X) {
     return square > 0x1p-900 && square < 0x1p900 ? std::sqrt(square) : elementary::hypot(X.re, X.im);
 }
 
-double rounding(std::size_t modes) { return 4 * static_cast<int>(modes) * eps; }
+double rounding(std::size_t modes) { return 4 * static_cast<int>(modes) * double_epsilon; }
 
 // Amplitude of an uncoupled mode under the force p in phase; D is the diagonal entry of the damping, 2 zeta r_n.
 Complex<double> mode_amplitude(double p, double r_n, double D, double r, double tolerance) {
@@ -201,7 +201,7 @@ double LastingRest::reach() const {
     const StuckConfiguration& s = system_->stuck;
     const double holds = e_.mu * e_.beta;
     const double rounding =
-        64 * static_cast<int>(s.masses.size() + 1) * eps * (holds + terms_) * std::max(1.0, s.k_jj / s.k_contact);
+        64 * static_cast<int>(s.masses.size() + 1) * double_epsilon * (holds + terms_) * std::max(1.0, s.k_jj / s.k_contact);
     return (holds - modulus(response_->contact_load) - rounding) / s.k_contact;
 }
 
@@ -219,7 +219,7 @@ LastingRest::Verdict LastingRest::verdict(const State& z) const {
     const double x_j = s.contact.of(z.x), holds = e_.mu * e_.beta, constant = std::abs(s.k_contact * x_j);
     const double margin = holds - modulus(response_->contact_load) - constant;
     const double rounding =
-        16 * static_cast<int>(s.masses.size() + 1) * eps * (holds + terms_ + constant + std::abs(s.k_jj * x_j));
+        16 * static_cast<int>(s.masses.size() + 1) * double_epsilon * (holds + terms_ + constant + std::abs(s.k_jj * x_j));
     if (margin < -rounding) return Verdict::open;
     const State steady = steady_state(x_j);
     const Column q = s.momentum * (column(z.x) - column(steady.x)), p = s.momentum * (column(z.x_prime) - column(steady.x_prime));
