@@ -1,6 +1,7 @@
 // Resonance: the limits zeta -> 0 and R -> 1 along several paths, and the orders of the errors of (77)-(85), in 50 and 100
 // digits.
 #include "denhartog/evaluation/resonance.hpp"
+#include "denhartog/formulas/contact.hpp"
 
 #include <cmath>
 

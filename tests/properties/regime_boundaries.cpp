@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "denhartog/formulas/boundary.hpp"
+#include "denhartog/formulas/contact.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/sample_scenes.hpp"
