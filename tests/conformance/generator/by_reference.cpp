@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 
+#include "denhartog/answer/certify.hpp"
 #include "denhartog/answer/reference_point.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
 #include "denhartog/number/effort.hpp"
