@@ -19,9 +19,9 @@
 #include "denhartog/number/bounded.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/sliding/boundary.hpp"
-#include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/sliding/bounded_modes.hpp"
 #include "denhartog/sliding/friction_motion.hpp"
+#include "denhartog/sliding/steady_state.hpp"
 
 namespace denhartog {
 

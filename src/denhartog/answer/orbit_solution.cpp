@@ -12,8 +12,8 @@
 #include "denhartog/number/tried.hpp"
 #include "denhartog/number/why.hpp"
 #include "denhartog/orbit/floquet.hpp"
-#include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/sliding/coupled_sums.hpp"
+#include "denhartog/sliding/steady_state.hpp"
 
 namespace denhartog {
 namespace {

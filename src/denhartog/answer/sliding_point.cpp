@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "denhartog/answer/certify.hpp"
-#include "denhartog/model/modal_basis.hpp"
 #include "denhartog/model/contact_and_load.hpp"
+#include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/why.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/coupled_sums.hpp"

@@ -7,8 +7,8 @@
 #include "denhartog/formulas/high_frequency.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/number_text.hpp"
-#include "denhartog/solve/decision.hpp"
 #include "denhartog/sliding/load_of_base.hpp"
+#include "denhartog/solve/decision.hpp"
 #include "denhartog/version.hpp"
 
 using namespace denhartog;
@@ -31,7 +31,8 @@ constexpr double boundary_of_antiresonance = 1e-25;
 Solution closed_form_at(const dh_system* system, double r, double beta, double mu, Asked asked, std::optional<Mass> mass) {
     const SceneSource source = paid(point_of(system, r, beta, mu));
     const bool own_load = load_depends_on_frequency(source->in_double().system); // that of what is prepared is another
-    return sliding_answer(source, Question{asked, digits_of_formulas, false, mass}, own_load ? nullptr : system->prepared.bounded);
+    return sliding_answer(source, Question{asked, digits_of_formulas, false, mass},
+                          own_load ? nullptr : system->prepared.bounded);
 }
 
 void need_digits(const Solution& found) {

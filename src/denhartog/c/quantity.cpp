@@ -58,6 +58,13 @@ Numbers phase(const AtPoint& a) {
     return existing(mass_of(steady(a).solution, a.k).phase, "a mass that does not move has no phase");
 }
 
+// A number of the motion seen from the ground.
+Numbers from_ground(const AtPoint& a, std::optional<Certified> (*number)(const MassFromGround&)) {
+    const Solution s = steady(a).solution;
+    if (s.from_ground.empty()) throw DomainError("neither base nor wall moves");
+    return existing(number(s.from_ground[a.k.index]), "a mass that does not move has no phase");
+}
+
 Numbers regime(const AtPoint& a) {
     const RegimeAtPoint found = steady(a).solution.regime;
     return {{static_cast<double>(found.regime), found.on_boundary ? 1.0 : 0.0}};
@@ -115,6 +122,11 @@ constexpr Named named[] = {
     {"S_j", false, [](const AtPoint& a) { return Numbers{sums_at(a.system, a.r).S}; }},
     {"amplitude", true, amplitude},
     {"phase", true, phase},
+    {"absolute_amplitude", true,
+     [](const AtPoint& a) { return from_ground(a, [](const MassFromGround& m) { return std::optional(m.amplitude); }); }},
+    {"absolute_phase", true, [](const AtPoint& a) { return from_ground(a, [](const MassFromGround& m) { return m.phase; }); }},
+    {"transmissibility", true,
+     [](const AtPoint& a) { return from_ground(a, [](const MassFromGround& m) { return std::optional(m.transmissibility); }); }},
     {"amplitude_monoharmonic", true,
      [](const AtPoint& a) { return Numbers{bounded(sliding(a).sliding->amplitude_monoharmonic)}; }},
     {"phase_monoharmonic", true, [](const AtPoint& a) { return Numbers{bounded(sliding(a).sliding->phase_monoharmonic)}; }},

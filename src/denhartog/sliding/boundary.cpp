@@ -24,8 +24,9 @@ T static_demand(const ModeSums<T>& s, const T& mu) {
     return paper::static_friction_demand(s.H_j, mu, s.sum_of_squares);
 }
 
+// V_dj; zero if the load does not reach the contact beyond rounding.
 template <class T>
-Complex<T> response_that_counts(const ModeSums<T>& s) {
+Complex<T> response_or_zero(const ModeSums<T>& s) {
     const Complex<T>& V_dj = s.V[s.contact.index];
     return contact_is_unmoved(s) ? Complex<T>{zero_for(V_dj.re), zero_for(V_dj.im)} : V_dj;
 }
@@ -49,7 +50,7 @@ T sliding_demand(const ModeSums<T>& s, const T& tau) {
 template <class T>
 RegimeBoundary<T> regime_boundary_at(const ModeSums<T>& s, const T& mu, const T& S) {
     check_static_friction(mu);
-    const Complex<T> V_dj = response_that_counts(s);
+    const Complex<T> V_dj = response_or_zero(s);
     RegimeBoundary<T> b{};
     b.exact = paper::friction_ratio_limit(V_dj, s.U[s.contact.index], larger(S, static_demand(s, mu)));
     if (s.load == s.contact)
@@ -69,7 +70,7 @@ Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, std
     b.instant = instant;
     b.instants = std::move(instants);
     const T held = static_demand(s, mu), &U_dj = s.U[s.contact.index];
-    const Complex<T> V_dj = response_that_counts(s);
+    const Complex<T> V_dj = response_or_zero(s);
     b.paper = paper::friction_ratio_limit(V_dj, U_dj, larger(b.S_paper, held));
     b.approximate = paper::friction_ratio_limit(V_dj, U_dj, held);
     if (instant == 0)
@@ -86,6 +87,9 @@ Boundary<double> boundary(const ModeSums<double>& s, double mu) {
     return boundary_at(s, mu, instants.front(), std::vector<double>(instants.begin() + 1, instants.end()));
 }
 
+template RegimeBoundary<double> regime_boundary_at(const ModeSums<double>&, const double&, const double&);
+template RegimeBoundary<Bounded<double>> regime_boundary_at(const ModeSums<Bounded<double>>&, const Bounded<double>&,
+                                                            const Bounded<double>&);
 template double sliding_demand(const ModeSums<double>&, const double&);
 template Bounded<double> sliding_demand(const ModeSums<Bounded<double>>&, const Bounded<double>&);
 template Boundary<double> boundary_at(const ModeSums<double>&, const double&, const double&, std::vector<double>);

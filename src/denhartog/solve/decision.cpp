@@ -11,8 +11,8 @@
 #include "denhartog/answer/reference.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/effort.hpp"
-#include "denhartog/sliding/friction_motion.hpp"
 #include "denhartog/sliding/coupled_sums.hpp"
+#include "denhartog/sliding/friction_motion.hpp"
 #include "elementary/elementary.hpp"
 
 namespace denhartog {

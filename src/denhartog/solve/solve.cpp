@@ -1,5 +1,6 @@
 // Which model answers a question in double? Read `answer` first: it asks the closed form, follows the start from rest where that
-// is needed, and takes the stuck response where the contact rests. `solve_in_double` puts the cheapest model before it.
+// is needed, and takes the stuck response where the contact rests. `solve_in_double` puts the cheapest model before it. `decide`, at
+// the end, asks double and then the reference.
 #include "denhartog/solve/solve.hpp"
 
 #include <algorithm>
@@ -12,10 +13,10 @@
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/tried.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
 #include "denhartog/sliding/coupled_sums.hpp"
 #include "denhartog/solve/decision.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
-#include "denhartog/sliding/bounded_modes.hpp"
 
 namespace denhartog {
 namespace {

@@ -265,6 +265,12 @@ class AgainstTheProgram(unittest.TestCase):
         self.assertEqual(errors.shape, (8,))
         self.assertEqual(system.quantity("regime", r, 100)[0][0], 2)
         self.assertRaises(denhartog.DomainError, system.quantity, "speed", r)
+        self.assertRaises(denhartog.DomainError, system.quantity, "transmissibility", r, beta)
+        car = System.from_scene(scene_file("example_quarter_car"))
+        seen = car.solve(r, beta, digits=12).from_ground
+        for k in range(car.N):
+            for name, true in (("absolute_amplitude", seen.amplitude), ("absolute_phase", seen.phase), ("transmissibility", seen.transmissibility)):
+                self.assertLess(abs(car.quantity(name, r, beta, mass=k + 1)[0][0] - true[k]), 1e-10)
         for wrong in (dict(mass=4), dict(mass=-1), dict(samples=0), dict(mu=0.5)):
             self.assertRaises(denhartog.InputError, system.quantity, "amplitude", r, beta, **wrong)
 
