@@ -172,9 +172,9 @@ const Register claims_of_evaluation_forms([] {
              },
          .special_case = true}, // an operation may be exchanged there and the rest stays: it matters to roundings alone
         {.id = "evaluation/sum-with-rests",
-         .equations = {"6"},
+         .equations = {"73"},
          .role = Role::shipped,
-         .title = "The sum of a row of (6), each addition with any rounding, what it took given back",
+         .title = "The sum of a row of the stiffness matrix, each addition with any rounding, what it took given back",
          .kernel =
              [=] {
                  const evaluation::SumWithRest<Symbolic> s =

@@ -32,13 +32,6 @@ struct Held {
     }
 };
 
-Handle system_of(const conformance::ProtocolQuestion& q) {
-    const std::string scene = conformance::question_json(q)["scene"].dump();
-    dh_system* system = nullptr;
-    REQUIRE(dh_system_from_json(scene.data(), scene.size(), &system) == DH_OK);
-    return Handle(system);
-}
-
 constexpr std::size_t most_values = 64;
 
 // The numbers of a vector, or the bounds of their errors.
@@ -65,7 +58,7 @@ TEST_CASE("every quantity by its name is within the bound of its error of the ce
     for (const Vector& v : vectors()) {
         if (!has_name_in_c(v)) continue;
         INFO(v.question.id << " " << v.question.quantity);
-        const Handle system = system_of(v.question);
+        const Handle system = handle_of(conformance::question_json(v.question)["scene"].dump());
         const std::vector<double> values = asked(dh_quantity, system.get(), v.question),
                                   errors = asked(dh_quantity_errors, system.get(), v.question);
         REQUIRE(errors.size() == values.size());
@@ -81,8 +74,7 @@ TEST_CASE("every quantity by its name is within the bound of its error of the ce
                                            angle ? 2 * std::numbers::pi : 0);
         }
     }
-    const auto of_paper = std::ranges::count(conformance::quantities(), false, &conformance::Quantity::absolute);
-    CHECK(held.size() == static_cast<std::size_t>(of_paper) - 1); // all but the regime
+    CHECK(held.size() == conformance::quantities().size() - 1); // all but the regime
     for (const auto& [name, of] : held) {
         INFO(name << ": " << of.close << " of " << of.numbers);
         CHECK((of.close > of.numbers / 20 || name == "stops_per_period" || name == "motion_under_force"));

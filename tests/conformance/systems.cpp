@@ -21,7 +21,7 @@ namespace {
 // The first example of docs/protocol.md.
 ProtocolQuestion two_masses() {
     ProtocolQuestion q;
-    q.id = "systems-load-0001";
+    q.id = "example-1";
     q.quantity = "amplitude";
     q.mass_ratios = {1, 2.5};
     q.stiffness_ratios = {1, 0.625};
@@ -38,7 +38,7 @@ ProtocolQuestion two_masses() {
 // All examples of that page beyond the paper.
 std::vector<ProtocolQuestion> examples() {
     ProtocolQuestion phased = two_masses();
-    phased.id = "systems-phase-0001";
+    phased.id = "example-2";
     phased.quantity = "phase";
     phased.damping_matrix.clear();
     phased.damping_ratios = {0.0625, 0.125};
@@ -46,7 +46,7 @@ std::vector<ProtocolQuestion> examples() {
     phased.mass = 1;
     phased.load_phases = {0.75, 0};
     ProtocolQuestion wall = phased;
-    wall.id = "systems-ground-0001";
+    wall.id = "example-3";
     wall.quantity = "transmissibility";
     wall.loads.clear();
     wall.load_phases.clear();

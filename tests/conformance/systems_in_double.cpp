@@ -75,7 +75,7 @@ const Solution& motion_of(const ProtocolQuestion& q, const Scene<double>& scene)
 
 // (86) as the C interface gives it.
 std::optional<Value> of_high_frequency(const ProtocolQuestion& q) {
-    const Handle system = handle_of(conformance::scene_of(q).system);
+    const Handle system = handle_of(conformance::question_json(q)["scene"].dump());
     double limit = 0;
     if (dh_high_frequency_limit(system.get(), q.mu, &limit) != DH_OK) return std::nullopt;
     return Value{{limit}, ""};

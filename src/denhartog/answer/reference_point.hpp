@@ -102,6 +102,7 @@ struct Commutator {
     Ball apart{0}; ///< of the difference
     Ball size{0};  ///< of K times that of C
 };
+/// @brief How far a damping matrix is from one that leaves the modes by themselves. @return the distance, and the sizes
 [[nodiscard]] Commutator commutator_of(const reference::ModesInBalls& modes, const BallMatrix& D);
 
 /// @brief A scene with its damping matrix, (19) where damping is given by ratios.

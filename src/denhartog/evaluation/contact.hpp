@@ -41,7 +41,7 @@ struct SumWithRest {
 };
 
 /// @brief A sum with one term more: nothing is lost, whatever the rounding.
-/// @eq{6}  @derivation{forms/evaluation_forms}  @domain{any numbers}
+/// @eq{73}  @derivation{forms/evaluation_forms}  @domain{any numbers}
 /// @param s     the sum so far
 /// @param term  the term
 /// @param next  their sum as rounded
