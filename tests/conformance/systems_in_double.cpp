@@ -1,6 +1,7 @@
 #include "tests/conformance/systems_in_double.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "conformance/scene_of.hpp"
 #include "denhartog/model/contact_and_load.hpp"
