@@ -115,7 +115,8 @@ const std::string phased_chain = R"({"mass_ratios": [1, 2, 1.5], "stiffness_rati
 
 TEST_CASE("every stop and every rest under forces out of phase is found by other routes", "[.][sweep][phases][witness]") {
     CHECK(compare_with_events(random_phased_scenes(seed_of_phases + 2), 1, 200) >= 100);
-    CHECK(compare_stuck(random_phased_scenes(seed_of_phases + 3), 1) > 400);
+    // The other scenes have no such limit, or the motion from rest does not come to rest there.
+    CHECK(compare_stuck(random_phased_scenes(seed_of_phases + 3), 1) >= 370);
 }
 
 TEST_CASE("stick-slip under forces out of phase is what an event-driven integration gives", "[eq:74][eq:75][phases][witness]") {
