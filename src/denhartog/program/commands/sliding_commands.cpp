@@ -10,6 +10,7 @@
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/json/solution_json.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/solve/find.hpp"
 
 namespace denhartog::program {
 namespace {
