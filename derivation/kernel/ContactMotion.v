@@ -119,33 +119,40 @@ Proof.
     unfold turned_over. rewrite joined_before by lra. ring.
 Qed.
 
-(* The closed form, continued by its mirror image *)
-Theorem closed_form_is_a_contact_motion : forall s, Statements.closed_form_is_a_contact_motion s.
+(* A half-period motion that mirrors itself, under forces that turn over after half a period, and whose contact moves to smaller x
+   throughout, is continued by its mirror image to a steady motion of the contact. *)
+Lemma continued_is_steady s load (y y1 y2 : nat -> R -> R) :
+  (forall a t, is_derive (y a) t (y1 a t) /\ is_derive (y1 a) t (y2 a t)) -> (forall a, mirrored (y a) (y1 a)) ->
+  (forall a t, (a < masses s)%nat ->
+    Sum (masses s) (fun b => mass s a b * y2 b t + damping s a b * y1 b t + stiffness s a b * y b t) =
+    delta a (contact s) * friction s + load a t) ->
+  (forall a t, load a (t + PI) = - load a t) -> (forall t, 0 < t < PI -> y1 (contact s) t < 0) ->
+  steady_under s load (2 * PI) (continued y) (continued y1).
 Proof.
-  intros s mu Hs Hmu Hr phi P SL HF. pose proof PI_RGT_0 as Pp.
-  assert (XC : forall k t, continuous (x s phi k) t /\ continuous (x_prime s phi k) t)
-    by (intros; split; eapply continuous_of_derive; [apply x_derive | apply x_prime_derive]; exact Hs).
+  intros Dy My Ey Ly SL. pose proof PI_RGT_0 as Pp.
+  assert (XC : forall k t, continuous (y k) t /\ continuous (y1 k) t)
+    by (intros k t; destruct (Dy k t); split; eapply continuous_of_derive; eassumption).
   assert (Sh : forall (f : R -> R) t, continuous f (t - PI) -> continuous (fun t => - f (t - PI)) t).
   { intros f t Cf. apply (continuous_opp (V := R_NormedModule)). apply (continuous_comp (fun t => t - PI) f); [|exact Cf].
     apply (continuous_minus (V := R_NormedModule)); [apply continuous_id | apply continuous_const]. }
   assert (CJ : forall (f : nat -> R -> R) a, continued f a = joined PI (f a) (fun t => - f a (t - PI))) by reflexivity.
-  split; [split; [|split]|].
-  - intros a t Ha Ht. rewrite !CJ. destruct (x_mirrored s Hs phi a) as [M1 M2].
+  split; [split|].
+  - intros a t Ha Ht. rewrite !CJ. destruct (My a) as [M1 M2].
     split; apply joined_continuous; try (intros; apply XC); try (intros; apply Sh, XC); replace (PI - PI) with 0 by ring;
       assumption.
   - exists (PI :: nil). intros t Ht NL. assert (NP : t <> PI) by (intro; apply NL; left; auto).
     destruct (Rlt_dec t PI) as [B|B].
-    + exists (fun a => x_second s phi a t), (-1).
+    + exists (fun a => y2 a t), (-1).
       assert (Loc : forall (f : nat -> R -> R) a z, Rabs (z - t) < PI - t -> f a z = continued f a z)
         by (intros f a z Hx; apply Rabs_lt_between in Hx; rewrite CJ, joined_before by lra; reflexivity).
       assert (V : forall f a, continued f a t = f a t) by (intros; rewrite CJ; apply joined_before; lra).
       split; [rewrite V; pose proof (SL t ltac:(lra)); repeat split; lra|]. intros a Ha. rewrite V. split; [|split].
-      * apply (near_derive (x s phi a) _ t _ (PI - t) ltac:(lra) (Loc _ a)). apply x_derive, Hs.
-      * apply (near_derive (x_prime s phi a) _ t _ (PI - t) ltac:(lra) (Loc _ a)). apply x_prime_derive, Hs.
-      * rewrite (Sum_ext _ _ (fun b => mass s a b * x_second s phi b t + damping s a b * x_prime s phi b t + stiffness s a b * x
-        s phi b t)) by (intros; rewrite !V; reflexivity).
-        rewrite (x_equation s Hs phi a t Ha). ring.
-    + exists (fun a => - x_second s phi a (t - PI)), 1.
+      * apply (near_derive (y a) _ t _ (PI - t) ltac:(lra) (Loc _ a)). apply Dy.
+      * apply (near_derive (y1 a) _ t _ (PI - t) ltac:(lra) (Loc _ a)). apply Dy.
+      * rewrite (Sum_ext _ _ (fun b => mass s a b * y2 b t + damping s a b * y1 b t + stiffness s a b * y b t))
+          by (intros; rewrite !V; reflexivity).
+        rewrite (Ey a t Ha). ring.
+    + exists (fun a => - y2 a (t - PI)), 1.
       assert (Loc : forall (f : nat -> R -> R) a z, Rabs (z - t) < t - PI -> - f a (z - PI) = continued f a z)
         by (intros f a z Hx; apply Rabs_lt_between in Hx; rewrite CJ, joined_after by lra; reflexivity).
       assert (V : forall f a, continued f a t = - f a (t - PI)) by (intros; rewrite CJ, joined_after by lra; reflexivity).
@@ -154,26 +161,41 @@ Proof.
         evar_last. { apply (is_derive_comp f (fun x => x - PI)); [exact D | auto_derive; [trivial | reflexivity]]. }
         unfold scal; simpl; unfold mult; simpl. ring. }
       split; [rewrite V; pose proof (SL (t - PI) ltac:(lra)); repeat split; lra|]. intros a Ha. rewrite V. split; [|split].
-      * apply (near_derive (fun z => - x s phi a (z - PI)) _ t _ (t - PI) ltac:(lra) (Loc _ a)). apply DS, x_derive, Hs.
-      * apply (near_derive (fun z => - x_prime s phi a (z - PI)) _ t _ (t - PI) ltac:(lra) (Loc _ a)). apply DS, x_prime_derive,
-        Hs.
-      * rewrite (Sum_ext _ _ (fun b => - (mass s a b * x_second s phi b (t - PI) + damping s a b * x_prime s phi b (t - PI) +
-        stiffness s a b * x s phi b (t - PI)))) by (intros; rewrite !V; ring).
-        rewrite Sum_opp, (x_equation s Hs phi a (t - PI) Ha). replace (cos (t + phi)) with (- cos (t - PI + phi)); [ring|].
-        replace (t + phi) with (t - PI + phi + PI) by ring. rewrite neg_cos. ring.
-  - intros t Ht V0 HL. exfalso. destruct (Req_dec t 0) as [->|N0]; [|destruct (Rtotal_order t PI) as [L|[->|L]]].
-    + rewrite (load_same s phi phi _ _ (x s phi) (x_prime s phi) 0 0) in HL by (try reflexivity; intros; rewrite !CJ,
-        !joined_before by lra; split; reflexivity).
-      unfold load_at in HL. rewrite Rplus_0_l in HL. unfold holding_friction in HF. lra.
-    + rewrite CJ, joined_before in V0 by lra. pose proof (SL t ltac:(lra)). lra.
-    + rewrite (load_opposite s phi _ _ (x s phi) (x_prime s phi) PI 0), Rabs_Ropp in HL.
-      * unfold load_at in HL. rewrite Rplus_0_l in HL. unfold holding_friction in HF. lra.
-      * destruct (half_turn PI phi) as [_ ->]. replace (PI - PI) with 0 by ring. reflexivity.
-      * intros a _. rewrite !CJ, !joined_before by lra. apply (x_mirrored s Hs phi a).
-    + rewrite CJ, joined_after in V0 by lra. pose proof (SL (t - PI) ltac:(lra)). lra.
+      * apply (near_derive (fun z => - y a (z - PI)) _ t _ (t - PI) ltac:(lra) (Loc _ a)). apply DS, Dy.
+      * apply (near_derive (fun z => - y1 a (z - PI)) _ t _ (t - PI) ltac:(lra) (Loc _ a)). apply DS, Dy.
+      * rewrite (Sum_ext _ _ (fun b => - (mass s a b * y2 b (t - PI) + damping s a b * y1 b (t - PI) + stiffness s a b * y b (t -
+          PI)))) by (intros; rewrite !V; ring).
+        rewrite Sum_opp, (Ey a (t - PI) Ha). pose proof (Ly a (t - PI)) as L. replace (t - PI + PI) with t in L by ring.
+        rewrite L. ring.
   - intros a Ha. rewrite !CJ, !(joined_after PI _ _ (2 * PI)), !(joined_before PI _ _ 0) by lra. replace (2 * PI - PI) with PI
     by ring.
-    destruct (x_mirrored s Hs phi a) as [M1 M2]. rewrite M1, M2. split; ring.
+    destruct (My a) as [M1 M2]. rewrite M1, M2. split; ring.
+Qed.
+
+(* The closed form, continued by its mirror image *)
+Theorem closed_form_is_a_contact_motion : forall s, Statements.closed_form_is_a_contact_motion s.
+Proof.
+  intros s mu Hs Hmu Hr phi P SL HF. pose proof PI_RGT_0 as Pp.
+  destruct (continued_is_steady s (fun a t => delta a (loaded s) * cos (t + phi)) (x s phi) (x_prime s phi) (x_second s phi))
+    as [[Cy [L Ey]] Py]; try exact SL.
+  - intros a t. split; [apply x_derive | apply x_prime_derive]; exact Hs.
+  - intros a. apply x_mirrored, Hs.
+  - intros a t Ha. apply x_equation; assumption.
+  - intros a t. replace (t + PI + phi) with (t + phi + PI) by ring. rewrite neg_cos. ring.
+  - assert (CJ : forall (f : nat -> R -> R) a, continued f a = joined PI (f a) (fun t => - f a (t - PI))) by reflexivity.
+    split; [split; [exact Cy | split] | exact Py].
+    + exists L. intros t Ht NL. destruct (Ey t Ht NL) as [y2 [sigma [[C1 [C2 C3]] E]]]. exists y2, sigma. split; [|exact E].
+      split; [exact C1 | split; [exact C2 | intros V0; specialize (C3 V0); lra]].
+    + intros t Ht V0 HL. exfalso. destruct (Req_dec t 0) as [->|N0]; [|destruct (Rtotal_order t PI) as [Lt|[->|Lt]]].
+      * rewrite (load_same s phi phi _ _ (x s phi) (x_prime s phi) 0 0) in HL by (try reflexivity; intros; rewrite !CJ,
+          !joined_before by lra; split; reflexivity).
+        unfold load_at in HL. rewrite Rplus_0_l in HL. unfold holding_friction in HF. lra.
+      * rewrite CJ, joined_before in V0 by lra. pose proof (SL t ltac:(lra)). lra.
+      * rewrite (load_opposite s phi _ _ (x s phi) (x_prime s phi) PI 0), Rabs_Ropp in HL.
+        -- unfold load_at in HL. rewrite Rplus_0_l in HL. unfold holding_friction in HF. lra.
+        -- destruct (half_turn PI phi) as [_ ->]. replace (PI - PI) with 0 by ring. reflexivity.
+        -- intros a _. rewrite !CJ, !joined_before by lra. apply (x_mirrored s Hs phi a).
+      * rewrite CJ, joined_after in V0 by lra. pose proof (SL (t - PI) ltac:(lra)). lra.
 Qed.
 
 (* Where static friction holds the turning point it would rest there for some time. *)

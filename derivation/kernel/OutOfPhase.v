@@ -319,50 +319,12 @@ Qed.
 Lemma closed_form_under phi : is_phase_under phi -> slides_under phi ->
   steady_under s (fun a t => forces_at phi t a) (2 * PI) (continued (x_under phi)) (continued (x_prime_under phi)).
 Proof.
-  intros P SL. pose proof PI_RGT_0 as Pp.
-  assert (XC : forall k t, continuous (x_under phi k) t /\ continuous (x_prime_under phi k) t)
-    by (intros k t; destruct (x_under_derive phi k t) as [A B]; split; eapply continuous_of_derive; [exact A | exact B]).
-  assert (Sh : forall (f : R -> R) t, continuous f (t - PI) -> continuous (fun t => - f (t - PI)) t).
-  { intros f t Cf. apply (continuous_opp (V := R_NormedModule)). apply (continuous_comp (fun t => t - PI) f); [|exact Cf].
-    apply (continuous_minus (V := R_NormedModule)); [apply continuous_id | apply continuous_const]. }
-  assert (CJ : forall (f : nat -> R -> R) a, continued f a = joined PI (f a) (fun t => - f a (t - PI))) by reflexivity.
-  split; [split|].
-  - intros a t Ha Ht. rewrite !CJ. destruct (x_under_mirrored phi a) as [M1 M2].
-    split; apply joined_continuous; try (intros; apply XC); try (intros; apply Sh, XC); replace (PI - PI) with 0 by ring;
-      assumption.
-  - exists (PI :: nil). intros t Ht NL. assert (NP : t <> PI) by (intro; apply NL; left; auto).
-    destruct (Rlt_dec t PI) as [B|B].
-    + exists (fun a => x2_under phi a t), (-1).
-      assert (Loc : forall (f : nat -> R -> R) a z, Rabs (z - t) < PI - t -> f a z = continued f a z)
-        by (intros f a y Hx; apply Rabs_lt_between in Hx; rewrite CJ, joined_before by lra; reflexivity).
-      assert (V : forall f a, continued f a t = f a t) by (intros; rewrite CJ; apply joined_before; lra).
-      split; [rewrite V; pose proof (SL t ltac:(lra)); repeat split; lra|]. intros a Ha. rewrite V.
-      destruct (x_under_derive phi a t) as [D1 D2]. split; [|split].
-      * apply (near_derive (x_under phi a) _ t _ (PI - t) ltac:(lra) (Loc _ a)). exact D1.
-      * apply (near_derive (x_prime_under phi a) _ t _ (PI - t) ltac:(lra) (Loc _ a)). exact D2.
-      * rewrite (Sum_ext _ _ (fun b => M a b * x2_under phi b t + C a b * x_prime_under phi b t + K a b * x_under phi b t))
-          by (intros; rewrite !V; reflexivity).
-        rewrite (x_under_equation phi a t Ha). ring.
-    + exists (fun a => - x2_under phi a (t - PI)), 1.
-      assert (Loc : forall (f : nat -> R -> R) a z, Rabs (z - t) < t - PI -> - f a (z - PI) = continued f a z)
-        by (intros f a y Hx; apply Rabs_lt_between in Hx; rewrite CJ, joined_after by lra; reflexivity).
-      assert (V : forall f a, continued f a t = - f a (t - PI)) by (intros; rewrite CJ, joined_after by lra; reflexivity).
-      assert (DS : forall (f : R -> R) k, is_derive f (t - PI) k -> is_derive (fun z => - f (z - PI)) t (- k)).
-      { intros f k D. apply (is_derive_opp (V := R_NormedModule)).
-        evar_last. { apply (is_derive_comp f (fun x => x - PI)); [exact D | auto_derive; [trivial | reflexivity]]. }
-        unfold scal; simpl; unfold mult; simpl. ring. }
-      split; [rewrite V; pose proof (SL (t - PI) ltac:(lra)); repeat split; lra|]. intros a Ha. rewrite V.
-      destruct (x_under_derive phi a (t - PI)) as [D1 D2]. split; [|split].
-      * apply (near_derive (fun z => - x_under phi a (z - PI)) _ t _ (t - PI) ltac:(lra) (Loc _ a)). apply DS, D1.
-      * apply (near_derive (fun z => - x_prime_under phi a (z - PI)) _ t _ (t - PI) ltac:(lra) (Loc _ a)). apply DS, D2.
-      * rewrite (Sum_ext _ _ (fun b => - (M a b * x2_under phi b (t - PI) + C a b * x_prime_under phi b (t - PI) + K a b *
-        x_under phi b (t -
-          PI)))) by (intros; rewrite !V; ring).
-        rewrite Sum_opp, (x_under_equation phi a (t - PI) Ha). unfold Statements.forces_at.
-        replace (t + phi) with (t - PI + phi + PI) by ring. rewrite neg_cos, neg_sin. ring.
-  - intros a Ha. rewrite !CJ, !(joined_after PI _ _ (2 * PI)), !(joined_before PI _ _ 0) by lra. replace (2 * PI - PI) with PI
-    by ring.
-    destruct (x_under_mirrored phi a) as [M1 M2]. rewrite M1, M2. split; ring.
+  intros _ SL. apply (continued_is_steady s _ _ _ (x2_under phi)).
+  - apply x_under_derive.
+  - apply x_under_mirrored.
+  - intros a t Ha. apply x_under_equation, Ha.
+  - intros a t. unfold Statements.forces_at. replace (t + PI + phi) with (t + phi + PI) by ring. rewrite neg_cos, neg_sin. ring.
+  - exact SL.
 Qed.
 End Out_of_phase.
 

@@ -120,8 +120,10 @@ const std::vector<Vectors>& supported_vectors() {
     static const std::vector<Vectors> found = [] {
         std::vector<Vectors> widths{Vectors::baseline};
 #if defined(__x86_64__)
-        if (__builtin_cpu_supports("avx2")) widths.push_back(Vectors::avx2);
-        if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+        const bool fused = __builtin_cpu_supports("fma") != 0; // which both kernels are compiled for
+        if (fused && __builtin_cpu_supports("avx2")) widths.push_back(Vectors::avx2);
+        if (fused && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+            __builtin_cpu_supports("avx512vl"))
             widths.push_back(Vectors::avx512);
 #endif
         return widths;

@@ -38,8 +38,8 @@ enum class Vectors : std::uint8_t {
 [[nodiscard]] const std::vector<Vectors>& supported_vectors();
 
 #if defined(__x86_64__)
-/// @brief Runs a kernel, which is inlined, with 256 bits. Every processor with these vectors has the fused multiply-add; it is used
-/// where a form asks for it, and in no other place. @param kernel what is run @return what it returns
+/// @brief Runs a kernel, which is inlined, with 256 bits. The fused multiply-add is used where a form asks for it, and in no other
+/// place. @param kernel what is run @return what it returns
 template <class Kernel>
 [[gnu::target("avx2,fma")]] auto run_with_avx2(const Kernel& kernel) {
     return kernel();

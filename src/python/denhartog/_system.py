@@ -490,9 +490,10 @@ class System:
         DomainError
             There is no quantity of this name, or none at this point, such as the phase of a mass at rest.
         """
+        for key, value, least in (("mass", mass, 0), ("samples", samples, 1)):
+            if value < least:
+                raise InputError.of(key, f"must be at least {least}", value)
         room = samples if name == "motion_under_force" else max(2 * self.N, 1000)
-        if mass < 0 or samples < 1:
-            raise InputError.of("mass", "must not be negative, and samples be at least 1", (mass, samples))
         count, parts = c_size_t(), np.empty((2, room))
         for function, part in zip(("dh_quantity", "dh_quantity_errors"), parts):
             _library.call(function, self._handle, name.encode(), float(r), float(beta), self._static(mu), mass, float(tau), room,

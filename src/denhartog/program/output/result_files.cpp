@@ -91,7 +91,8 @@ std::string csv(const ResultTable& table) {
 
 std::string npy(const ResultTable& table) {
     std::string bytes = npy_header(table);
-    for (std::size_t n = 0; n < rows_of(table); ++n)
+    const std::size_t rows = rows_of(table);
+    for (std::size_t n = 0; n < rows; ++n)
         for (const Column& c : table.columns) {
             const double x = c.values[n / c.each % c.values.size()];
             if (c.type == "f8")
