@@ -98,6 +98,8 @@ TEST_CASE("numbers as far apart as their type allows are answered, or refused in
     CHECK(run_program("solve", scene_text("long period")).error.find("boost") == std::string::npos);
     const std::vector<std::string> lines =
         lines_of(run_program("solve --json", scene_text("unequal + long period + unequal")).output);
+    const nlohmann::json error = nlohmann::json::parse(lines.at(1)).at("error");
+    CHECK(error.at("message") == error.at("rule")); // a sentence: its quantity is no part of it
     CHECK(lines.at(0) == lines.at(2));
 }
 

@@ -13,9 +13,10 @@
 namespace denhartog::program {
 namespace {
 
-std::string as_json(const InputError& e) {
+// The object in the place of a scene without an answer; the message is a sentence for people.
+std::string as_json(const InputError& e, const std::string& message) {
     return Json{{"error",
-                 {{"quantity", e.quantity}, {"rule", e.rule}, {"value", e.value}, {"place", e.place}, {"message", e.what()}}}}
+                 {{"quantity", e.quantity}, {"rule", e.rule}, {"value", e.value}, {"place", e.place}, {"message", message}}}}
                .dump() +
            "\n";
 }
@@ -107,13 +108,16 @@ void answer_scenes(const SceneOptions& options, const std::function<std::string(
             const InputError e = with_place(fault, part);
             status.bad_input = true;
             report(in_place(part, e));
-            if (options.json && !part.alone) output = as_json(e);
+            if (options.json && !part.alone) output = as_json(e, e.what());
         } catch (const std::exception& e) {
             const bool short_of_digits = dynamic_cast<const PrecisionError*>(&e) != nullptr;
             const std::string why = in_own_words(e);
             status.digits_missing = true;
             report(why + (part.alone ? "" : " (line " + std::to_string(part.line) + ")"));
-            if (options.json && !part.alone) output = as_json(InputError(short_of_digits ? "digits" : "the answer", why, ""));
+            if (options.json && !part.alone) {
+                const InputError no_answer(short_of_digits ? "digits" : "the answer", why, "");
+                output = as_json(no_answer, no_answer.rule);
+            }
         }
         write_standard_output(output);
     }
