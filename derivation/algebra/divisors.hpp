@@ -1,5 +1,5 @@
 /// @file
-/// @brief What the sides of an identity divide by: quotients become products with inverses, and back.
+/// @brief The divisors of an identity: quotients become products with inverses, and back.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -9,7 +9,7 @@
 
 namespace denhartog::derivation {
 
-/// @brief What a side divides by, with a symbol for it and one for its inverse. A symbol that is divided by stands for itself.
+/// @brief A divisor, with a symbol for it and one for its inverse. A symbol that is divided by stands for itself.
 struct Divisor {
     GiNaC::ex polynomial;        ///< in symbols and generators
     GiNaC::symbol inverse;       ///< stands for its inverse

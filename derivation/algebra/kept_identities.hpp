@@ -1,5 +1,5 @@
 /// @file
-/// @brief What the zero test proves while somebody listens: the identities that a proof rests on, as it has seen them.
+/// @brief The identities that a proof rests on, kept by the zero test if it is asked to.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -21,10 +21,10 @@ struct Identity {
     GiNaC::ex right_in_generators;                           ///< the other as it was reduced
     std::vector<std::pair<GiNaC::ex, GiNaC::ex>> generators; ///< generators and what they stand for
     std::vector<SquareRelation> relations;                   ///< squares of generators, newest last
-    std::vector<std::pair<GiNaC::ex, GiNaC::ex>> functions;  ///< functions and roots, and the same in generators; inner ones first
+    std::vector<std::pair<GiNaC::ex, GiNaC::ex>> functions; ///< functions and roots, and the same in generators; inner ones first
 };
 
-/// @brief What a decision rests on beside identities.
+/// @brief The ground of a decision beside identities.
 enum class Ground {
     argument, ///< the argument of a person
     series,   ///< the leading term of a series

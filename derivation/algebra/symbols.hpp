@@ -17,7 +17,7 @@ namespace denhartog::derivation {
 /// @return the symbol
 GiNaC::ex new_symbol(const std::string& name, const std::string& latex, const GiNaC::numeric& low, const GiNaC::numeric& high);
 
-/// @brief The same with bounds on all of its values.
+/// @brief Makes a symbol with bounds on all of its values.
 /// @param name name @param latex LaTeX @param low least @param high largest sample @param bounds of all its values
 /// @return the symbol
 GiNaC::ex new_symbol(const std::string& name, const std::string& latex, const GiNaC::numeric& low, const GiNaC::numeric& high,

@@ -67,7 +67,7 @@ class Samples {
 public:
     explicit Samples(const std::vector<Range>& domain) : domain_(domain) {}
 
-    /// How many combinations there are, `most_patterns` at most.
+    /// The number of combinations, `most_patterns` at most.
     int patterns() const {
         int product = 1;
         for (const Range& range : domain_)
@@ -137,7 +137,7 @@ public:
                           [](const auto& a, const auto& b) { return a.second == b.second && a.first.is_equal(b.first); });
     }
 
-    // The same, known where it was asked for before.
+    // The value of a whole expression, known if it was asked for before.
     numeric whole(const ex& e) {
         const auto place = known_.find(e);
         return place != known_.end() ? place->second : known_[e] = of(e);

@@ -35,7 +35,7 @@
 
 namespace denhartog::derivation {
 
-/// @brief What the zero test found.
+/// @brief The verdict of the zero test.
 enum class Verdict {
     proved,  ///< zero on the domain, by reduction
     refuted, ///< not zero, with a numeric witness
@@ -57,7 +57,7 @@ struct Range {
 /// @brief Values for symbols.
 using Point = std::vector<std::pair<GiNaC::ex, GiNaC::numeric>>;
 
-/// @brief What the test decided, and on which grounds.
+/// @brief The decision of the test, and its grounds.
 struct Decision {
     Verdict verdict = Verdict::unknown;                      ///< the verdict
     std::vector<GiNaC::ex> denominators;                     ///< what must not be zero, in generators

@@ -102,7 +102,7 @@ std::pair<Values, std::vector<GiNaC::ex>> sides(const Claim& claim, Result& resu
     return both;
 }
 
-/// What holds, printed from the derived side.
+/// The equation that holds, printed from the derived side.
 std::string correction_of(const Claim& claim, const std::vector<GiNaC::ex>& derived) {
     std::string lines;
     for (std::size_t i = 0; i < claim.correction_left.size(); ++i)

@@ -24,7 +24,7 @@ struct Step {
     std::string latex; ///< what comes out; may be empty
 };
 
-/// @brief What a claim speaks of.
+/// @brief The subject of a claim.
 enum class Role {
     both,       ///< the equation as printed, which is also what is shipped
     printed,    ///< the equation as printed, where something else is shipped
@@ -33,7 +33,7 @@ enum class Role {
     observation ///< what the paper's text says it has observed; may turn out either way
 };
 
-/// @brief How a printed equation departs from what holds.
+/// @brief The kind of departure of a printed equation from the one that holds.
 enum class Departure {
     none,      ///< it does not
     scan,      ///< a slip of the text at hand
@@ -87,7 +87,7 @@ struct Register {
     explicit Register(std::function<std::vector<Claim>()> made, std::source_location where = std::source_location::current());
 };
 
-/// @brief What became of a claim.
+/// @brief The verdict on a claim.
 struct Result {
     Verdict verdict = Verdict::unknown;                       ///< the worst over its components
     std::string kind;                                         ///< how it bears on its equations, by `kind_of`
@@ -103,7 +103,7 @@ struct Result {
     std::vector<Threshold> thresholds;                        ///< numbers that vague words of an observation were taken to be
 };
 
-/// @brief How many altered statements the check of a claim has refuted so far: twins of what it proves. @return the count
+/// @brief Counts the altered statements that the check of a claim has refuted so far: twins of what it proves. @return the count
 [[nodiscard]] long& altered_statements_refuted();
 
 /// @brief Decides one component of a claim. @param kernel the formula under test @param derived what it has to be
@@ -121,7 +121,7 @@ struct Result {
 /// @return       the result
 [[nodiscard]] Result decide(const Claim& claim);
 
-/// @brief What became of the mutated twins of a claim.
+/// @brief The verdicts on the mutated twins of a claim, counted.
 struct MutantCount {
     long refuted = 0;               ///< not equal, with a witness
     long without_value = 0;         ///< the mutant is not an expression at all (division by zero)

@@ -1,5 +1,5 @@
 /// @file
-/// @brief What the run found out about one claim, in words and numbers; the ledger is joined from these.
+/// @brief The findings on one claim, in words and numbers; the ledger is joined from these.
 ///
 /// Plain text on purpose: the ledger is joined and tested without GiNaC.
 #pragma once

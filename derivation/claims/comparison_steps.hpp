@@ -1,5 +1,5 @@
 /// @file
-/// @brief What a claim's comparison says to a reader: both sides, the relations that make them equal, what must not be zero.
+/// @brief A claim's comparison for a reader: both sides, the relations that make them equal, what must not be zero.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 /// @file
-/// @brief What there is to say of every claim: its verdict with the steps that led there, and what became of its mutated twins.
+/// @brief The findings on every claim: its verdict with the steps that led there, and the verdicts on its mutated twins.
 #pragma once
 
 #include <iosfwd>

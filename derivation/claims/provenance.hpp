@@ -1,5 +1,5 @@
 /// @file
-/// @brief What a claim rests on: the run says from it of which kind the claim is.
+/// @brief The grounds of a claim, from which the run says of which kind the claim is.
 ///
 /// A place that states a premise of the paper puts the factor `from_premise()` before one of its terms. The factor is one. While a
 /// `FalsePremise` lives it is another number, and the premise is false: a claim that is proved from it must then fail.

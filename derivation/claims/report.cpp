@@ -41,7 +41,7 @@ std::string counts(const json& counted) {
     return text;
 }
 
-/// How the observations of the text came out, the refuted ones by what refutes them.
+/// Counts the verdicts on the observations of the text, the refuted ones by what refutes them.
 std::string observation_counts(const json& summary) {
     const json& refuted = summary.at("refuted_observations");
     return counts(summary.at("observations")) + "; of those refuted " + refuted.at("whatever_the_threshold").dump() +
@@ -264,7 +264,7 @@ const json& entry_of(const ReportParts& p, const std::string& equation) {
     return *found;
 }
 
-/// What the left and right bracket of d_i enclose in a statement: the part of it between two texts.
+/// The part of a statement between the left and the right bracket of d_i.
 std::string bracket_of(const std::string& statement) {
     const std::string before = "e^{-\\frac{\\zeta_i\\tau}{R_i}}", after = "\\right]";
     const std::size_t from = statement.find(before + "\\left["), to = statement.find(after, from);

@@ -1,5 +1,5 @@
 /// @file
-/// @brief What a run says to a reader: the summary on the terminal, the report, and the status that README carries.
+/// @brief The texts of a run for a reader: the summary on the terminal, the report, and the status that README carries.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -28,7 +28,7 @@ struct ReportParts {
 /// @brief The status for README: counts and digits, nothing that changes from run to run. @param parts the parts @return lines
 [[nodiscard]] std::string status_markdown(const ReportParts& parts);
 
-/// @brief What a reader wants to know first: how many equations do not hold, one of them side by side, the costliest.
+/// @brief The first lines of the report: how many equations do not hold, one of them side by side, the costliest.
 /// @param p  the parts of the report
 /// @return   Markdown, written by every run
 [[nodiscard]] std::string found_markdown(const ReportParts& p);

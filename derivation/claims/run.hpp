@@ -11,7 +11,7 @@
 
 namespace denhartog::derivation {
 
-/// @brief What the run found.
+/// @brief The findings of a run.
 struct Run {
     std::vector<ClaimResult> claims; ///< one a claim
     nlohmann::json record;           ///< what `denhartog derive` shows: the steps of every claim

@@ -77,7 +77,7 @@ struct Exchange {
 
 void exchange(lst& symbols, const ex& a, const ex& b) { symbols.append(a == b).append(b == a); }
 
-/// What is easily taken for one another, of one mode, of the masses, and of every mode of a sum; modes left out of a sum.
+/// Quantities easily taken for one another, of one mode, of the masses, and of every mode of a sum; modes left out of a sum.
 const std::vector<Exchange>& exchanges() {
     static const std::vector<Exchange> all = [] {
         const Symbols& s = symbols();

@@ -29,7 +29,7 @@ struct Worker {
 
 [[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
-/// What a child does: it leaves without the parent's destructors and buffers.
+/// The work of a child process, which leaves without the parent's destructors and buffers.
 [[noreturn]] void work(std::size_t number, int pipe, const std::function<std::string(std::size_t)>& task) {
     int status = 0;
     std::string text;

@@ -8,7 +8,7 @@
 
 namespace denhartog::derivation {
 
-/// @brief What a task left behind.
+/// @brief The result of a task.
 struct Delivery {
     std::string text;  ///< what it returned
     std::string fault; ///< why it returned nothing: what it threw, or how its process ended; empty where it did return

@@ -30,7 +30,7 @@ evaluation::HalfAngleProducts<Symbolic> products_of_difference(const Symbolic& x
     return {s * c, c * c};
 }
 
-// The same of the angle as a product.
+// The products of the half angle, of the angle as a product.
 evaluation::HalfAngleProducts<Symbolic> products_of_product(const Symbolic& x, const Symbolic& zeta) {
     const Symbolic angle = pi<Symbolic>() * (sqrt(Symbolic((1 - zeta) * (1 + zeta))) * x);
     const Symbolic s = sin(angle), c = cos(angle);

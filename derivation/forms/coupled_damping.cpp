@@ -95,7 +95,7 @@ std::vector<ex> derived_rates(unsigned N) {
 Values first_half(const Values& all) { return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2)}; }
 Values second_half(const Values& all) { return {all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2), all.end()}; }
 
-// What the equations of motion leave over for the motion under a unit friction force on the last mass, its free part the state.
+// The residuals of the equations of motion for the motion under a unit friction force on the last mass, its free part the state.
 Values equations_under_friction(unsigned N) {
     const FactoredSystem& s = factored_system(N);
     const Symbolic r(symbols().r);

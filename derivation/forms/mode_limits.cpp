@@ -1,4 +1,4 @@
-// What the functions of one mode tend to at the ends of their domain, path by path: leading terms of formulas/mode_limits.hpp.
+// The limits of the functions of one mode at the ends of their domain, path by path: leading terms of formulas/mode_limits.hpp.
 #include "denhartog/formulas/mode_limits.hpp"
 
 #include "derivation/algebra/symbols.hpp"

@@ -1,4 +1,4 @@
-// What callers get for (46): a harmonic part and the braces of the modes, with the derivatives that searches follow.
+// The answer to callers for (46): a harmonic part and the braces of the modes, with the derivatives that searches follow.
 #include "denhartog/evaluation/mass.hpp"
 #include "denhartog/formulas/mode.hpp"
 #include "derivation/algebra/symbols.hpp"
@@ -38,7 +38,7 @@ Values shipped_motion(int N) {
     return {motion.x, motion.x_prime, motion.x_double_prime};
 }
 
-/// The same from (44), (45) and the sum of the modes: the displacement and its derivatives.
+/// The displacement and its derivatives from (44), (45) and the sum of the modes.
 std::vector<ex> derived_motion(int N) {
     const Symbols& s = symbols();
     const SymbolicModes m = symbolic_modes(N);

@@ -131,7 +131,7 @@ ex motion_of_any_mass(const SymbolicModes& m) {
         .expression();
 }
 
-/// What (25) and (30) set to zero.
+/// The quantities that (25) and (30) set to zero.
 std::vector<ex> zeros_by_condition(std::size_t count) { return std::vector<ex>(count, from_premise() - 1); }
 
 /// x_k and x_k' of any mass at an instant.
@@ -146,7 +146,7 @@ Values state_after_half_a_period(int N) {
     return values;
 }
 
-/// What (25) makes of the state at the start.
+/// The state that (25) makes of the one at the start.
 std::vector<ex> mirrored_start(int N) {
     std::vector<ex> values;
     for (const ex& e : state_at(N, 0)) values.push_back(-from_premise() * e);

@@ -35,7 +35,7 @@ struct WholeMotion {
 /// @return   the motion
 [[nodiscard]] WholeMotion whole_motion(int N, int j, int l, const SymbolicModes& m);
 
-/// @brief What the shipped motion, with all shipped formulas in it, leaves over in (12), in (25) for every mass, and in (30).
+/// @brief The residuals of the shipped motion, with all shipped formulas in it, in (12), in (25) for every mass, and in (30).
 /// @param N  number of masses @param j the mass in contact, from 0 @param l the loaded mass, from 0
 /// @return   expressions that are to be zero
 [[nodiscard]] std::vector<GiNaC::ex> whole_conditions(int N, int j, int l);

@@ -50,7 +50,7 @@ struct Certificate {
 [[nodiscard]] Identity in_generators(const GiNaC::ex& left, const GiNaC::ex& right, const std::vector<Range>& domain,
                                      const std::vector<GiNaC::ex>& real);
 
-/// @brief What may be left out of a lemma, so that the kernel must reject it.
+/// @brief The parts of a lemma of which one is left out, so that the kernel must reject it.
 struct LeftOut {
     bool relation = false; ///< the last relation that the proof uses
     bool divisor = false;  ///< that the first divisor is not zero

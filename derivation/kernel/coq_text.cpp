@@ -30,9 +30,7 @@ struct Factors {
     bool negative = false;
 };
 
-bool is_half(const ex& exponent) {
-    return GiNaC::is_a<numeric>(exponent) && GiNaC::ex_to<numeric>(exponent).mul(2).is_integer();
-}
+bool is_half(const ex& exponent) { return GiNaC::is_a<numeric>(exponent) && GiNaC::ex_to<numeric>(exponent).mul(2).is_integer(); }
 
 class Printer {
 public:
@@ -61,7 +59,7 @@ private:
         return place != names_.names.end() ? place->second : coq_name(GiNaC::ex_to<GiNaC::symbol>(symbol).get_name());
     }
 
-    /// What can be a factor or the base of a power.
+    /// An expression as a factor or as the base of a power.
     std::string atom(const ex& e) const {
         if (GiNaC::is_a<GiNaC::symbol>(e) && !names_.inverses.contains(e)) return name(e);
         if (e.is_equal(GiNaC::Pi)) return "PI";
@@ -105,9 +103,8 @@ private:
             take(e, product);
         const auto joined = [](std::vector<std::string> factors) {
             const auto number = [](const std::string& s) { return std::isdigit(static_cast<unsigned char>(s.front())) != 0; };
-            std::sort(factors.begin(), factors.end(), [&](const std::string& a, const std::string& b) {
-                return number(a) != number(b) ? number(a) : a < b;
-            });
+            std::sort(factors.begin(), factors.end(),
+                      [&](const std::string& a, const std::string& b) { return number(a) != number(b) ? number(a) : a < b; });
             std::string all;
             for (const std::string& factor : factors) all += (all.empty() ? "" : " * ") + factor;
             return all;

@@ -9,7 +9,7 @@
 
 namespace denhartog::derivation {
 
-/// @brief What symbols are called, and which of them stand for the inverse of something.
+/// @brief The names of symbols, and those that stand for the inverse of something.
 struct CoqNames {
     std::map<GiNaC::ex, std::string, GiNaC::ex_is_less> names;    ///< of symbols whose own name does not do
     std::map<GiNaC::ex, std::string, GiNaC::ex_is_less> inverses; ///< symbol -> the name of what it is the inverse of

@@ -62,7 +62,7 @@ std::string quoted(const std::string& text) {
     return out + "'";
 }
 
-/// What a command says and its exit status.
+/// The output of a command and its exit status.
 std::pair<std::string, int> run(const std::string& command) {
     std::FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
     if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
@@ -79,7 +79,7 @@ std::string alone(const std::string& text, const json& claim) {
     return text.substr(0, head) + text.substr(from, to == std::string::npos ? to : to - from);
 }
 
-/// What there is to say of a file of certificates: its own entry and those of its claims.
+/// The entry of a file of certificates, and those of its claims.
 json judged(const fs::path& folder, const std::string& file, const std::vector<json>& claims, const std::string& coqc) {
     const std::string text = text_of(folder / file);
     const Compiled whole = compile_with_coq(folder / file, coqc);
@@ -114,7 +114,7 @@ json judged_twin(const fs::path& folder, json twin, const std::string& coqc) {
     return twin;
 }
 
-/// What the independent checker says of a compiled file: `refused`, empty where it accepts it; the axioms that it rests on;
+/// The verdict of the independent checker on a compiled file: `refused`, empty where it accepts it; the axioms that it rests on;
 /// seconds and gigabytes taken. What the file rests on is not read again with it: each certificate is checked as a file of its
 /// own, and Coq's library is taken as it is installed. The memory is bounded.
 json said_again(const fs::path& folder, const fs::path& file, const std::string& coqchk) {
@@ -179,7 +179,7 @@ std::map<std::string, json> accepted_before(const fs::path& folder, const std::s
     return accepted;
 }
 
-/// What to add to a reason. @param reasons sentences so far; gets one more @param more the sentence
+/// Adds a sentence to a reason. @param reasons sentences so far; gets one more @param more the sentence
 void add_reason(std::string& reasons, const std::string& more) { reasons += (reasons.empty() ? "" : "; ") + more; }
 
 /// The file whose second check took most of something.

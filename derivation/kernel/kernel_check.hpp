@@ -1,5 +1,5 @@
 /// @file
-/// @brief What the kernel of Coq says of the exported lemmas: each file compiled, each twin refused.
+/// @brief The verdict of Coq's kernel on the exported lemmas: each file compiled, each twin refused.
 #pragma once
 
 #include <filesystem>
@@ -33,7 +33,7 @@ namespace denhartog::derivation {
 bool check_certificates(const std::filesystem::path& folder, std::size_t workers, const std::string& coqc,
                         const std::string& coqchk, std::ostream& out);
 
-/// @brief What a compiler says of a source, and how long it takes.
+/// @brief The verdict of a compiler on a source, and the time that it takes.
 struct Compiled {
     bool accepted = false; ///< whether it compiles
     std::string message;   ///< the error; empty where there is none

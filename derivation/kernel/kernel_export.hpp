@@ -1,5 +1,5 @@
 /// @file
-/// @brief What the derivation proves, written as lemmas that the kernel of a proof assistant checks.
+/// @brief The identities that the derivation proves, as lemmas that the kernel of a proof assistant checks.
 #pragma once
 
 #include <filesystem>

@@ -85,13 +85,13 @@ private:
                              const std::string& by_squares) const;
     /// Adds what the squares of the roots among the generators are. @return a tactic that proves an equation of quotients by them
     std::string assert_squares(std::string& out) const;
-    /// What is divided by, by its text: in the sides, in arguments and under roots.
+    /// The divisors by their texts: in the sides, in arguments and under roots.
     static void collect_divided(const GiNaC::ex& e, std::map<std::string, GiNaC::ex>& found);
     /// Whether a divisor of the first lemma is, but for a number, the numerator of something that is divided by.
     bool follows(const Divisor& divisor, const std::map<std::string, GiNaC::ex>& divided) const;
     /// Whether a function or a root stands in one of the sides.
     bool occurs(const GiNaC::ex& function) const;
-    /// The same of the functions themselves: each is what the generators say, these have their relations, and the first
+    /// The lemma on the functions themselves: each is what the generators say, these have their relations, and the first
     /// lemma applies.
     std::string in_functions(const std::string& name) const;
 };

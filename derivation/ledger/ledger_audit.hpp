@@ -30,7 +30,7 @@ struct AuditRow {
 /// @return         a row an equation, in the paper's order
 [[nodiscard]] std::vector<AuditRow> audit_of(const nlohmann::json& entries);
 
-/// @brief What remains assumed for an equation, in a sentence. @param row its row @return text; `nothing` where nothing does
+/// @brief A sentence: what an equation still assumes. @param row its row @return text; `nothing` where nothing does
 [[nodiscard]] std::string remaining(const AuditRow& row);
 
 /// @brief The audit in a sentence of counts. @param rows the audit @return Markdown

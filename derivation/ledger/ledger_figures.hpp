@@ -1,5 +1,5 @@
 /// @file
-/// @brief What the figures show: read from the records that their programs write, for the ledger and for the READMEs.
+/// @brief The findings of the figures, read from the records that their programs write, for the ledger and for the READMEs.
 #pragma once
 
 #include <filesystem>

@@ -12,7 +12,7 @@
 
 namespace denhartog::derivation {
 
-/// @brief What the ledger is made of.
+/// @brief The parts of the ledger.
 struct LedgerParts {
     ledger::Json rows;                    ///< `docs/ledger/equations.json`, without faults
     std::vector<FunctionEntry> functions; ///< from `functions_of_sources`

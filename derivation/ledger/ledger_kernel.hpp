@@ -9,14 +9,14 @@
 
 namespace denhartog::derivation {
 
-/// @brief What a check by the kernel left, as far as it is there.
+/// @brief The records of a check by the kernel, as far as they are there.
 struct KernelRecord {
     nlohmann::json certificates = nlohmann::json::object(); ///< by claim: what was exported, or why nothing was
     nlohmann::json claims = nlohmann::json::object();       ///< by claim: what the kernel said of it
     nlohmann::json theorems = nlohmann::json::array();      ///< statements with proofs by hand: theorems, negations, definitions
     nlohmann::json by_equation = nlohmann::json::array(); ///< by equation: names of theorems and negations, and why there is none
     nlohmann::json theorems_checked = nlohmann::json::object(); ///< by name: what the kernel said of them
-    bool ran = false;                                       ///< whether there is a record at all
+    bool ran = false;                                           ///< whether there is a record at all
 };
 
 /// @brief Reads the record of a check.

@@ -16,7 +16,7 @@ namespace denhartog::derivation {
 /// @throws      InputError where the file cannot be read or is no JSON
 [[nodiscard]] ledger::Json read_rows(const std::filesystem::path& file);
 
-/// @brief What is wrong with LaTeX that a formula typesetter would stop at: braces, `\left` and `\right`, environments.
+/// @brief The fault of LaTeX at which a formula typesetter would stop: braces, `\left` and `\right`, environments.
 /// @param latex  a formula
 /// @return       the fault in words; empty where there is none
 [[nodiscard]] std::string latex_fault(const std::string& latex);

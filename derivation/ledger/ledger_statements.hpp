@@ -1,5 +1,5 @@
 /// @file
-/// @brief What the paper's text says, statement by statement, with the verdict on each: the rows of `docs/ledger/statements.json`
+/// @brief The statements of the paper's text, with the verdict on each: the rows of `docs/ledger/statements.json`
 ///        and the claims that decide them brought together.
 #pragma once
 

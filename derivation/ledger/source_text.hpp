@@ -10,7 +10,7 @@ namespace denhartog::derivation {
 
 /// @brief A stretch of source of one sort.
 struct Piece {
-    /// @brief What a stretch of source is.
+    /// @brief The kind of a stretch of source.
     enum class Sort {
         code,    ///< neither comment nor literal
         comment, ///< a comment, with its slashes

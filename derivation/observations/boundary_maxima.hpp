@@ -12,7 +12,7 @@ namespace denhartog::derivation {
 /// @brief (67) over (69) with the maximum of the sum, less 1. @param b a boundary @return the departure
 [[nodiscard]] double departure_of_67(const Boundary<double>& b);
 
-/// @brief What (69) loses by (56), the sum of the maxima in place of the maximum of the sum, relative. @param b a boundary
+/// @brief The relative loss of (69) by (56), the sum of the maxima in place of the maximum of the sum. @param b a boundary
 /// @return  the loss
 [[nodiscard]] double loss_by_56(const Boundary<double>& b);
 

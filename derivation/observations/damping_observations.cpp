@@ -114,7 +114,7 @@ double distance_from_resonance(const ObservedSystem& s, double r) {
 
 constexpr double away = 0.2; // the distance from which on a frequency ratio is taken to be away from resonances
 
-/// The same system with all damping ratios put to zero.
+/// A system with all damping ratios put to zero.
 ObservedSystem undamped(const ObservedSystem& s) {
     ObservedSystem without = s;
     std::ranges::fill(without.basis.zeta, 0.0);

@@ -163,7 +163,7 @@ Outcome number_of_parameters() {
     return outcome;
 }
 
-/// What the velocity of a mode is multiplied by in (20), with zeta_i = zeta / r_n,i.
+/// The factor of the velocity of a mode in (20), with zeta_i = zeta / r_n,i.
 Values damping_of_a_mode() {
     const Symbols& s = symbols();
     static const ex r_n = new_symbol("r_n_i", "r_{n,i}", numeric(1, 4), 2);

@@ -1,5 +1,5 @@
 /// @file
-/// @brief What you lose by coding an equation as printed: the worst relative error on the grid of the sliding scenes, and for the
+/// @brief The loss by an equation as printed: the worst relative error on the grid of the sliding scenes, and for the
 ///        boundary (69) the worst that a search over the frequency ratio finds.
 #pragma once
 

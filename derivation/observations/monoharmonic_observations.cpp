@@ -20,7 +20,7 @@ double monoharmonic_error(const ModeSums<double>& sums, double mu, double beta) 
     return worst;
 }
 
-/// The same scene with every damping ratio halved.
+/// The error in a scene with every damping ratio halved.
 double error_with_half_the_damping(const SlidingScene& s) {
     ModalBasis<double> basis = s.basis;
     for (double& zeta : basis.zeta) {
@@ -30,7 +30,7 @@ double error_with_half_the_damping(const SlidingScene& s) {
     return monoharmonic_error(mode_sums(basis, s.sums.contact, s.sums.load, s.sums.r), s.mu, s.state.beta);
 }
 
-/// What (48) leaves out of the motion of each mass: its largest value over the half-period, over the amplitude of the mass.
+/// The part of the motion of each mass that (48) leaves out: its largest value over the half-period, over the amplitude of the mass.
 std::vector<double> left_out(const SlidingScene& s) {
     constexpr int instants = 64;
     std::vector<double> largest(s.state.masses.size(), 0.0);

@@ -33,7 +33,7 @@ namespace denhartog::derivation {
 /// @param threshold  what is compared, the number taken, and the one at which the statement is empty; it turns at what was found
 void refute_above(Outcome& outcome, double found, Threshold threshold);
 
-/// @brief The same for a statement that nothing falls below a threshold.
+/// @brief Decides a statement that nothing falls below a threshold.
 /// @param outcome    gets the verdict and the threshold
 /// @param found      the least that was found
 /// @param threshold  what is compared, the number taken, and the one at which the statement is empty

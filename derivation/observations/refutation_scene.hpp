@@ -14,7 +14,7 @@
 
 namespace denhartog::derivation {
 
-/// @brief What an equation gives in a scene, as printed and as it holds.
+/// @brief The values of an equation in a scene, as printed and as it holds.
 struct Compared {
     std::string quantity; ///< what is compared, with its unit
     double printed = 0;   ///< as printed

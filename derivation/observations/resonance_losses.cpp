@@ -13,7 +13,7 @@ namespace denhartog::derivation {
 
 namespace {
 
-/// What the amplitude of a mass at a resonance is made of.
+/// The parts of the amplitude of a mass at a resonance.
 struct AtResonance {
     Complex<double> V_k;
     double U_k, U_j, G_k, psi_ki, psi_ji, beta;

@@ -17,7 +17,7 @@ namespace denhartog::derivation {
 /// @return       the error; none where no resonance is left
 [[nodiscard]] std::optional<double> error_with_81(const SlidingScene& scene);
 
-/// @brief The same for (82) with the complex response function. @param scene a scene @return the error; none as above
+/// @brief The error of (82) with the complex response function. @param scene a scene @return the error; none as above
 [[nodiscard]] std::optional<double> error_with_82(const SlidingScene& scene);
 
 /// @brief Relative error of the limit (86) as printed. @param scene a scene @return the error; none where j is not l

@@ -16,7 +16,7 @@ using GiNaC::pow;
 
 namespace {
 
-/// What a path is made of: the small quantity and a speed.
+/// A path: the small quantity and a speed.
 struct Path {
     ex x, c;
 };

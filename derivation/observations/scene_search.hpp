@@ -22,7 +22,7 @@ namespace denhartog::derivation {
 [[nodiscard]] Outcome refute_by_largest(const std::function<double(const SlidingScene&)>& excess, double tolerance,
                                         const std::function<Witness(const SlidingScene&)>& witness, const std::string& what);
 
-/// @brief The same where a number of ours stands for a vague word: it is noted with the number at which the verdict turns.
+/// @brief A statement with a vague word and a number chosen for it: noted with the number at which the verdict turns.
 /// @param excess     of a scene; not a number where the statement does not speak of it
 /// @param threshold  what is compared, the number taken, and the one at which the statement is empty
 /// @param witness    what is to be said of the worst scene

@@ -58,7 +58,7 @@ Outcome time_responses_agree() {
 
 double degrees(double radians) { return radians * 180 / pi<double>(); }
 
-/// How far a phase difference is from the nearest multiple of pi, in degrees.
+/// Distance of a phase difference from the nearest multiple of pi, in degrees.
 double from_multiple_of_pi(double difference) { return degrees(std::abs(wrapped(2 * difference)) / 2); }
 
 std::string phases_behind_contact(const FiveMasses& f) {

@@ -22,7 +22,7 @@ std::pair<ex, ex> derived_phase() {
 
 namespace {
 
-/// What friction alone adds to v cos(phi_j) or v sin(phi_j), over psi_ji beta / psi_li.
+/// The part of friction alone in v cos(phi_j) or v sin(phi_j), over psi_ji beta / psi_li.
 ex friction_part(const ex& v_times) {
     const Symbols& s = symbols();
     return v_times.subs(lst{s.eta_0 == 0, s.eta_prime_0 == 0}) * s.psi_li / (s.psi_ji * s.beta);
@@ -53,7 +53,7 @@ std::pair<ex, ex> determinant_of_conditions() {
     return {found, closed};
 }
 
-/// How the two conditions are solved, before other steps: their determinant is what stands under both damping functions.
+/// The solution of the two conditions, before other steps: their determinant is the divisor of both damping functions.
 std::vector<Step> after_elimination(const std::vector<Step>& more) {
     const auto [found, closed] = determinant_of_conditions();
     std::vector<Step> steps{

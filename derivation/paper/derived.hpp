@@ -1,5 +1,5 @@
 /// @file
-/// @brief What the derivation makes of (12) and the boundary conditions, step by step.
+/// @brief The consequences of (12) and the boundary conditions, step by step.
 ///
 /// None of these contains a formula of `src/denhartog`: each is made from the equation of motion (20) by GiNaC. The unknown
 /// \f$ \cos\phi_j, \sin\phi_j \f$ are the symbols `c_phi`, `s_phi`; `v_cos`, `v_sin` stand for
@@ -27,7 +27,7 @@ namespace denhartog::derivation {
 /// @brief Displacement from the initial values, in `c_phi`, `s_phi`. @return eta(tau)
 [[nodiscard]] GiNaC::ex derived_displacement();
 
-/// @brief The same with `v_cos`, `v_sin` in place of `c_phi`, `s_phi`. @return eta(tau)
+/// @brief The displacement with `v_cos`, `v_sin` in place of `c_phi`, `s_phi`. @return eta(tau)
 [[nodiscard]] GiNaC::ex derived_displacement_by_v();
 
 /// @brief \f$ \eta_i(\pi)+\eta_{i0} \f$ and \f$ \eta_i'(\pi)+\eta_{i0}' \f$ in `v_cos`, `v_sin`: what (A.4) sets to zero.
@@ -37,7 +37,7 @@ namespace denhartog::derivation {
 /// @brief Solution of the conditions (A.4). @return v_cos, v_sin in the initial values
 [[nodiscard]] std::pair<GiNaC::ex, GiNaC::ex> derived_phase();
 
-/// @brief The same with the parts that friction makes named by the symbols u and g. @return v_cos, v_sin
+/// @brief The phase with the parts that friction makes named by the symbols u and g. @return v_cos, v_sin
 [[nodiscard]] std::pair<GiNaC::ex, GiNaC::ex> derived_phase_by_functions();
 
 /// @brief First damping function: the part of `v_sin` that friction makes. @return u

@@ -15,7 +15,7 @@ namespace {
 
 using Entries = std::vector<Symbolic>;
 
-/// What the masses before have added up to, and what one more mass, n, has.
+/// The sums over the masses before, and the numbers of one more mass, n.
 struct OneMoreMass {
     ex form;                    ///< psi_a^T M psi_b over the masses before
     ex row_a, row_b;            ///< row n of M times psi_a and psi_b, over the masses before
@@ -58,7 +58,7 @@ ModeInScene<Symbolic> mode_with_one_more(const ex& zeta) {
     return {Symbolic(s.R), Symbolic(zeta), Symbolic(m.psi_ji + m.psi_a * m.is_contact), Symbolic(m.psi_li + m.psi_a * m.is_load)};
 }
 
-/// What (20) leaves over for psi_i^T M x with one more mass.
+/// The residual of (20) for psi_i^T M x with one more mass.
 Symbolic modal_residual_with_one_more(const ex& zeta) {
     const Symbols& s = symbols();
     const OneMoreMass& m = one_more_mass();

@@ -33,7 +33,7 @@ ex motion_at_contact() {
     return derived_displacement_of_mass(1, Row::contact, {{s.eta_0, s.eta_prime_0}});
 }
 
-/// What holds of the sums so far: (41) for the modes before.
+/// The hypothesis on the sums so far: (41) for the modes before.
 ex displacement_so_far() {
     const Symbols& s = symbols();
     const PartialSums& p = partial_sums();

@@ -47,7 +47,7 @@ ex derived_margin(int N) {
     return -rate(derived_displacement_of_mass(N, Row::contact, starts_at_rest(N))) / GiNaC::sin(symbols().tau);
 }
 
-/// What one mode adds to the condition, from the velocity of a system with that mode alone.
+/// The contribution of one mode to the condition, from the velocity of a system with that mode alone.
 ex derived_s_d() {
     const Symbols& s = symbols();
     const ex alone = derived_modal_displacement().subs(s.eta_prime_0 == 0);

@@ -13,7 +13,7 @@ using GiNaC::ex;
 
 namespace {
 
-/// How far beta^2 lies below the square of friction_ratio_limit(S), over a positive number: U_dj^2 + S^2 times it.
+/// Distance of beta^2 below the square of friction_ratio_limit(S), over a positive number: U_dj^2 + S^2 times it.
 Symbolic room_below_limit(const Symbolic& S) {
     const Symbolic U(symbols().U_j);
     const ex limit = square(paper::friction_ratio_limit(symbolic_V_j(), U, S)).expression();

@@ -28,7 +28,7 @@ HeldMotion held_motion(int N) {
     return motion;
 }
 
-/// What (6) leaves for beta times the member of (3)'s set: row 1 of the load less inertia, damping and stiffness forces.
+/// The rest of (6), which is beta times the member of (3)'s set: row 1 of the load less inertia, damping and stiffness forces.
 ex friction_needed(int N, const ex& direct) {
     const SymbolicSystem& s = symbolic_system(N);
     const HeldMotion motion = held_motion(N);

@@ -67,7 +67,7 @@ Outcome paths_of_first_function() {
     return outcome;
 }
 
-/// What the other modes add at R_i = 1, with damping ratios that fall in proportion: symbols without small quantity.
+/// The contributions of the other modes at R_i = 1, with damping ratios that fall in proportion: symbols without small quantity.
 struct OtherModes {
     ex p_k, q_k, h_k, w_k, p_j, q_j, w_j; ///< Re V_k, Im V_k / zeta, G_k / zeta, U_k and the same of the contact
 };

@@ -52,13 +52,13 @@ const numeric& end_of_half_period() {
     return end;
 }
 
-/// What a selection is asked with to see its conditions.
+/// The arguments for which a selection shows its conditions.
 Coordinates symbols_at(const Place& place) {
     const Symbols& s = symbols();
     return {s.tau, s.R, place.zeta < 1 ? s.zeta : place.zeta > 1 ? heavy() : ex(1)};
 }
 
-/// The same with the ends of the half-period as numbers: there the meaning is a limit.
+/// The arguments with the ends of the half-period as numbers: there the meaning is a limit.
 Coordinates with_ends(const Place& place) {
     Coordinates at = symbols_at(place);
     if (place.tau.is_zero()) at.tau = 0;
@@ -89,7 +89,7 @@ bool divides_by_zero(const ex& e, const Place& place) {
     return std::any_of(e.begin(), e.end(), [&place](const ex& part) { return divides_by_zero(part, place); });
 }
 
-/// What a selection takes at a place, with these coordinates in the expressions.
+/// The form that a selection takes at a place, with these coordinates in the expressions.
 std::vector<ex> form_taken(const Selection& selection, const Place& place, const Coordinates& at) {
     scalar::comparisons().clear();
     const auto placed = [](const ex& e, const numeric& value) { return Placed(Symbolic(e), value.to_double()); };
@@ -104,7 +104,7 @@ class Checker {
 public:
     explicit Checker(const Selection& selection) : selection_(selection) {}
 
-    /// What is wrong with the form taken at a place; nothing where it is proved there, or where its meaning has a pole.
+    /// The fault of the form taken at a place; empty if it is proved there, or if its meaning has a pole.
     std::string fault_at(const Place& place) {
         const Coordinates symbolic = symbols_at(place);
         Coordinates at = with_ends(place);
@@ -132,7 +132,7 @@ public:
         return fault;
     }
 
-    /// How many different forms, component by component, were decided.
+    /// The number of different forms, component by component, that were decided.
     [[nodiscard]] std::size_t forms() const { return decisions_.size() - meanings_; }
     /// The conditions with the outcomes that were seen.
     [[nodiscard]] const std::map<ex, std::set<bool>, GiNaC::ex_is_less>& conditions() const { return conditions_; }

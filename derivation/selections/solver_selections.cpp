@@ -43,7 +43,7 @@ std::vector<ex> functions_of_mode(const ex& R, const ex& zeta) {
     return functions;
 }
 
-/// What an array has for a mode: exponential, products of the half angle and series stand for themselves as in `batch_forms.cpp`.
+/// An array's values of a mode: exponential, products of the half angle and series stand for themselves as in `batch_forms.cpp`.
 std::vector<Placed> array_of_mode(const Placed& R, const Placed& zeta) {
     const evaluation::VectorRange<Placed> range{exactly(evaluation::least_vector_ratio()),
                                                 exactly(evaluation::largest_vector_ratio()),
@@ -85,7 +85,7 @@ std::vector<ex> motion_from_start(const ex& R, const ex& zeta) {
     return {motion, motion.diff(GiNaC::ex_to<GiNaC::symbol>(n.tau))};
 }
 
-/// What the exact solver takes for a coordinate. The difference of the frequencies, `detuning`, is decided by itself, as what is
+/// The exact solver's form of a coordinate. The difference of the frequencies, `detuning`, is decided by itself, as what is
 /// left over; in the motion its meaning stands for it.
 std::vector<Placed> motion_taken(const Placed& tau, const Placed& R, const Placed& zeta) {
     const Symbols& n = symbols();

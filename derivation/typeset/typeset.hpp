@@ -1,5 +1,5 @@
 /// @file
-/// @brief What a piece of LaTeX looks like: its width on the page, and its reading on a terminal.
+/// @brief The appearance of LaTeX: its width on the page, and its reading on a terminal.
 #pragma once
 
 #include <string>

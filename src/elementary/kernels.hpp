@@ -13,7 +13,7 @@
 
 namespace denhartog::elementary {
 
-/// @brief What a function gives outside its domain.
+/// @brief The value of a function outside its domain.
 inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 /// @brief From here on \f$ e^x-1 \f$ and \f$ e^x \f$ are one double, and so are \f$ e^x+e^{-x} \f$ and \f$ e^x \f$.
 inline constexpr double one_is_nothing = 40;
@@ -85,7 +85,7 @@ struct ReducedAngle {
 /// @return it reduced
 [[nodiscard]] ReducedAngle reduce_by_all_bits(double x);
 
-/// @brief What an angle next to a multiple of pi / 64 has beyond it, all four parts of pi / 64 taken.
+/// @brief The rest of an angle beyond the multiple of pi / 64 next to it, all four parts of pi / 64 taken.
 /// @param k      the multiple, up to 2^29
 /// @param first  the angle less k times the first two parts
 /// @return       both parts

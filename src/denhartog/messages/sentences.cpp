@@ -39,22 +39,23 @@ std::string_view sentence(Why says) {
         {rate_out_of_range, "a rate of the damped system is beyond the range of the number type"},
         {friction_without_digits, "the number type has too few digits to follow the motion under friction over half a period"},
         {motion_mirrors_itself, "a motion without damping mirrors itself every half-period: friction at this frequency ratio "
-         "has no steady motion"},
+                                "has no steady motion"},
         {response_33_is_infinite, "the load excites a resonance without damping: the complex response (33) is infinite there"},
         {functions_out_of_range,
          "the functions (23), (28), (29) of mode {0i} at R = {1} are beyond the range of the number type"},
         {pole, "mode {0i} has no damping and R = {1}: its {2|complex response function (23) is infinite there, and so is the "
-         "amplitude in the limit|first damping function (28) is infinite there, and the boundary (69) falls to zero in the "
-         "limit}"},
+               "amplitude in the limit|first damping function (28) is infinite there, and the boundary (69) falls to zero in the "
+               "limit}"},
         {pole_by_rounding, "mode {0i} has no damping and R = {1}{2|, which is 1 to the last digits of a double|}: its complex "
-         "response function (23) is infinite there, and so is the amplitude in the limit"},
+                           "response function (23) is infinite there, and so is the amplitude in the limit"},
         {largest_not_settled, "the search does not settle the largest value over the half-period: "},
         {too_many_oscillations, "the motion has too many oscillations, or its maximum is too flat for the digits of the number "
-         "type"},
+                                "type"},
         {slides, "beta = {0~} is below beta_lim = {1~2}, Eq. (69): the contact {3|slides|can slide} throughout"},
         {certainly_slides, "beta is below a lower bound of beta_lim, Eq. (69): the contact slides throughout"},
         {can_rest, "it can also rest for ever, because beta is not below {0~1}"},
-        {no_closed_form, "the closed form does not hold: beta = {0~} is not below beta_lim = {1~2}, Eq. (69), where {3|the "
+        {no_closed_form,
+         "the closed form does not hold: beta = {0~} is not below beta_lim = {1~2}, Eq. (69), where {3|the "
          "contact would turn back within the half-period, (54)a|static friction would hold the contact at the end of the "
          "half-period, (54)b|the contact would come to rest at the end of the half-period, (54)a and (54)b}"},
         {never_moves,
@@ -68,15 +69,15 @@ std::string_view sentence(Why says) {
         {not_sliding, "the contact does not slide throughout: beta = {0} is not below beta_lim = {1}, Eq. (69)"},
         {beyond_sliding, "beta lies beyond the sliding regime: the amplitude (38) is not a positive number"},
         {stuck_mode_resonates, "the load excites the resonance of an undamped mode of the stuck configuration: no motion with "
-         "the contact held lasts"},
+                               "the contact held lasts"},
         {held_system_resonates, "the load excites a resonance of the system with the contact held"},
         {stuck_response_out_of_range, "the stuck response is beyond the range of the number type"},
         {grazes, "the contact grazes rest or break-away: which of two motions follows is decided by rounding"},
         {stays_at_rest, "the contact came to rest and stays there: the load on it never reaches mu beta again"},
         {rests_on_boundary, "the contact came to rest and the load on it equals mu beta to rounding: beta is on the boundary of "
-         "permanent sticking"},
+                            "permanent sticking"},
         {tends_to_rest, "rest is steady, and with mu = 1 and damping the steady velocities are unique: the contact comes to "
-         "rest, or slips by less and less; the error bound covers where it rests"},
+                        "rest, or slips by less and less; the error bound covers where it rests"},
         {restless, "rounding keeps the motion from settling: "},
         {too_fast, "the motion changes faster than the number type can follow"},
         {chattering, "phases of zero length follow each other"},
@@ -84,11 +85,12 @@ std::string_view sentence(Why says) {
         {within_periods, " within {0i} periods"},
         {still_grows, ". The motion still grows; its size is {0.3}"},
         {comes_nearest, ". After {0i} half-periods the motion comes nearest to repeating itself: it is {1.3} of its size away"},
-        {another_orbit, ". A periodic motion of {0i} half-periods exists, which is {1|not certainly stable|stable} with a "
+        {another_orbit,
+         ". A periodic motion of {0i} half-periods exists, which is {1|not certainly stable|stable} with a "
          "largest multiplier of {2.3}, but the motion from the start is {3.3} of its size away from it, and it is not known to "
          "lead there"},
         {fast_mode, ". The fastest mode has {0.2} times the frequency of the force and takes most of the work: leave out a mass "
-         "that is as light if it does not matter"},
+                    "that is as light if it does not matter"},
         {from_the_start, "from the start from rest "},
         {from_rest_followed, "the start from rest was followed"},
         {from_rest_unproved, "the start from rest was followed without a proof"},
@@ -105,13 +107,14 @@ std::string_view sentence(Why says) {
         {stop_proved, "double precision does not tell whether the contact stops, and the reference proves that it does"},
         {stability_open, "double does not tell whether the motion is stable"},
         {unique, "mu = 1 and {0|every mode is damped|the damping matrix is positive definite|friction damps every mode that "
-         "nothing else damps}: the velocities of any two motions under the same force become the same"},
+                 "nothing else damps}: the velocities of any two motions under the same force become the same"},
         {share_kept, "no: a mode without damping keeps the share of the motion that the start leads to"},
-        {may_depend, "not known: {0|the motion may depend on the start, and the one from rest is not known to lead here|with mu "
+        {may_depend,
+         "not known: {0|the motion may depend on the start, and the one from rest is not known to lead here|with mu "
          "> 1 the motion may depend on the start; this motion is the one from rest|the damping matrix is not positive definite, "
          "and the motion may depend on the start|a mode has no damping, and the motion may depend on the start}"},
         {any_share, "mode {0i} has no damping and {1i} periods in one of the force; with any share of it the motion is steady "
-         "too, until the contact moves by {2.6}"},
+                    "too, until the contact moves by {2.6}"},
         {may_last, "a free motion that nothing is known to damp may last"},
         {bound, "the error bound {0|does not guarantee|guarantees} the {1i} {2|digits|digit} {3|aimed at|asked for}"},
         {bound_by_residual, "its residual bounds the error: "},
@@ -122,11 +125,11 @@ std::string_view sentence(Why says) {
         {regime_uncertain, "the regime is not certain ("},
         {zeros_given, "numbers below 1e-25 of the largest of their kind are given as zero"},
         {out_of_double, "{0|a number|permanent sticking by (88)|the interval of rest} is beyond the range of a double; 16 "
-         "digits and more are written as text"},
+                        "digits and more are written as text"},
         {samples_uncertain, "the samples of the motion are not certain to 6 digits: "},
         {motion_at_boundary, "beta = {0} equals beta_lim to the digits of the answer, so that its motion is not known"},
         {no_amplitude, "the answer has no amplitude of mass {0i}{1||: the closed form does not hold, or the regime alone was "
-         "asked for}"},
+                       "asked for}"},
         {no_reference, "this needs the reference, and the library was built without it (DENHARTOG_REFERENCE=OFF)"},
         {not_asked, "the reference is asked about no more than {0i} masses unless digits are asked for"},
         {proved, "every number is proved, with balls of {0i} bits"},
@@ -143,7 +146,7 @@ std::string_view sentence(Why says) {
         {no_bound, "a number has no bound"},
         {modes_may_coincide, "modes are not told apart, and neither is the damping of each by itself"},
         {coupling_may_count, "{0|the coupling of modes by the damping matrix may equal damping_tolerance|whether the coupling "
-         "of modes counts in (56) takes more bits}"},
+                             "of modes counts in (56) takes more bits}"},
         {other_motion, "the motion that is proved {0|is not that of the answer|has another period}"},
         {does_not_slide, "the contact does not slide throughout"},
         {start_from_rest, "start from rest"},
@@ -162,7 +165,7 @@ std::string_view sentence(Why says) {
     return sentences[static_cast<std::size_t>(says)].text;
 }
 
-// What stands between the braces, put into words.
+// The words of a field between braces.
 std::string filled(std::string_view field, const Reason& reason) {
     if (field == "t") return reason.text;
     const double number = reason.numbers[static_cast<std::size_t>(field.front() - '0')];
