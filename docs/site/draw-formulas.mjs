@@ -2,8 +2,9 @@
 //
 //   node draw-formulas.mjs SITE DATA KATEX
 //
-// A formula becomes HTML for the eye and MathML for who listens; in the steps of a derivation, which are long and folded, MathML
-// is for both, a quarter of the elements. In displayed formulas of the equations' pages the symbols of
+// A formula becomes HTML for the eye and MathML for who listens; in the steps of a derivation, which are long and folded, and on a
+// page with more than `most_of_formulas`, MathML is for both, a quarter of the elements. formulas.js draws those of long
+// pages in the browser, when they come near the window. In displayed formulas of the equations' pages the symbols of
 // DATA/symbols.json carry the number of their entry, for reader.js. SITE/symbols.js and SITE/statements.js hold the meanings of
 // the symbols and the statements of the equations, drawn. KATEX is the folder of katex.min.js. A formula that KaTeX rejects is
 // told, a line each; exit status 1 where there is any.
@@ -50,13 +51,17 @@ const one_superscript = (latex) => latex.replace(/('+)(_(?:\{[^{}]*\}|[A-Za-z0-9
 
 const macros = {"\\misprint": "\\htmlClass{misprint}{#1}", "\\mended": "\\htmlClass{mended}{#1}"};
 const unmarked = (latex) => latex.replace(/\\(misprint|mended)(?=\{)/g, "");
+// MathML has the marks as colours, which become classes.
+const as_colours = {"\\misprint": "\\textcolor{misprint}{#1}", "\\mended": "\\textcolor{mended}{#1}"};
 const drawn = new Map();
 
 function draw(given, displayed, explained, where, output = "htmlAndMathml") {
   const latex = one_superscript(given);
   const key = (displayed ? "d" : "t") + (explained ? "e" : "") + output + latex;
   if (drawn.has(key)) return drawn.get(key);
-  const options = {displayMode: displayed, throwOnError: true, trust: true, strict: false, macros: {...macros}, output};
+  const only_mathml = output !== "htmlAndMathml";
+  const options = {displayMode: displayed, throwOnError: true, trust: true, strict: false, macros: {...(only_mathml ? as_colours : macros)},
+                   output: only_mathml ? "mathml" : output};
   let out = "";
   try {
     if (explained) {
@@ -70,7 +75,10 @@ function draw(given, displayed, explained, where, output = "htmlAndMathml") {
   const tex = html(unmarked(latex).trim());
   out = out.replace(/<annotation encoding="application\/x-tex">[\s\S]*?<\/annotation>/,
                     () => '<annotation encoding="application/x-tex">' + tex + "</annotation>");
-  if (output === "mathml") out = out.replace(/^<span class="katex">|<\/span>$/g, "");
+  if (only_mathml)
+    out = out.replace(/^<span class="katex">|<\/span>$/g, "").replace(/ mathcolor="(misprint|mended)"/g, ' class="$1"');
+  if (output === "later") out = out.replace("<math", '<math class="later"');
+  if (tex !== html(latex.trim())) out = out.replace("<math", () => '<math data-tex="' + html(latex.trim()) + '"');
   drawn.set(key, out);
   return out;
 }
@@ -88,24 +96,27 @@ function draw_in(text, explained, where, output) {
              .replace(inlines, (_, latex, sign) => with_sign(draw(plain(latex), false, false, where, output), latex, sign));
 }
 
-function draw_page(page, explained, where) {
-  let out = "", from = 0, output;
+function draw_page(page, explained, where, usual) {
+  let out = "", from = 0, output = usual;
   for (const found of page.matchAll(untouched)) {
     out += draw_in(page.slice(from, found.index), explained && !output, where, output) + found[0];
     from = found.index + found[0].length;
-    if (/^<\/?ol/.test(found[0])) output = found[0] === '<ol class="steps">' ? "mathml" : undefined;
+    if (/^<\/?ol/.test(found[0])) output = found[0] === '<ol class="steps">' ? "mathml" : usual;
   }
-  return out + draw_in(page.slice(from), explained, where);
+  return out + draw_in(page.slice(from), explained, where, usual);
 }
+
+const most_of_formulas = 300000; // bytes of a page
 
 let formulas = 0, pages = 0;
 for (const name of fs.readdirSync(site).filter((each) => each.endsWith(".html") && !each.endsWith("_source.html"))) {
   const file = path.join(site, name), before = fs.readFileSync(file, "utf8");
   if (!/\\[([]/.test(before)) continue;
-  const after = draw_page(before, name.startsWith("eq_"), name);
+  let after = draw_page(before, name.startsWith("eq_"), name);
   if (after === before) continue;
+  if (after.length - before.length > most_of_formulas) after = draw_page(before, false, name, "later");
   ++pages;
-  formulas += after.split('<span class="katex">').length - 1;
+  formulas += after.split("<math").length - 1;
   fs.writeFileSync(file, after);
 }
 

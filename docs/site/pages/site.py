@@ -12,7 +12,7 @@ from .chapter import chapter_views, places_in_chapter, read_chapter
 from .check import faults_of_pages
 from .code import code_of
 from .conclusions import conclusions_view
-from .equations import LONGEST_STATEMENT, SAMPLES, SAMPLES_OF_MODES, accuracy_rows, equation_view, in_namespace, witness_names
+from .equations import LONGEST_STATEMENT, SAMPLES, SAMPLES_OF_MODES, accuracy_rows, equation_view, in_namespace, theorems_of, witness_names
 from .graph import graph_of
 from .records import faults_of_departures, read_run, record_of
 from .sources import Sources, code_lines, coq_lines
@@ -108,7 +108,7 @@ def make_pages(run, sources, chapter):
                 add(view["name"] + "_more", "equation_more", view)
     summary, audit = tables(run.audit, "audit")
     of_pages = {"audit": dict(summary=summary, audit=audit), "accuracy_page": dict(functions=worst_of_functions(run)),
-                "equation_graph": dict(graph=graph_of(run.ledger))}
+                "equation_graph": dict(graph=graph_of(run.ledger)), "theorems": dict(theorems=theorems_of(run.ledger))}
     for name in ("home", "equations", "errata", "errata_sheet", "stand_ins", "figures_page", "speed_page", "conformance_page",
                  *of_pages):
         with told_in(faults):
