@@ -191,10 +191,10 @@
       else each.removeAttribute("tabindex");
     }
   }
-  function fit() {
-    stops();
-    if (window.siteFormulas || [...places].some(is_wide))
-      with_formulas((formulas) => { places.forEach(formulas.fit); stops(); });
+  function fit(within) {
+    const asked = [...places].filter((each) => within.contains(each));
+    if (window.siteFormulas || asked.some(is_wide)) with_formulas((formulas) => { asked.forEach(formulas.fit); stops(); });
+    else stops();
   }
   const near = new IntersectionObserver((entries) => {
     const seen = entries.filter((entry) => entry.isIntersecting).map((entry) => entry.target);
@@ -209,11 +209,10 @@
     });
   }, {rootMargin: "100% 0px"});
   for (const each of later) near.observe(each);
-  fit();
   let width = innerWidth;
-  addEventListener("resize", () => { if (innerWidth !== width) { width = innerWidth; fit(); } else stops(); });
-  addEventListener("load", fit);
-  document.addEventListener("toggle", fit, true);
+  addEventListener("resize", () => { if (innerWidth !== width) { width = innerWidth; fit(document); } else stops(); });
+  addEventListener("load", () => fit(document));
+  document.addEventListener("toggle", (event) => fit(event.target), true);
 
   // The graph: an equation shows what it rests on, all the way down.
   const graph = document.querySelector("svg.equation-graph");

@@ -117,7 +117,7 @@ def read_figures(folder, source):
         if name not in captions:
             raise Fault(f"figure {name} must have its caption in docs/ledger/figures.json")
         record = read_json(folder / f"{name}.json") if (folder / f"{name}.json").exists() else None
-        title = (record["title"] if record else title_of_script(scripts[name].read_text().splitlines())).replace("->", "→")
+        title = (record["title"] if record else title_of_script(scripts[name].read_text().splitlines())).replace("->", "→").replace("zeta", "ζ")
         number = f"Fig. {int(name[3:5])}" if name.startswith("fig") else ""
         data = [file.name for ending in (".pdf", ".dat", ".csv") for file in sorted(folder.glob(f"{name}*{ending}"))]
         figures.append(SimpleNamespace(

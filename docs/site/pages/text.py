@@ -5,7 +5,7 @@ from contextlib import contextmanager
 from functools import cache
 
 EQUATIONS = [str(n) for n in range(1, 89)] + [f"A.{n}" for n in range(1, 16)]
-GREEK = set("alpha beta gamma delta zeta eta theta kappa mu pi phi psi tau omega Omega Sigma Psi".split())
+GREEK = set("alpha beta gamma delta zeta eta theta kappa mu pi phi psi sigma tau omega Omega Sigma Psi".split())
 BARRED = {"X": r"\overline{X}", "x": r"\bar{x}", "K": r"\overline{K}", "C": r"\overline{C}", "M": r"\overline{M}"}
 WORD = re.compile(r"\w+", re.ASCII)
 OPERATORS = {"<=": "≤", ">=": "≥", "->": "→", "sqrt": "√"}
