@@ -21,14 +21,16 @@
   function parts_of(tex) {
     const found = [], blanks = /\s*/y;
     const next = (at) => {
-      if (/^\\left(?![A-Za-z])/.test(tex.slice(at, at + 6))) return end_of(tex, at, /\\left(?![A-Za-z])/y, /\\right\s*(?:\\[A-Za-z]+|\\?.)/y);
+      if (/^\\left(?![A-Za-z])/.test(tex.slice(at, at + 6)))
+        return end_of(tex, at, /\\left(?![A-Za-z])/y, /\\right\s*(?:\\[A-Za-z]+|\\?.)/y);
       if (tex.startsWith("\\begin{", at)) return end_of(tex, at, /\\begin\{/y, /\\end\{[a-z]*\}/y);
       if (tex[at] === "{") return end_of(tex, at, /\{/y, /\}/y);
       if (/[_^]/.test(tex[at])) return next(at + 1);
       if (tex[at] !== "\\") return at + 1;
       const command = /^\\(?:[A-Za-z]+|[^])/.exec(tex.slice(at))[0];
       at += command.length;
-      for (let groups = /frac$|^\\html/.test(command) ? 2 : 1; groups > 0 && tex[at] === "{"; --groups) at = end_of(tex, at, /\{/y, /\}/y);
+      for (let groups = /frac$|^\\html/.test(command) ? 2 : 1; groups > 0 && tex[at] === "{"; --groups)
+        at = end_of(tex, at, /\{/y, /\}/y);
       return at;
     };
     for (let at = 0; at < tex.length;) {
@@ -42,23 +44,26 @@
 
   const relation = /^(=|<|>|\\(le|ge|leq|geq|ne|cong|approx|equiv)(?![A-Za-z]))/;
   const is_sum = (parts) => parts.some((each, at) => at > 0 && /^[+-]/.test(each));
+  const is_atom = (parts) => parts.slice(1).every((each) => /^[_^']/.test(each));
+  const is_function = /^\\(sin|cos|tan|sinh|cosh|tanh|exp|ln|log|arctan|angle|mathrm|operatorname)(?![A-Za-z])/;
+  const ends_factor = /^[-+,;.)\]|>=<]|^\\(right|q?quad|[bB]igr|\}|to|text|ne|le|ge|cong|approx)(?![A-Za-z])/; // what follows is no factor
   const long = 44; // characters of TeX
 
   // TeX with places to break a line: before signs and relations and after commas, also within brackets of \left and \right, which
   // get a fixed size. From level 2 on also between factors, and a long fraction becomes a quotient; at level 3 also within other
-  // brackets, and a long root becomes a power.
+  // brackets, and a long root becomes a power. What a function is applied to stays as it is.
   function with_breaks(tex, level) {
     const parts = parts_of(tex);
-    let out = "", before = "", depth = 0;
+    let out = "", before = "", depth = 0, applied = false; // whether a function stands before, without brackets
     for (const [at, part] of parts.entries()) {
-      const starts = before === "" || /^[([,]|^\\(le|ge|l?brace|\{|[bB]igl|quad|q?quad)/.test(before) || relation.test(before) || /^[+-]/.test(before);
+      const starts = before === "" || /^[([,+-]|^\\(l?brace|\{|[bB]igl|q?quad)/.test(before) || relation.test(before);
       const brackets = /^\\left\s*(\\[A-Za-z]+|\\?.)([^]*)\\right\s*(\\[A-Za-z]+|\\?.)\s*$/.exec(part);
-      const fraction = level > 1 && part.length > long && /^\\t?frac(\{[^]*\})\s*$/.exec(part);
-      const root = level > 2 && part.length > long && /^\\sqrt\{([^]*)\}\s*$/.exec(part);
+      const fraction = level > 1 && !applied && part.length > long && /^\\t?frac(\{[^]*\})\s*$/.exec(part);
+      const root = level > 2 && !applied && part.length > long && /^\\sqrt\{([^]*)\}\s*$/.exec(part);
       const marked = /^\\(?:misprint|mended)(?=\{)/.exec(part);
       if (/^[([]/.test(part)) ++depth;
       if (/^[)\]]/.test(part)) --depth;
-      if (level > 1 && !starts && /^\\(left|frac|sqrt)/.test(part) && !/^\\[A-Za-z]+\s*$/.test(before)) out += "\\allowbreak ";
+      if (level > 1 && !starts && !applied && /^\\(left|frac|sqrt)/.test(part)) out += "\\allowbreak ";
       if ((/^[+-]/.test(part) || relation.test(part)) && !starts) {
         out += (level > 2 || depth === 0 ? "\\allowbreak " : "") + part + "\\nobreak ";
       } else if (brackets && (is_sum(parts_of(brackets[2])) || level > 2 && part.length > long)) {
@@ -70,18 +75,19 @@
         const above = fraction[1].slice(1, above_end - 1), below = fraction[1].slice(above_end + 1, -1);
         const over = with_breaks(above, level), follows = parts[at + 1];
         out += (is_sum(parts_of(above)) ? "\\bigl(" + over + "\\bigr)" : over) + "\\allowbreak\\big/\\nobreak " +
-               (below.length > 6 ? "\\bigl(" + with_breaks(below, level) + "\\bigr)" : below + " ") +
-               (follows && !/^[-+,)\]=<]|^\\(right|quad|[bB]igr)/.test(follows) ? "\\cdot " : "");
+               (is_atom(parts_of(below)) ? below + " " : "\\bigl(" + with_breaks(below, level) + "\\bigr)") +
+               (follows && !ends_factor.test(follows) ? "\\cdot " : "");
       } else if (root) {
         out += "\\bigl(" + with_breaks(root[1], level) + "\\bigr)^{1/2}";
       } else if (marked) {
-        out += with_breaks(part.trim().slice(marked[0].length + 1, -1), level).split("\\allowbreak ").map((each) => each && marked[0] + "{" + each + "}")
-          .join("\\allowbreak ");
+        out += with_breaks(part.trim().slice(marked[0].length + 1, -1), level).split("\\allowbreak ")
+          .map((each) => each && marked[0] + "{" + each + "}").join("\\allowbreak ");
       } else if (part.startsWith("{") && is_sum(parts_of(part.trim().slice(1, -1)))) {
         out += with_breaks(part.trim().slice(1, -1), level);
       } else {
         out += part + (/^\\q?quad/.test(part) || part[0] === "," && depth === 0 ? "\\allowbreak " : "");
       }
+      applied = is_function.test(part) || applied && !/^[-+([,]|^\\left/.test(part) && !relation.test(part);
       before = part;
     }
     return out;
