@@ -63,7 +63,8 @@
       const marked = /^\\(?:misprint|mended)(?=\{)/.exec(part);
       if (/^[([]/.test(part)) ++depth;
       if (/^[)\]]/.test(part)) --depth;
-      if (level > 1 && !starts && !applied && /^\\(left|frac|sqrt)/.test(part)) out += "\\allowbreak ";
+      const is_factor = is_function.test(part) || !applied && /^\\(left|frac|sqrt)/.test(part);
+      if (level > 1 && !starts && is_factor) out += "\\allowbreak ";
       if ((/^[+-]/.test(part) || relation.test(part)) && !starts) {
         out += (level > 2 || depth === 0 ? "\\allowbreak " : "") + part + "\\nobreak ";
       } else if (brackets && (is_sum(parts_of(brackets[2])) || level > 2 && part.length > long)) {
