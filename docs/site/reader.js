@@ -209,6 +209,7 @@
     });
   }, {rootMargin: "100% 0px"});
   for (const each of later) near.observe(each);
+  if ([...places].some(is_wide)) with_formulas(() => {}); // on their way while the page loads
   let width = innerWidth;
   addEventListener("resize", () => { if (innerWidth !== width) { width = innerWidth; fit(document); } else stops(); });
   addEventListener("load", () => fit(document));
