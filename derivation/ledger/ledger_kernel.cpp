@@ -66,7 +66,7 @@ json theorem_entry(const KernelRecord& record, const json& theorem) {
 
 bool holds(const json& list, const json& item) { return std::find(list.begin(), list.end(), item) != list.end(); }
 
-/// What the kernel says of an equation by its claims and theorems.
+/// Verdict of the kernel on an equation, by its claims and theorems.
 void add_to_equation(json& entry, const KernelRecord& record) {
     std::map<std::string, int> counts;
     std::string reason;

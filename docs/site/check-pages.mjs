@@ -44,7 +44,7 @@ const every_so_many = 20;
 // axe-core looks at each stroke of a formula and takes a minute for the strokes of some hundred; on these pages it gets them all.
 const with_all_formulas = /^(eq_(28|57|69|A_12)|index|errata|equation_graph|figure_fig08_\w+|accuracy_page|search_page)\.html$/;
 const faults = [];
-// What the page of each equation is headed.
+// Heading of each equation's page.
 const headings = new Map(!option("--equations") ? [] : JSON.parse(fs.readFileSync(option("--equations"), "utf8"))
   .map(({equation}) => ["eq_" + equation.replace(".", "_") + ".html", "Equation (" + equation + ")"])
   .filter(([name]) => only.test(name)));

@@ -1,4 +1,4 @@
-// What the pages do besides being read: symbols and equations explained where they stand, code to copy, a reader's number
+// Actions of the pages besides being read: symbols and equations explained where they stand, code to copy, a reader's number
 // checked, and a box that goes to an equation, a figure or a section. Without this script every page is complete and its links
 // work.
 (function () {
