@@ -138,7 +138,8 @@ def spelled(text):
     masses = {"S": "one mass", "2": "two masses", "3": "three masses", "4": "four masses", "5": "five masses"}
     text = re.sub(r"\b([S2-5])DOF\b( (?=\w+=))?", lambda name: masses[name[1]] + (", " if name[2] else ""), text)
     text = re.sub(r"(=[^\s;()]*[^\s;(),]) (?=[a-zA-Z]\w*=|#\d)", r"\1, ", text)
-    return re.sub(r"(?<= )#(?=\d)", "scene ", text).replace("seed 2022 N", "seed 2022, N")
+    text = re.sub(r"(?<= )#(?=\d)", "scene ", text).replace("seed 2022 N", "seed 2022, N")
+    return text.replace("off by up to 0 % on the grid of the paper's scenes, ", "right on the grid of the paper's scenes, off by up to ")
 
 
 @cache
