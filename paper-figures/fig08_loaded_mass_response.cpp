@@ -30,7 +30,7 @@ void add_stuck(Figure& figure, const Damped& d) {
     figure.add(table);
 }
 
-// What the text says of the stuck configuration: its peak, where friction leaves it, what damping changes.
+// Statements of the text on the stuck configuration: its peak, where friction leaves it, what damping changes.
 void stuck_statements(Record& record, const std::vector<Damped>& all) {
     std::string peaks, onsets;
     double worst_spread = 0;

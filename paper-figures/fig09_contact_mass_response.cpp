@@ -7,7 +7,7 @@ const Mass mass{1};
 
 double least_phase(double r) { return r < 1.2 ? -pi<double>() / 2 : pi<double>() / 2; }
 
-// What the text says of Fig. 10: with j not l stick-slip is expected at high frequency ratios.
+// Statement of the text on Fig. 10: with j not l stick-slip is expected at high frequency ratios.
 Statement high_frequency_regime(const std::vector<Damped>& all) {
     const double r = 10;
     std::size_t stick_slip = 0, rest = 0, points = 0;

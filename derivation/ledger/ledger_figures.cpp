@@ -33,7 +33,7 @@ std::string largest(const json& record, const char* kind) {
     return digits(std::ranges::max(agreements, {}, [kind](const json& a) { return a.at(kind).get<double>(); }).at(kind));
 }
 
-/// Whether a statement is not borne out by a number of ours that stands for a vague word of the text.
+/// Whether the figure contradicts a statement only at the threshold that was chosen for a vague word of the text.
 bool not_to_measure(const json& statement) {
     return !statement.at("borne_out").get<bool>() && !statement.value("measure", "").empty();
 }
@@ -44,10 +44,10 @@ std::string borne_out(const json& record) {
     const auto holds = std::ranges::count_if(statements, [](const json& s) { return s.at("borne_out").get<bool>(); });
     const auto measured = std::ranges::count_if(statements, not_to_measure);
     return std::to_string(holds) + " of " + std::to_string(statements.size()) +
-           (measured > 0 ? ", " + std::to_string(measured) + " not to a threshold of ours" : "");
+           (measured > 0 ? ", " + std::to_string(measured) + " beyond the threshold that was chosen" : "");
 }
 
-/// Yes, no, or `not to 1 percent` where a number of ours decides.
+/// Yes, no, or `not to 1 percent` if a chosen threshold decides.
 std::string answer(const json& statement) {
     if (not_to_measure(statement)) return "not " + statement.at("measure").get<std::string>();
     return statement.at("borne_out").get<bool>() ? "yes" : "no";

@@ -66,7 +66,7 @@ void check_claims(const std::vector<ClaimResult>& claims, Faults& faults) {
     }
 }
 
-/// The verdict of a claim on one equation.
+/// Verdict of a claim on one equation.
 std::string verdict_on(const ClaimResult& claim, const std::string& equation) {
     const auto found = claim.by_equation.find(equation);
     return found == claim.by_equation.end() ? claim.verdict : found->second;

@@ -67,7 +67,7 @@ std::string verdict_on_reference(const Json& reference, const Json& equations, c
                : "none";
 }
 
-/// The reference that is meant, e.g. `(2), (3) are meant`.
+/// The reference that was meant, e.g. `(2), (3) are meant`.
 std::string meant_text(const Json& reference) {
     const bool of_figures = reference.contains("figures");
     std::string text;

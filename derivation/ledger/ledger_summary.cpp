@@ -21,7 +21,7 @@ bool aside(const ClaimResult& claim) { return claim.role == "step" || claim.role
 
 namespace {
 
-/// Counts the observations that are refuted whatever number stands for a vague word, and those refuted by the number chosen here.
+/// Counts of the refuted observations of the text: those refuted at any threshold for a vague word, and at the one chosen.
 Json refuted_observations(const std::vector<ClaimResult>& claims) {
     int whatever = 0, at_ours = 0;
     for (const ClaimResult& claim : claims)

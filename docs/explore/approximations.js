@@ -1,4 +1,4 @@
-// How others compute the same steady motion: the paper's Runge-Kutta with events, friction regularised by tanh, harmonic balance.
+// Other ways to compute the steady motion: the paper's Runge-Kutta with events, friction regularised by tanh, harmonic balance.
 // Cost is counted in evaluations of the friction law: one a stage of Runge-Kutta, one a sample of the harmonic balance.
 'use strict';
 const { ContactMotion, eliminated, stateAt } = require('../../tests/conformance/adapters/javascript/contact_motion.js');
@@ -143,7 +143,7 @@ function* rungeKutta(scene, { tolerance, periods, samples, most }) {
     }
     return { samples: out, evaluations: count.evaluations };
 }
-// The same with beta tanh(v / epsilon) in place of beta sgn(v): no events, and no rest.
+// Motion with beta tanh(v / epsilon) in place of beta sgn(v): no events, and no rest.
 function* regularised(scene, { epsilon, tolerance, periods, samples, most }) {
     const motion = new ContactMotion(scene),
         { N } = motion,

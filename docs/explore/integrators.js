@@ -1,4 +1,4 @@
-// How an integrator errs: three approximations beside the exact motion, error over cost.
+// Errors of integrators: three approximations beside the exact motion, error over cost.
 'use strict';
 const { stateAt } = require('../../tests/conformance/adapters/javascript/contact_motion.js');
 const A = require('./approximations.js');

@@ -1,4 +1,4 @@
-// What every page shares: the state in the address, controls, pictures in SVG with their tables, what is announced and copied.
+// Parts that every page shares: the state in the address, controls, pictures in SVG with their tables, what is announced and copied.
 'use strict';
 const { ContactMotion } = require('../../tests/conformance/adapters/javascript/contact_motion.js');
 

@@ -25,7 +25,7 @@ const braces = (tau, { R, zeta, u, g }) => {
     const { d, q } = free(tau, R, zeta);
     return 1 - (1 + g) * d - u * R * q;
 };
-// What the closed form has at tau = 0, by modes: eta_i0, eta'_i0 = psi_i^T M x(0), from the corrected start.
+// Values of the closed form at tau = 0, by modes: eta_i0, eta'_i0 = psi_i^T M x(0), from the corrected start.
 function modal(c, m) {
     const { start, phi_j } = c.slide(),
         of = (n) => start.reduce((s, x, k) => s + c.r ** 2 * c.gamma[k] * psi(c, m, k) * x[n], 0);

@@ -4,7 +4,7 @@ const F = require('./printed.js');
 const P = require('./page.js');
 const { byId, short } = P;
 
-// What the last run of the derivation says of an equation; empty where no run has been.
+// Verdict of the last run of the derivation on an equation; empty where no run has been.
 const ledgerOf = (eq) =>
     (typeof denhartog_ledger === 'undefined' ? [] : denhartog_ledger).find((row) => row.equation === eq) ?? {};
 const entryOf = (eq) => F.equations.find((e) => e.eq.includes(eq)) ?? F.equations[0];

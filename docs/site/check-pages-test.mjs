@@ -31,6 +31,8 @@ const pages = {
   wide: ["<div style='width: 500px'>Wider than a telephone.</div>", "is 1?\\d\\d pixels too wide at 375"],
   wide_unfolded: ["<details><summary>More</summary><div style='width: 500px'>Wide.</div></details>",
                   "is 1?\\d\\d pixels too wide at 375, unfolded"],
+  scrolls: ["<p class='formulaDsp' style='overflow-x: auto' tabindex='0'><span style='display: block; width: 500px'>x</span></p>",
+            "1 formulas scroll at 375"],
   console: ["<script>console.error('of the page')</script>", "console: of the page"],
   script: ["<script>throw new Error('of the page')</script>", "script: of the page"],
   missing: ["<img src='missing.png' alt='missing'>", "not loaded: file:.*missing.png"],

@@ -4,7 +4,7 @@
 //        [--equations EQUATIONS.json]
 //
 // It looks for an error in the console, a file that is not there, a call to another host; raw \f or \( left in the text; a
-// formula that is not drawn, was rejected, or says nothing to a listener; a folded part without a name; a tab stop within a
+// formula that is not drawn, was rejected, scrolls at 375 pixels, or says nothing to a listener; a folded part without a name; a tab stop within a
 // formula, or on one that does not scroll; a page wider than the window at 375 or 1280 pixels, with folded parts closed and
 // open; an equation of EQUATIONS.json without a page of its own; a serious fault by axe-core in light and dark, with folded
 // parts open, on ten pages with all formulas as they are, on the others with each colour of a formula once, and on a sample of
@@ -44,7 +44,7 @@ const every_so_many = 20;
 // axe-core looks at each stroke of a formula and takes a minute for the strokes of some hundred; on these pages it gets them all.
 const with_all_formulas = /^(eq_(28|57|69|A_12)|index|errata|equation_graph|figure_fig08_\w+|accuracy_page|search_page)\.html$/;
 const faults = [];
-// What the page of each equation is headed.
+// Heading of each equation's page.
 const headings = new Map(!option("--equations") ? [] : JSON.parse(fs.readFileSync(option("--equations"), "utf8"))
   .map(({equation}) => ["eq_" + equation.replace(".", "_") + ".html", "Equation (" + equation + ")"])
   .filter(([name]) => only.test(name)));
@@ -80,6 +80,19 @@ async function look() {
 // In the page: opens the folded parts, where axe-core does not look.
 function unfold() {
   for (const each of document.querySelectorAll("details")) each.open = true;
+}
+
+// In the page, with folded parts open: draws all formulas of a long page, and counts those that scroll.
+async function count_scrolling() {
+  const places = () => [...document.querySelectorAll(".formulaDsp, table.equations td:nth-child(2)")];
+  const scrolling = () => places().filter((each) => each.scrollWidth > each.clientWidth + 1).length;
+  const drawn_later = document.querySelectorAll("math.later");
+  for (let tries = 0; tries < 50 && !window.siteFormulas && (drawn_later.length || scrolling()); ++tries)
+    await new Promise((done) => setTimeout(done, 100));
+  if (!window.siteFormulas) return scrolling();
+  for (const each of document.querySelectorAll("math.later")) window.siteFormulas.draw(each);
+  places().forEach(window.siteFormulas.fit);
+  return scrolling();
 }
 
 // In the page, in one scheme after the other: what the contrast of a stroke of a formula follows from.
@@ -189,6 +202,10 @@ async function check(tab, asked) {
     await page.evaluate(unfold);
     await tell_width(", unfolded");
   }
+  tab.at("formulas that scroll");
+  await page.setViewport({width: widths[1], height: 800});
+  const scrolling = await page.evaluate(count_scrolling);
+  if (scrolling) say(scrolling + " formulas scroll at " + widths[1]);
   if (asked) {
     tab.at("axe, preparing");
     await page.setViewport({width: widths[0], height: 900});

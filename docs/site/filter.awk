@@ -94,6 +94,21 @@ function sources(line, out, path, full) {
     return out line
 }
 
+# Words between double asterisks as strong ones: Doxygen does not know those that begin or end with a link or a mark.
+function strong(line, out, found) {
+    out = ""
+    while (match(line, /`[^`]*`|\*\*/)) {
+        found = substr(line, RSTART, RLENGTH)
+        if (found == "**") {
+            bold = !bold
+            found = bold ? "<b>" : "</b>"
+        }
+        out = out substr(line, 1, RSTART - 1) found
+        line = substr(line, RSTART + RLENGTH)
+    }
+    return out line
+}
+
 # A label for a page from the name of its file: docs/reading-order.md is reading_order, docs/ledger/README.md is ledger.
 function page_label(file, parts, n, name) {
     n = split(file, parts, "/")
@@ -116,6 +131,8 @@ shown_only { # the paragraph at the head of the source alone
         next
     }
     gsub(/,/, "\\,", brief)
+    while (match(brief, /`[^`]*`/)) # Doxygen does not look for code in an alias
+        brief = substr(brief, 1, RSTART - 1) "<code>" substr(brief, RSTART + 1, RLENGTH - 2) "</code>" substr(brief, RSTART + RLENGTH)
     print (brief != "" ? "/// @shown{" numbers(brief) "}" : FNR == 1 ? "/// @file" : "")
     brief = ""
     next
@@ -126,6 +143,12 @@ markdown {
     if (!code) {
         if (/^# / && !/\{#/ && !titled++ && page_label(FILENAME) != "index") $0 = $0 " {#" page_label(FILENAME) "}"
         gsub(/\]\(\.\.\/paper-figures\/README\.md\)/, "](@ref figures_page)")
+        gsub(/\]\(\.\.\/derivation\/kernel\/Statements\.v\)/, "](@ref theorems)")
+        while (match($0, /<!--page [a-z_]+-->/)) { # a link to a page that is only on the site
+            $0 = substr($0, 1, RSTART - 1) "<a href=\"" substr($0, RSTART + 9, RLENGTH - 12) ".html\">" substr($0, RSTART + RLENGTH)
+            sub(/<!--\/-->/, "</a>")
+        }
+        $0 = strong($0)
         if (/^<!-- figure [a-z_]+: .* -->$/) { # a picture that the run has drawn; the sources have none to show
             at = index($0, ": ")
             picture = "figures/" substr($0, 13, at - 13) ".svg"

@@ -1,4 +1,4 @@
-// How far it is from "I am at this equation" to its proof, function, figure and tests, in a site or in two:
+// Clicks and seconds from "I am at this equation" to its proof, function, figure and tests, in a site or in two:
 //
 //   node measure-ways.mjs SITE [SITE...] [--json FILE]
 //

@@ -1,4 +1,4 @@
-// How far it is from "I am at (57)" to what a reader wants of an equation:
+// Clicks from "I am at (57)" to what a reader wants of an equation:
 //
 //   node paths.mjs SITE [EQUATION...]
 //

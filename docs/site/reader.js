@@ -1,4 +1,4 @@
-// What the pages do besides being read: symbols and equations explained where they stand, code to copy, a reader's number
+// Actions of the pages besides being read: symbols and equations explained where they stand, code to copy, a reader's number
 // checked, and a box that goes to an equation, a figure or a section. Without this script every page is complete and its links
 // work.
 (function () {
@@ -94,7 +94,7 @@
   // neither.
   const numbers = (text) => text.trim().split(/[\s,;]+/).filter(Boolean).map((each) => Number(each.replace("−", "-")));
   const shown = (values) => values.map((value) => Number(value.toPrecision(12))).join(", ");
-  const near = (a, b) => {
+  const agree = (a, b) => {
     const size = Math.max(...b.map(Math.abs));
     return a.length === b.length && a.every((value, i) => Math.abs(value - b[i]) <= 1e-6 * (size || 1));
   };
@@ -138,8 +138,8 @@
         }
         if (check.printed) mistakes = [{what: "The equation as printed.", value: [].concat(check.printed(...values))}];
       }
-      const explains = (mistake) => near(given, mistake.value) && !near(mistake.value, right);
-      if (near(given, right)) {
+      const explains = (mistake) => agree(given, mistake.value) && !agree(mistake.value, right);
+      if (agree(given, right)) {
         place.classList.add("proved");
         place.textContent = "Right: it agrees with " + shown(right) + " to six digits or more.";
       } else {
@@ -179,17 +179,41 @@
     if (place) location.replace(base + place);
   }
 
-  // A formula wider than its place scrolls, and can then be scrolled by the keyboard; no other formula is a stop.
+  // A formula of a long page is drawn when it comes near the window; one wider than its place is set in lines. What is still too
+  // wide scrolls, and can then be scrolled by the keyboard; no other formula is a stop.
+  const places = document.querySelectorAll(".formulaDsp, .katex-wide, table.equations td:nth-child(2)");
+  const later = document.querySelectorAll("math.later");
+  const is_wide = (place) => place.scrollWidth > place.clientWidth + 1;
+  const with_formulas = (done) => load("katex.min.js").then(() => load("formulas.js")).then(() => done(window.siteFormulas));
   function stops() {
-    for (const each of document.querySelectorAll(".formulaDsp, .katex-wide")) {
-      if (each.scrollWidth > each.clientWidth + 1) each.tabIndex = 0;
+    for (const each of places) {
+      if (is_wide(each)) each.tabIndex = 0;
       else each.removeAttribute("tabindex");
     }
   }
-  stops();
-  addEventListener("resize", stops);
-  addEventListener("load", stops);
-  document.addEventListener("toggle", stops, true);
+  function fit(within) {
+    const asked = [...places].filter((each) => within.contains(each));
+    if (window.siteFormulas || asked.some(is_wide)) with_formulas((formulas) => { asked.forEach(formulas.fit); stops(); });
+    else stops();
+  }
+  const near = new IntersectionObserver((entries) => {
+    const seen = entries.filter((entry) => entry.isIntersecting).map((entry) => entry.target);
+    for (const each of seen) near.unobserve(each);
+    if (seen.length) with_formulas((formulas) => {
+      for (const each of seen) {
+        const place = each.closest(".formulaDsp, table.equations td");
+        formulas.draw(each);
+        if (place) formulas.fit(place);
+      }
+      stops();
+    });
+  }, {rootMargin: "100% 0px"});
+  for (const each of later) near.observe(each);
+  if ([...places].some(is_wide)) with_formulas(() => {}); // on their way while the page loads
+  let width = innerWidth;
+  addEventListener("resize", () => { if (innerWidth !== width) { width = innerWidth; fit(document); } else stops(); });
+  addEventListener("load", () => fit(document));
+  document.addEventListener("toggle", (event) => fit(event.target), true);
 
   // The graph: an equation shows what it rests on, all the way down.
   const graph = document.querySelector("svg.equation-graph");

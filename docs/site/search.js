@@ -35,7 +35,7 @@
     return {page, score: each.score * weight[page.kind] * all * all * (text.includes(whole) ? 2 : 1) + (named && (page.kind < 4 || /[_(:]/.test(words)) ? 1e6 : 0)};
   }).sort((a, b) => b.score - a.score);
 
-  // What stands round the first of the words.
+  // The text around the first of the words.
   function excerpt(text) {
     const places = terms.map((term) => text.toLowerCase().indexOf(term)).filter((at) => at >= 0);
     const at = places.length ? Math.max(0, Math.min(...places) - 60) : 0;

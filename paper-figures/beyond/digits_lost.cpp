@@ -76,7 +76,7 @@ struct Most {
     }
 };
 
-/// What the maps hold of a function.
+/// Numbers of points of the maps of a function, by what a form gives there.
 struct Count {
     std::size_t points = 0, below_range = 0, good = 0; ///< in the range of double, below it; of the former well conditioned
     std::size_t many = 0;         ///< well conditioned, and the printed form loses many digits or gives no number

@@ -23,7 +23,7 @@ struct Dashpots {
         largest = largest_coupling(basis.D, 0.0);
     }
 
-    /// The same with the coefficients off the diagonal times a factor.
+    /// A system whose coefficients off the diagonal are multiplied by a factor.
     [[nodiscard]] System<double> with(double factor) const {
         Matrix<double> D = factor * basis.D;
         D.diagonal() = basis.D.diagonal();

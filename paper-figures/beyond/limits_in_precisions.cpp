@@ -57,7 +57,7 @@ constexpr std::array<std::size_t, 2> drawn{1, 2};
 template <class T>
 using Two = std::array<T, 2>;
 
-/// What is left along a path in a number type.
+/// Digits left along a path in a number type.
 struct Kept {
     Two<double> printed{INFINITY, INFINITY}, shipped{INFINITY, INFINITY}; ///< fewest digits of u and g
 };

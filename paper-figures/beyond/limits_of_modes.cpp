@@ -15,7 +15,7 @@ constexpr std::size_t types = 4;
 const std::array<std::string, types> names_of_types{"float", "double", "long double", "50 digits"};
 constexpr double step = 2.5; ///< decades
 
-/// What is known of a path.
+/// A path to the edge of the domain, with its limits.
 struct Row {
     std::array<KeptAlongPath, types> kept;
     double x = 0;        ///< 1e-40, or the last

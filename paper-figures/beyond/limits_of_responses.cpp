@@ -30,7 +30,7 @@ Digits digits_at(const Scene<double>& scene, const ModesAtContact<Real100>& mode
             {shipped(float()), library(double()), shipped(0.0L), in_50}};
 }
 
-/// What is found on a path.
+/// Findings on a path.
 struct Found {
     std::array<double, 4> printed{99, 99, 99, 99}, shipped{99, 99, 99, 99}; ///< fewest digits
     double answered = 99;                                                   ///< fewest of `answer`

@@ -71,7 +71,7 @@ std::string text_of(const Limit& l) {
     return text(l.factor, "%.6f") + (l.exponent == 0 ? "" : " x^(" + text(l.exponent) + ")");
 }
 
-/// What the paths to resonance show in many digits.
+/// Limits along the paths to resonance, in many digits.
 struct Limits {
     std::vector<std::vector<Limit>> of; ///< path by path: |v|, u, g
     double fewest = INFINITY;           ///< decimal digits that 50 digits and 100 digits, two forms, have in common
@@ -119,7 +119,7 @@ double beside_resonance(Figure& figure) {
     return largest;
 }
 
-/// What is left in double along the paths.
+/// Digits left in double along the paths.
 struct Kept {
     double fewest = 17;            ///< digits of a shipped form
     std::string where;             ///< of which, and along which path

@@ -76,7 +76,7 @@ std::string beyond_the_boundary(const WithModes& s, double mu) {
            text(m.masses[0].amplitude) + "; the closed form has " + text(X) + " at the boundary, so that it is another motion.";
 }
 
-/// How little the contact moves below the boundary of permanent sticking, panel f at r = 2.2.
+/// Small motion of the contact below the boundary of permanent sticking, panel f at r = 2.2.
 std::string near_permanent_sticking(const WithModes& s) {
     Scene<double> scene{.system = s.system, .mu = 1, .r = 2.2, .beta = 0, .static_load = {}};
     scene.beta = 0.98 * boundary(s.at(2.2), 1.0).sticking.value();

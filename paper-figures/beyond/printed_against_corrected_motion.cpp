@@ -102,7 +102,7 @@ void add(Figure& figure, Record& record, const Moving& s, const PaperMotion& num
     }
 }
 
-/// How far a printed form jumps where one half-period meets the next, over the largest value.
+/// Jump of a printed form where one half-period meets the next, over the largest value.
 double jump(const std::function<double(double tau)>& f, double largest) { return std::abs(f(0) + f(pi<double>())) / largest; }
 
 Record make(Figure& figure) {

@@ -152,7 +152,7 @@ Statement regimes_as_predicted(const std::vector<PlaneAtMu>& planes) {
             std::to_string(same) + " of " + std::to_string(points) + " points" + found, same == points};
 }
 
-/// How far the motion that begins as stick-slip lasts where sliding is possible.
+/// Range in which the motion that begins as stick-slip lasts although sliding is possible.
 std::string early_end_of_sliding(const std::vector<PlaneAtMu>& planes) {
     std::string line;
     for (const PlaneAtMu& p : planes)

@@ -30,7 +30,7 @@ double shown(const MapPoint& p) {
     return p.regime == Regime::permanent_sticking ? -1 : static_cast<double>(p.stops) / p.periods;
 }
 
-/// The same for the last of 200 periods by the paper's algorithm.
+/// Stops in the last of 200 periods by the paper's algorithm.
 double shown(const Marker& m) { return m.motion.rests ? -1 : static_cast<double>(m.motion.stops.size()); }
 
 std::string where(double r, double beta) { return "r = " + text(r, "%.3g") + ", beta = " + text(beta, "%.3g"); }
@@ -89,7 +89,7 @@ std::string from_to(const StopMap& light, const StopMap& heavy) {
     return "from zeta = " + text(light.zeta) + " to " + text(heavy.zeta);
 }
 
-/// How the number of stops changes with damping where two maps stick and slip.
+/// Change of the number of stops with damping, at points that stick and slip in two maps.
 struct ChangeOfStops {
     int fewer = 0, equal = 0, more = 0; ///< points
     double most = 0;                    ///< the most that a number rises by
@@ -137,7 +137,7 @@ std::string more_with_damping(const Figure& figure, const Grid& grid, const Stop
            seen(heavy) + ".";
 }
 
-/// How far the amplitude in stick-slip moves with damping, up to a frequency ratio.
+/// Change of the amplitude in stick-slip with damping, up to a frequency ratio.
 Agreement change_of_amplitude(const Grid& grid, const StopMap& light, const StopMap& heavy, double up_to) {
     std::vector<std::pair<double, std::string>> off;
     for (std::size_t n = 0; n < light.map.points.size(); ++n)

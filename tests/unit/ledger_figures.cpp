@@ -71,7 +71,7 @@ TEST_CASE("where a number of ours decides, a statement is not borne out to that 
     measured["statements"][1]["measure"] = "to 5 percent";
     CHECK_THAT(figures_markdown({measured}), Catch::Contains("| falls | rises by 3 | not to 1 percent |"));
     CHECK_THAT(figures_markdown({measured}), Catch::Contains("| a | b | yes |"));
-    CHECK_THAT(figures_table({measured}), Catch::Contains("| 1 of 2, 1 not to a threshold of ours |"));
+    CHECK_THAT(figures_table({measured}), Catch::Contains("| 1 of 2, 1 beyond the threshold that was chosen |"));
 }
 
 TEST_CASE("a bar within a text does not end a cell of a table", "[ledger][figures]") {

@@ -82,7 +82,14 @@ def whole_list(page, out_of_site):
 # The pages of namespaces
 
 
-def part(name, texts):
+def declared_in(texts):
+    """The header that declares a name, by its place on the page of a namespace, as the pages of the headers have it."""
+    rows = r'class="mem(?:Templ)?ItemRight"[^>]*><a class="el" href="(namespace[^"]*#[^"]*)"'
+    return {place: page.removesuffix(".html") for page, text in texts.items() if page.endswith(("_8hpp.html", "_8h.html"))
+            for place in re.findall(rows, text)}
+
+
+def part(name, texts, declared):
     """Parts the page of a namespace: a list of names by header stays, what is said of them goes to a page for each header.
     Returns the places that moved."""
     found = re.fullmatch(f"(.*?)({re.escape(CONTENTS)}.*?)({re.escape(CONTENTS_END)}.*)", texts[name], re.S)
@@ -92,12 +99,13 @@ def part(name, texts):
     items = defaultdict(list)
     ends = rf'(?=<a id="[^"]*" name="[^"]*"></a>\s*{TITLE}|{GROUP}|\Z)'
     for item in re.finditer(rf'<a id="([^"]*)"(?:(?!<a id=").)*?{TITLE}(.*?)</h2>.*?{ends}', body, re.S):
-        file = first(r'of file <a class="el" href="([^"]*)_source\.html', item[0])
+        file = declared.get(f"{name}#{item[1]}") or first(r'of file <a class="el" href="([^"]*)_source\.html', item[0])
         items[file].append((item[1], text_of_html(item[2].partition("</span>")[2]), item[0]))
     without_file = items.pop("", [])
     if len(items) < 2:
         return {}
     title = first(r'<h1 class="title">(.*?)</h1>', head).partition(" Namespace")[0]
+    head = head.replace(f"{title} Namespace Reference", f"Namespace {title}")
     listed, moved = "", {}
     for file, of_file in sorted(items.items()):
         page, header = f"{name.removesuffix('.html')}_in_{file}.html", header_name(file)
@@ -117,6 +125,11 @@ def part(name, texts):
             tables += found[0]
             body = body.replace(found[0], "", 1)
     before = body.partition(" Documentation</h2>")[0].rpartition(GROUP)[0]
+    types = re.search(r'<table class="memberdecls">\s*<tr class="heading">(?:(?!</tr>).)*?<a id="nested-classes".*?</table>', before, re.S)
+    if types:
+        listed_types = re.sub("<tr class=\"heading\">.*?</tr>", "", types[0], count=1, flags=re.S)
+        count = types[0].count('<tr class="memitem:')
+        before = before.replace(types[0], f"<details>\n<summary>Types: {count}</summary>\n{listed_types}</details>\n")
     told = {anchor.partition("#")[2] for anchor in moved} | {item[0] for item in without_file}
     rows = [row[0] for row in re.finditer(r'<tr class="memitem:(\w+)">.*?</tr>\s*(?:<tr class="memdesc:\1">.*?</tr>)?', tables, re.S)
             if f' id="{row[1]}"' in row[0] and row[1] not in told]  # of names that have no box of their own
@@ -177,11 +190,11 @@ def trim(texts):
     for name in ("annotated.html", "files.html", "namespaces.html"):
         if name in texts:
             texts[name] = whole_list(texts[name], out_of_site)
-    moved = {}
+    moved, declared = {}, declared_in(texts)
     for name in list(texts):
         if name.startswith(OF_TYPE):
             texts[name] = class_page(texts[name], name)
         elif name.startswith("namespacedenhartog"):
-            moved |= part(name, texts)
+            moved |= part(name, texts, declared)
     follow = lambda page: re.sub('href="(namespace[^"]*)"', lambda link: f'href="{moved.get(link[1], link[1])}"', page)
     return {name: follow(relinked(text, name, texts, out_of_site)) for name, text in texts.items()}

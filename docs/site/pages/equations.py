@@ -142,6 +142,16 @@ def kernel_of(run, entry):
     return dict(kernel, theorems=theorems, claims=claims)
 
 
+def theorems_of(ledger):
+    """All theorems of the kernel by their names, in the order of the equations: what each says, and of which equations."""
+    theorems = {}
+    for entry in ledger:
+        for kind in ("theorems", "negations"):
+            for theorem in entry.get("kernel", {}).get(kind, []):
+                theorems.setdefault(theorem["name"], {"says": theorem["name"], "status": "not_run"} | theorem | {"equations": []})["equations"].append(entry["equation"])
+    return theorems
+
+
 # The page
 
 

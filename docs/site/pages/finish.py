@@ -69,11 +69,6 @@ def finished_page(page):
     if "<h1>" in page and 'class="memtitle"' not in page:  # sections stand below the title
         page = re.sub("(</?h)([123])>", lambda heading: f"{heading[1]}{int(heading[2]) + 1}>", page)
     page = re.sub(r'<div class="title">(.*?)(?=</div>|<div)', r'<div><h1 class="title">\1</h1>', page, count=1, flags=re.S)
-    # Doxygen breaks an element with paragraphs in it into pieces.
-    pieces = re.compile(r'(<div class="(claim|verdict [^"]*|erratum)"(?:(?!<div class=").)*)</div><div class="\2"[^>]*>', re.S)
-    joined = 1 if '</div><div class="' in page else 0
-    while joined:
-        page, joined = pieces.subn(r"\1", page)
     boxed = r'<div class="table-box" tabindex="0">\g<0></div>'
     page = re.sub('<table class="markdownTable">.*?</table>', boxed, page, flags=re.S)
     page = cut(page, '<div class="summary">', "</div>")  # its links lead to headings that are left out where all is private

@@ -80,6 +80,14 @@ def record_of(run, claim):
     return record
 
 
+def faults_of_stand_ins(run):
+    """A symbol of stand_for.json that stands in no formula of its claims would leave what it means unsaid."""
+    return [f"docs/ledger/stand_for.json has {symbol} for claims {row['claims']}, in none of which it stands"
+            for row in run.stand_for for symbol, _ in row["symbols"]
+            if not any(re.search(symbol, step["latex"]) for claim, record in run.claims.items() if re.fullmatch(row["claims"], claim)
+                       for step in record["steps"])]
+
+
 def meant_by(run, claim, latex):
     """A formula of a claim with what its symbols stand for: the computer algebra borrows those of the modes for other numbers."""
     for row in run.stand_for:
@@ -109,7 +117,7 @@ def read_figures(folder, source):
         if name not in captions:
             raise Fault(f"figure {name} must have its caption in docs/ledger/figures.json")
         record = read_json(folder / f"{name}.json") if (folder / f"{name}.json").exists() else None
-        title = (record["title"] if record else title_of_script(scripts[name].read_text().splitlines())).replace("->", "→")
+        title = (record["title"] if record else title_of_script(scripts[name].read_text().splitlines())).replace("->", "→").replace("zeta", "ζ")
         number = f"Fig. {int(name[3:5])}" if name.startswith("fig") else ""
         data = [file.name for ending in (".pdf", ".dat", ".csv") for file in sorted(folder.glob(f"{name}*{ending}"))]
         figures.append(SimpleNamespace(

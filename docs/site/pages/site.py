@@ -12,9 +12,9 @@ from .chapter import chapter_views, places_in_chapter, read_chapter
 from .check import faults_of_pages
 from .code import code_of
 from .conclusions import conclusions_view
-from .equations import LONGEST_STATEMENT, SAMPLES, SAMPLES_OF_MODES, accuracy_rows, equation_view, in_namespace, witness_names
+from .equations import LONGEST_STATEMENT, SAMPLES, SAMPLES_OF_MODES, accuracy_rows, equation_view, in_namespace, theorems_of, witness_names
 from .graph import graph_of
-from .records import faults_of_departures, read_run, record_of
+from .records import faults_of_departures, faults_of_stand_ins, read_run, record_of
 from .sources import Sources, code_lines, coq_lines
 from .text import EQUATIONS, Fault, closed_marks, html, statement_that_holds, told_in, verdict_text, without_marks
 
@@ -87,7 +87,7 @@ def environment(run, sources):
 def make_pages(run, sources, chapter):
     """The pages by name, and why they cannot be taken, a sentence each."""
     faults = [f"the ledger must have an entry for equation ({number})" for number in EQUATIONS if number not in run.entries]
-    faults += faults_of_departures(run.departures, run.ledger)
+    faults += faults_of_departures(run.departures, run.ledger) + faults_of_stand_ins(run)
     if faults:
         return {}, faults
     jinja, pages, files = environment(run, sources), {}, read_chapter(chapter)
@@ -108,7 +108,7 @@ def make_pages(run, sources, chapter):
                 add(view["name"] + "_more", "equation_more", view)
     summary, audit = tables(run.audit, "audit")
     of_pages = {"audit": dict(summary=summary, audit=audit), "accuracy_page": dict(functions=worst_of_functions(run)),
-                "equation_graph": dict(graph=graph_of(run.ledger))}
+                "equation_graph": dict(graph=graph_of(run.ledger)), "theorems": dict(theorems=theorems_of(run.ledger))}
     for name in ("home", "equations", "errata", "errata_sheet", "stand_ins", "figures_page", "speed_page", "conformance_page",
                  *of_pages):
         with told_in(faults):

@@ -5,7 +5,7 @@ from contextlib import contextmanager
 from functools import cache
 
 EQUATIONS = [str(n) for n in range(1, 89)] + [f"A.{n}" for n in range(1, 16)]
-GREEK = set("alpha beta gamma delta zeta eta theta kappa mu pi phi psi tau omega Omega Sigma Psi".split())
+GREEK = set("alpha beta gamma delta zeta eta theta kappa mu pi phi psi sigma tau omega Omega Sigma Psi".split())
 BARRED = {"X": r"\overline{X}", "x": r"\bar{x}", "K": r"\overline{K}", "C": r"\overline{C}", "M": r"\overline{M}"}
 WORD = re.compile(r"\w+", re.ASCII)
 OPERATORS = {"<=": "≤", ">=": "≥", "->": "→", "sqrt": "√"}
@@ -133,10 +133,19 @@ def legible(number):
     return digits(float(number), min(6, len(re.sub(r"e.*|\D", "", number)))).replace("$", "") if "e" in number else number
 
 
+def spelled(text):
+    """A text with the names of scenes in words: `2DOF j=2 l=1 #7` is two masses, j=2, l=1, scene 7."""
+    masses = {"S": "one mass", "2": "two masses", "3": "three masses", "4": "four masses", "5": "five masses"}
+    text = re.sub(r"\b([S2-5])DOF\b( (?=\w+=))?", lambda name: masses[name[1]] + (", " if name[2] else ""), text)
+    text = re.sub(r"(=[^\s;()]*[^\s;(),]) (?=[a-zA-Z]\w*=|#\d)", r"\1, ", text)
+    text = re.sub(r"(?<= )#(?=\d)", "scene ", text).replace("seed 2022 N", "seed 2022, N")
+    return text.replace("off by up to 0 % on the grid of the paper's scenes, ", "right on the grid of the paper's scenes, off by up to ")
+
+
 @cache
 def prose(text):
-    """A sentence of the run: escaped, its symbols typeset, the numbers of equations linked."""
-    out, at = [], 0
+    """A sentence of the run: escaped, its symbols typeset, its scenes in words, the numbers of equations linked."""
+    text, out, at = spelled(text), [], 0
     token = re.compile(r"(?<![\w\\])\(((?:A\.)?[0-9]+)\)|<=|>=|->|sqrt(?=\()|"
                        r"(?P<number>(?<![\w.])(?:\d+\.\d{9,}|\d+(?:\.\d+)?e[+-]?\d+)(?![\w.]*\w))|\w+", re.ASCII)
     while found := token.search(text, at):
