@@ -4,13 +4,9 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "conformance/scene_of.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
-#include "denhartog/scene/point_rules.hpp"
-#include "denhartog/scene/scene_json.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -45,14 +41,6 @@ constexpr std::array<Quantity, 28> table{{
     {"absolute_phase", "", Shape::number, true, true, 18, true},
     {"transmissibility", "", Shape::number, true, false, 18, true},
 }};
-
-// Of a contact between two masses, 0 stands for its own displacement, which is the same in every frame.
-void check_mass(const ProtocolQuestion& q) {
-    const Quantity& asked = quantity(q.quantity);
-    if (asked.absolute && q.base_motion.empty()) throw InputError("base_motion", "must be given for " + q.quantity, "");
-    if (!asked.of_mass) return;
-    if (q.mass != 0 || q.contact_with == 0 || asked.absolute) (void)mass_from(q.mass, masses_of(q), "mass");
-}
 
 template <class T>
 T member(const nlohmann::json& object, const char* key) {
@@ -156,23 +144,6 @@ void read_places(const nlohmann::json& scene, ProtocolQuestion& q) {
     if (scene.contains("load_phases")) q.load_phases = member<std::vector<double>>(scene, "load_phases");
 }
 
-void add_numbers(std::ostringstream& line, const std::vector<double>& list) {
-    for (const double x : list) line << ' ' << number_to_text(x);
-}
-
-// Words of the plain dialect for a scene beyond the paper, behind all those for one of the paper.
-void add_tags(std::ostringstream& line, const ProtocolQuestion& q) {
-    if (q.contact_with != 0) line << " contact_with " << q.contact_with;
-    if (!q.base_motion.empty()) line << " base_motion " << q.base_motion;
-    const auto add = [&](const char* tag, const std::vector<double>& list) {
-        if (!list.empty()) line << ' ' << tag;
-        add_numbers(line, list);
-    };
-    add("loads", q.loads);
-    add("load_phases", q.load_phases);
-    for (const PartOfSystem& part : parts_of_system) add(part.matrix_key, q.*part.matrix);
-}
-
 } // namespace
 
 std::span<const Quantity> quantities() { return table; }
@@ -214,26 +185,6 @@ bool is_overdamped(const ProtocolQuestion& q) {
     return std::any_of(q.damping_ratios.begin(), q.damping_ratios.end(), [](double zeta) { return zeta >= 1; });
 }
 
-Scene<double> scene_of(const ProtocolQuestion& q) {
-    Scene<double> scene;
-    if (is_of_the_paper(q)) {
-        const std::size_t N = q.mass_ratios.size();
-        scene.system.mass_ratios = q.mass_ratios;
-        scene.system.stiffness_ratios = q.stiffness_ratios;
-        scene.system.damping_ratios = q.damping_ratios;
-        scene.system.contact = mass_from(q.contact, N, "contact");
-        scene.system.load = mass_from(q.load, N, "load");
-        scene.mu = q.mu;
-        scene.r = q.r;
-        scene.beta = q.beta;
-        check(scene);
-    } else {
-        scene = scene_from_json<double>(nlohmann::json(scene_json(q)));
-    }
-    check_mass(q);
-    return scene;
-}
-
 nlohmann::ordered_json question_json(const ProtocolQuestion& q) {
     nlohmann::ordered_json object = {{"id", q.id}, {"quantity", q.quantity}, {"scene", scene_json(q)}};
     if (quantity(q.quantity).of_mass) object["mass"] = q.mass;
@@ -243,14 +194,26 @@ nlohmann::ordered_json question_json(const ProtocolQuestion& q) {
 }
 
 std::string question_plain(const ProtocolQuestion& q) {
-    std::ostringstream line;
-    const std::size_t N = masses_of(q);
-    line << q.id << ' ' << q.quantity << ' ' << N << ' ' << q.contact << ' ' << q.load << ' ' << q.mass << ' ' << q.samples << ' '
-         << number_to_text(q.tau) << ' ' << number_to_text(q.mu) << ' ' << number_to_text(q.r) << ' ' << number_to_text(q.beta);
+    const int N = static_cast<int>(masses_of(q));
+    std::vector<std::string> words{q.id, q.quantity};
+    for (const int x : {N, q.contact, q.load, q.mass, q.samples}) words.push_back(std::to_string(x));
+    const auto add = [&](const std::vector<double>& list) {
+        for (const double x : list) words.push_back(number_to_text(x));
+    };
+    add({q.tau, q.mu, q.r, q.beta});
     for (const PartOfSystem& part : parts_of_system)
-        add_numbers(line, (q.*part.matrix).empty() ? q.*part.ratios : std::vector<double>(N, 0));
-    add_tags(line, q);
-    return line.str();
+        add((q.*part.matrix).empty() ? q.*part.ratios : std::vector<double>(static_cast<std::size_t>(N), 0));
+    // Words for a scene beyond the paper, behind all those for one of the paper.
+    if (q.contact_with != 0) words.insert(words.end(), {"contact_with", std::to_string(q.contact_with)});
+    if (!q.base_motion.empty()) words.insert(words.end(), {"base_motion", q.base_motion});
+    const auto add_under = [&](const char* tag, const std::vector<double>& list) {
+        if (!list.empty()) words.emplace_back(tag);
+        add(list);
+    };
+    add_under("loads", q.loads);
+    add_under("load_phases", q.load_phases);
+    for (const PartOfSystem& part : parts_of_system) add_under(part.matrix_key, q.*part.matrix);
+    return joined(words);
 }
 
 ProtocolQuestion question_from_json(const nlohmann::json& object) {

@@ -140,6 +140,13 @@ using Answer = std::variant<Value, Rejected, Skipped, Unusable>;
 /// @return   the number; none if it is no finite one
 [[nodiscard]] std::optional<double> finite_number(std::string_view text);
 
+/// @brief Words in a line. @param words the words @param between what stands between two of them @return the line
+[[nodiscard]] std::string joined(std::span<const std::string> words, std::string_view between = " ");
+
+/// @brief Numbers in a line, each as the shortest text from which it can be read again. @param numbers the numbers
+/// @param between what stands between two of them @return the line
+[[nodiscard]] std::string joined(std::span<const double> numbers, std::string_view between = " ");
+
 /// @brief JSON as text, whatever bytes its strings hold. @param x the JSON @return the text
 [[nodiscard]] std::string text_of_json(const nlohmann::json& x);
 

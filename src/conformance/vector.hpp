@@ -11,7 +11,18 @@
 
 #include "conformance/question.hpp"
 
+namespace denhartog {
+template <class T>
+struct Scene;
+}
+
 namespace denhartog::conformance {
+
+/// @brief The scene of a question, as the library has it, its numbers taken as exact.
+/// @param q  the question
+/// @return   the scene, checked; a moving base as the load that it is
+/// @throws   InputError if a number breaks a rule of the scene, or the scene does not have the mass asked about
+[[nodiscard]] Scene<double> scene_of(const ProtocolQuestion& q);
 
 /// @brief Version of the format of the vector files.
 inline constexpr int format_version = 2;
@@ -47,6 +58,9 @@ struct Vector {
     std::array<std::string, 2> routes; ///< the two unrelated routes
     std::array<int, 2> digits{};       ///< digits on which the routes agree: computed in 50 and in 100 digits
 };
+
+/// @brief The true answer of a vector. @param v the vector @return the doubles nearest to it, or the regime
+[[nodiscard]] inline Value truth_of(const Vector& v) { return {v.nearest, v.word}; }
 
 /// @brief A number as a hexadecimal float. @param x a number @return its text
 [[nodiscard]] std::string hexadecimal_float(double x);

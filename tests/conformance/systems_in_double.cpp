@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "conformance/scene_of.hpp"
+#include "conformance/vector.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/sliding/bounded_modes.hpp"
 #include "denhartog/sliding/coupled_sums.hpp"

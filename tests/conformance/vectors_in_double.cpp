@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "conformance/scene_of.hpp"
+#include "conformance/vector.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/number/errors.hpp"
