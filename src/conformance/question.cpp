@@ -7,6 +7,8 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
+#include "denhartog/scene/point_rules.hpp"
+#include "denhartog/scene/scene_json.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -41,6 +43,14 @@ constexpr std::array<Quantity, 28> table{{
     {"absolute_phase", "", Shape::number, true, true, 18, true},
     {"transmissibility", "", Shape::number, true, false, 18, true},
 }};
+
+// Of a contact between two masses, 0 stands for its own displacement, which is the same in every frame.
+void check_mass(const ProtocolQuestion& q) {
+    const Quantity& asked = quantity(q.quantity);
+    if (asked.absolute && q.base_motion.empty()) throw InputError("base_motion", "must be given for " + q.quantity, "");
+    if (!asked.of_mass) return;
+    if (q.mass != 0 || q.contact_with == 0 || asked.absolute) (void)mass_from(q.mass, masses_of(q), "mass");
+}
 
 template <class T>
 T member(const nlohmann::json& object, const char* key) {
@@ -183,6 +193,26 @@ std::size_t place_in_chain(const ProtocolQuestion& q) {
 
 bool is_overdamped(const ProtocolQuestion& q) {
     return std::any_of(q.damping_ratios.begin(), q.damping_ratios.end(), [](double zeta) { return zeta >= 1; });
+}
+
+Scene<double> scene_of(const ProtocolQuestion& q) {
+    Scene<double> scene;
+    if (is_of_the_paper(q)) {
+        const std::size_t N = q.mass_ratios.size();
+        scene.system.mass_ratios = q.mass_ratios;
+        scene.system.stiffness_ratios = q.stiffness_ratios;
+        scene.system.damping_ratios = q.damping_ratios;
+        scene.system.contact = mass_from(q.contact, N, "contact");
+        scene.system.load = mass_from(q.load, N, "load");
+        scene.mu = q.mu;
+        scene.r = q.r;
+        scene.beta = q.beta;
+        check(scene);
+    } else {
+        scene = scene_from_json<double>(nlohmann::json(scene_json(q)));
+    }
+    check_mass(q);
+    return scene;
 }
 
 nlohmann::ordered_json question_json(const ProtocolQuestion& q) {

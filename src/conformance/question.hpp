@@ -12,6 +12,11 @@
 #include <variant>
 #include <vector>
 
+namespace denhartog {
+template <class T>
+struct Scene;
+} // namespace denhartog
+
 namespace denhartog::conformance {
 
 /// @brief Count of the numbers in an answer to a quantity.
@@ -96,6 +101,12 @@ struct ProtocolQuestion {
 /// @brief Whether a question asks for one of several quantities. @param q the question @param names the quantities
 /// @return whether it does
 [[nodiscard]] bool asks_for(const ProtocolQuestion& q, std::initializer_list<std::string_view> names);
+
+/// @brief The scene of a question, as the library has it, its numbers taken as exact.
+/// @param q  the question
+/// @return   the scene, checked; a moving base as the load that it is
+/// @throws   InputError if a number breaks a rule of the scene, or the scene does not have the mass asked about
+[[nodiscard]] Scene<double> scene_of(const ProtocolQuestion& q);
 
 /// @brief A question as the object of the protocol's `json` dialect. @param q the question @return the object
 [[nodiscard]] nlohmann::ordered_json question_json(const ProtocolQuestion& q);

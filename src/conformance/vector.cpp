@@ -13,8 +13,6 @@
 #include "denhartog/number/legible.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/json_document.hpp"
-#include "denhartog/scene/point_rules.hpp"
-#include "denhartog/scene/scene_json.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -45,14 +43,6 @@ void check_text(const std::string& name, const std::string& text) {
     if (text != legible(text)) throw InputError(name, "must be a short text without control characters", text);
 }
 
-// Of a contact between two masses, 0 stands for its own displacement, which is the same in every frame.
-void check_mass(const ProtocolQuestion& q) {
-    const Quantity& asked = quantity(q.quantity);
-    if (asked.absolute && q.base_motion.empty()) throw InputError("base_motion", "must be given for " + q.quantity, "");
-    if (!asked.of_mass) return;
-    if (q.mass != 0 || q.contact_with == 0 || asked.absolute) (void)mass_from(q.mass, masses_of(q), "mass");
-}
-
 // The first word of a question in the plain dialect.
 void check_id(const std::string& id) {
     check_text("id", id);
@@ -76,26 +66,6 @@ void check_numbers(const Vector& v) {
 }
 
 } // namespace
-
-Scene<double> scene_of(const ProtocolQuestion& q) {
-    Scene<double> scene;
-    if (is_of_the_paper(q)) {
-        const std::size_t N = q.mass_ratios.size();
-        scene.system.mass_ratios = q.mass_ratios;
-        scene.system.stiffness_ratios = q.stiffness_ratios;
-        scene.system.damping_ratios = q.damping_ratios;
-        scene.system.contact = mass_from(q.contact, N, "contact");
-        scene.system.load = mass_from(q.load, N, "load");
-        scene.mu = q.mu;
-        scene.r = q.r;
-        scene.beta = q.beta;
-        check(scene);
-    } else {
-        scene = scene_from_json<double>(nlohmann::json(question_json(q)["scene"]));
-    }
-    check_mass(q);
-    return scene;
-}
 
 std::string hexadecimal_float(double x) {
     std::array<char, 40> text{};

@@ -11,18 +11,7 @@
 
 #include "conformance/question.hpp"
 
-namespace denhartog {
-template <class T>
-struct Scene;
-}
-
 namespace denhartog::conformance {
-
-/// @brief The scene of a question, as the library has it, its numbers taken as exact.
-/// @param q  the question
-/// @return   the scene, checked; a moving base as the load that it is
-/// @throws   InputError if a number breaks a rule of the scene, or the scene does not have the mass asked about
-[[nodiscard]] Scene<double> scene_of(const ProtocolQuestion& q);
 
 /// @brief Version of the format of the vector files.
 inline constexpr int format_version = 2;
