@@ -13,6 +13,7 @@
 #include "denhartog/number/legible.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/json_document.hpp"
+#include "denhartog/scene/scene.hpp"
 
 namespace denhartog::conformance {
 namespace {
