@@ -60,6 +60,18 @@ std::optional<double> finite_number(std::string_view text) {
     return x;
 }
 
+std::string joined(std::span<const std::string> words, std::string_view between) {
+    std::string text;
+    for (const std::string& word : words) text.append(text.empty() ? "" : between).append(word);
+    return text;
+}
+
+std::string joined(std::span<const double> numbers, std::string_view between) {
+    std::vector<std::string> words;
+    for (const double x : numbers) words.push_back(number_to_text(x));
+    return joined(words, between);
+}
+
 std::string text_of_json(const nlohmann::json& x) { return x.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); }
 
 Answer answer_from_json(std::string_view line, std::string_view id) {
@@ -90,8 +102,7 @@ Answer answer_from_plain(std::string_view line, std::string_view id) {
     if (words.front() != id)
         return Unusable{"the answer is to " + in_quotes(words.front()) + ", the question was " + std::string(id)};
     if (words.size() < 2) return Unusable{"the answer has neither value nor reject nor skip"};
-    std::string rest;
-    for (std::size_t n = 2; n < words.size(); ++n) rest += (n > 2 ? " " : "") + words[n];
+    const std::string rest = joined(std::span(words).subspan(2));
     if (words[1] == "skip") return Skipped{rest};
     if (words[1] == "reject") return Rejected{rest};
     if (words[1] != "value") return Unusable{in_quotes(words[1]) + " is neither value nor reject nor skip"};

@@ -1,7 +1,6 @@
 #include "conformance/diagnose.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 
@@ -52,6 +51,7 @@ struct Evidence {
         : judged(all), mistake(m), agreement(std::max(m.agreement, least_agreement)) {}
 
     [[nodiscard]] Says says(std::size_t n) {
+        if (!judged[n].answered || !judged[n].vector->reject.empty()) return Says::nothing;
         const auto known = alone.find(n);
         const Says of_one =
             known != alone.end() ? known->second : (alone[n] = look(n, mistake.answer(judged[n].vector->question)));
@@ -68,7 +68,7 @@ struct Evidence {
 
     [[nodiscard]] Says look(std::size_t n, const std::optional<Value>& value) const {
         const Judged& one = judged[n];
-        if (!one.answered || !one.vector->reject.empty() || !value) return Says::nothing;
+        if (!value) return Says::nothing;
         if (is_wrong_value(one.verdict) && agrees(*one.vector, one.given, *value, agreement)) return Says::agrees;
         return is_wrong(*one.vector, *value, agreement) ? Says::contradicts : Says::nothing;
     }
@@ -83,6 +83,7 @@ struct Weighed {
     std::size_t wrong = 0;      // wrong answers to the quantities of its core, or to those of which it explains some answer
     bool numbers_asked = false; // whether a number is among these
     bool rough = false;         // whether its answers agree in few digits
+    Evidence* evidence = nullptr;
 };
 
 // The quantities of a mistake's core that were answered; all, if none was.
@@ -100,6 +101,7 @@ Weighed weigh(std::span<Judged> judged, Evidence& evidence, const std::vector<st
     Weighed weighed;
     Finding& finding = weighed.finding;
     finding.mistake = evidence.mistake;
+    weighed.evidence = &evidence;
     const std::set<std::string> core = answered_core(judged, evidence.mistake);
     std::set<std::string> of;
     std::optional<std::size_t> example;
@@ -152,7 +154,7 @@ std::vector<std::size_t> some_answers(std::span<const Judged> judged, const std:
     return some;
 }
 
-// Whether a mistake may explain what is wrong, by some answers: most mistakes do not, and need no look at all the others.
+// Whether a mistake may explain the wrong answers, as some of the answers show. Most mistakes do not, and need no further look.
 bool is_possible(std::span<const Judged> judged, Evidence& evidence, const std::vector<std::size_t>& some) {
     std::size_t agrees = 0, contradicts = 0;
     for (const std::size_t n : some) {
@@ -170,23 +172,18 @@ bool is_before(const Weighed& a, const Weighed& b) {
     return a.made_wrong < b.made_wrong;
 }
 
-// The mistake that is told next, with its evidence.
-struct Told {
-    Weighed weighed;
-    Evidence* evidence;
-};
-
-std::optional<Told> most_telling(std::span<Judged> judged, std::vector<Evidence>& candidates,
-                                 const std::vector<std::size_t>& left, const std::set<std::size_t>& set_aside, std::size_t wrong,
-                                 const Thresholds& least) {
-    std::optional<Told> best;
+// The mistake that is told next.
+std::optional<Weighed> most_telling(std::span<Judged> judged, std::vector<Evidence>& candidates,
+                                    const std::vector<std::size_t>& left, const std::set<std::size_t>& set_aside,
+                                    std::size_t wrong, const Thresholds& least) {
+    std::optional<Weighed> best;
     if (left.empty()) return best;
     const std::vector<std::size_t> some = some_answers(judged, left);
     for (Evidence& candidate : candidates) {
         if (!is_possible(judged, candidate, some)) continue;
         Weighed weighed = weigh(judged, candidate, left, set_aside);
         if (weighed.finding.example == nullptr || !is_accepted(weighed, wrong, least)) continue;
-        if (!best || is_before(weighed, best->weighed)) best = Told{std::move(weighed), &candidate};
+        if (!best || is_before(weighed, *best)) best = std::move(weighed);
     }
     return best;
 }
@@ -206,10 +203,10 @@ std::vector<Finding> findings_of(std::span<Judged> judged, std::span<const Mista
     std::vector<const Answering*> found;
     for (const Mistake& mistake : known) candidates.emplace_back(judged, mistake, least.agreement);
     const std::size_t wrong = left.size();
-    while (std::optional<Told> best =
+    while (std::optional<Weighed> best =
                most_telling(judged, candidates, left, set_aside, of_the_left ? left.size() : wrong, least)) {
         const Mistake& mistake = best->evidence->mistake;
-        Finding& finding = best->weighed.finding;
+        Finding& finding = best->finding;
         const ProtocolQuestion& example = finding.example->vector->question;
         const std::optional<Value> alone = mistake.answer(example);
         const bool is_of_one =
@@ -250,18 +247,6 @@ std::vector<const Judged*> in_first_link(const std::vector<const Judged*>& wrong
 }
 
 } // namespace
-
-std::vector<Mistake> fitted_to(std::span<const Judged> judged, std::vector<Mistake> known) {
-    for (const std::optional<Fitted>& fitted : std::array{fitted_instants(judged), fitted_transient(judged)}) {
-        for (Mistake& mistake : known) {
-            if (!fitted || mistake.name != fitted->name) continue;
-            mistake.number = fitted->number;
-            mistake.answer = fitted->answer;
-            mistake.besides = fitted->besides;
-        }
-    }
-    return known;
-}
 
 Diagnosis diagnose(std::span<Judged> judged, std::span<const Mistake> known, const Thresholds& least, bool guess) {
     Diagnosis diagnosis;

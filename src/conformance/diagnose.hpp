@@ -56,20 +56,14 @@ struct Finding {
     Value mistaken;                      ///< what the mistake answers there
 };
 
-/// @brief A property that wrong answers have in common.
+/// @brief A property that wrong answers have in common, a quantity, or a link of the chain of quantities, each made of those before
+/// it: the first that is wrong is where to look.
 struct InCommon {
-    std::string property;      ///< in words: `mu > 1`
+    std::string property;      ///< in words: `mu > 1`, `amplitude`, `shapes`
     std::size_t wrong = 0;     ///< number of unexplained wrong answers that have it
     std::size_t all_wrong = 0; ///< number of all unexplained wrong answers
     std::size_t asked = 0;     ///< number of answers to the same quantities that have it
     std::size_t all_asked = 0; ///< number of all answers to the same quantities
-};
-
-/// @brief A link of the chain of quantities, each made of those before it: the first that is wrong is where to look.
-struct Link {
-    std::string name;         ///< in words, e.g. `shapes`
-    std::size_t answered = 0; ///< answers to its quantities
-    std::size_t wrong = 0;    ///< of these the wrong ones in question
 };
 
 /// @brief The diagnosis of an implementation.
@@ -77,7 +71,7 @@ struct Diagnosis {
     std::size_t wrong = 0;                  ///< number of answers that are wrong or inaccurate
     std::vector<Finding> findings;          ///< the mistakes that were found, the strongest evidence first
     std::vector<const Judged*> unexplained; ///< wrong answers that no mistake found explains
-    std::vector<Link> chain;                ///< the chain of quantities with the unexplained answers in each link
+    std::vector<InCommon> chain;            ///< the unexplained answers by link of the chain of quantities, those that were asked
     std::vector<Finding> simple;            ///< guesses at the unexplained answers, the best first
     std::vector<InCommon> by_quantity;      ///< the unexplained answers by quantity; `asked` counts all answers to it
     std::vector<InCommon> in_common;        ///< properties that those in the first wrong link have more often than right answers

@@ -7,7 +7,9 @@
 #include <numbers>
 
 #include "conformance/mistakes/mistake_definition.hpp"
+#include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
+#include "denhartog/number/number_text.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -45,25 +47,18 @@ Verdict verdict_of(double error, const Tolerance& allowed) {
     return Verdict::wrong;
 }
 
-// Value of the closed form beyond the boundary, as it is computed by whoever forgets it; none where the quantity is not of the
-// steady motion.
-std::optional<Value> closed_form_beyond_boundary(const ProtocolQuestion& q) {
-    if (!asks_for(q, {"amplitude", "phase", "amplitude_monoharmonic", "phase_monoharmonic", "initial_displacement",
-                      "initial_velocity", "displacement", "motion_under_force"}))
-        return std::nullopt;
-    Choices c;
-    c.beyond_the_boundary = true;
-    return plain_answer(q, c);
-}
-
-// Whether a wrong answer is the one of another regime, and how that shows.
+// Sign that a wrong answer is the one of another regime, in words: no stop, or the closed form beyond the boundary, as a program
+// gives it that does not ask for the regime. Empty if there is none.
 std::string other_regime(const Vector& v, const Value& given) {
     if (v.regime != "stick_slip" && v.regime != "permanent_sticking") return "";
     const Quantity& asked = quantity(v.question.quantity);
     const bool no_stop =
         asked.shape == Shape::durations ? given.numbers.empty() : asked.name == "stops_per_period" && size_of(given.numbers) == 0;
     if (no_stop) return "no stop, but the regime is " + v.regime;
-    const std::optional<Value> beyond = closed_form_beyond_boundary(v.question);
+    if (!asks_for(v.question, {"amplitude", "phase", "amplitude_monoharmonic", "phase_monoharmonic", "initial_displacement",
+                               "initial_velocity", "displacement", "motion_under_force"}))
+        return "";
+    const std::optional<Value> beyond = plain_answer(v.question, Choices{.beyond_the_boundary = true});
     if (!beyond || beyond->numbers.size() != given.numbers.size()) return "";
     const double size = asked.angle ? 1 : size_of(beyond->numbers);
     if (!(difference(asked, given.numbers, beyond->numbers).size <= agreement * size)) return "";
@@ -85,8 +80,7 @@ Judged graded_numbers(Judged judged, const Vector& v) {
         judged.verdict = verdict_of(*judged.error, v.tolerance);
     }
     if (judged.verdict != Verdict::wrong || !judged.given.word.empty()) return judged;
-    const std::string regime = other_regime(v, judged.given);
-    if (!regime.empty()) {
+    if (const std::string regime = other_regime(v, judged.given); !regime.empty()) {
         judged.verdict = Verdict::wrong_regime;
         judged.reason = regime;
     }
@@ -113,6 +107,33 @@ double distance_in_tube(double value, double before, double at, double after) {
     const double to_the_left = (before + at) / 2, to_the_right = (at + after) / 2;
     const double lowest = std::min({to_the_left, at, to_the_right}), highest = std::max({to_the_left, at, to_the_right});
     return std::max({0.0, lowest - value, value - highest});
+}
+
+// Errors of the solvers of each method at everyday settings: half of their answers are within the first number, 99 of 100 within
+// the second; ten times as much is the third. `./verify chart` measures that anew and compares (docs/solvers.md).
+constexpr SolverMethod all_methods[] = {
+    {"closed-form", "the closed form in double: the vectors' own tolerances", {}, {}, {}},
+    {"event-driven",
+     "integration with events, at tolerances of 1e-6",
+     {1e-6, 1e-3, 1e-2},
+     {2e-6, 2e-4, 2e-3},
+     {2e-6, 5e-5, 5e-4},
+     2e-4,
+     true},
+    {"time-stepping",
+     "equal steps without events, 1024 a period",
+     {5e-6, 1e-3, 1e-2},
+     {5e-5, 5e-3, 5e-2},
+     {2e-4, 5e-3, 5e-2},
+     2e-2,
+     true},
+    {"harmonic-balance", "harmonics of friction up to the 51st", {2e-4, 5e-3, 5e-2}, {2e-3, 1e-2, 1e-1}, {}, 0, false, false},
+};
+
+Tolerance of_kind(const SolverMethod& method, const std::string& kind) {
+    if (kind == "displacement") return method.displacement;
+    if (kind == "phase") return method.phase;
+    return kind == "duration" ? method.duration : Tolerance{};
 }
 
 } // namespace
@@ -158,29 +179,74 @@ Judged grade(const Vector& v, const Answer& answer) {
     Judged judged;
     judged.vector = &v;
     const bool to_be_rejected = !v.reject.empty();
-    if (const auto* skipped = std::get_if<Skipped>(&answer)) {
-        judged.verdict = Verdict::skipped;
-        judged.reason = legible(skipped->reason);
+    const auto with = [&](Verdict verdict, const std::string& reason) {
+        judged.verdict = verdict;
+        judged.reason = reason;
         return judged;
-    }
-    if (const auto* rejected = std::get_if<Rejected>(&answer)) {
-        judged.verdict = to_be_rejected ? Verdict::rejected : Verdict::wrong;
-        judged.reason = (to_be_rejected ? "" : "it was rejected, but keeps all rules: ") + legible(rejected->reason);
-        return judged;
-    }
-    if (const auto* unusable = std::get_if<Unusable>(&answer)) {
-        judged.verdict = to_be_rejected ? Verdict::not_rejected : Verdict::wrong;
-        judged.reason = legible(unusable->reason);
-        return judged;
-    }
+    };
+    if (const auto* skipped = std::get_if<Skipped>(&answer)) return with(Verdict::skipped, legible(skipped->reason));
+    if (const auto* rejected = std::get_if<Rejected>(&answer))
+        return to_be_rejected ? with(Verdict::rejected, legible(rejected->reason))
+                              : with(Verdict::wrong, "it was rejected, but keeps all rules: " + legible(rejected->reason));
+    if (const auto* unusable = std::get_if<Unusable>(&answer))
+        return with(to_be_rejected ? Verdict::not_rejected : Verdict::wrong, legible(unusable->reason));
     judged.given = std::get<Value>(answer);
     judged.answered = true;
-    if (to_be_rejected) {
-        judged.verdict = Verdict::not_rejected;
-        judged.reason = "it was answered, but breaks a rule: " + v.reject;
-        return judged;
-    }
+    if (to_be_rejected) return with(Verdict::not_rejected, "it was answered, but breaks a rule: " + v.reject);
     return v.word.empty() ? graded_numbers(std::move(judged), v) : graded_word(std::move(judged), v);
+}
+
+std::span<const SolverMethod> methods() { return all_methods; }
+
+const SolverMethod& method_named(std::string_view name) {
+    const auto* const found = std::ranges::find(all_methods, name, &SolverMethod::name);
+    if (found != std::end(all_methods)) return *found;
+    std::vector<std::string> names;
+    for (const SolverMethod& each : all_methods) names.emplace_back(each.name);
+    throw InputError("method", "must be one of " + joined(names, ", "), std::string(name));
+}
+
+std::string kind_of(const ProtocolQuestion& q) {
+    if (q.quantity == "stop_durations") return "duration";
+    if (asks_for(q, {"phase", "phase_monoharmonic", "absolute_phase"})) return "phase";
+    const bool moves = asks_for(q, {"amplitude", "amplitude_monoharmonic", "motion_under_force", "displacement",
+                                    "initial_displacement", "initial_velocity", "absolute_amplitude", "transmissibility"});
+    return moves ? "displacement" : "";
+}
+
+double condition_of(const Vector& v) {
+    double largest = 1;
+    for (const auto& [input, number] : v.condition) largest = std::max(largest, number);
+    return largest;
+}
+
+std::string excuse_for(const Vector& v, const SolverMethod& method) {
+    if (kind_of(v.question).empty() && !asks_for(v.question, {"regime", "stops_per_period"})) return "";
+    const std::vector<double>& zeta = v.question.damping_ratios;
+    if (method.settles && std::find(zeta.begin(), zeta.end(), 0.0) != zeta.end())
+        return "without damping the transient never ends";
+    if (v.margin && *v.margin < method.margin)
+        return "beta is nearer than " + number_in_digits(method.margin, 2) + " to a boundary of regimes";
+    if (!method.rests && v.regime == "stick_slip" && asks_for(v.question, {"phase"}))
+        return "the phase may be that of the start of a rest";
+    return "";
+}
+
+void widen(Vector& v, const SolverMethod& method) {
+    constexpr double largest = 0.1; // beyond, nothing is right
+    const Tolerance least = of_kind(method, kind_of(v.question));
+    const double condition = condition_of(v);
+    const auto wider = [&](double own, double of_method) { return std::max(own, std::min(largest, of_method * condition)); };
+    v.tolerance = {wider(v.tolerance.pass, least.pass), wider(v.tolerance.loose, least.loose),
+                   wider(v.tolerance.inaccurate, least.inaccurate)};
+}
+
+void excuse(Judged& judged, const SolverMethod& method) {
+    if (!is_wrong_value(judged.verdict)) return;
+    const std::string reason = excuse_for(*judged.vector, method);
+    if (reason.empty()) return;
+    judged.verdict = Verdict::skipped;
+    judged.reason = "not judged by the method " + std::string(method.name) + ": " + reason;
 }
 
 } // namespace denhartog::conformance

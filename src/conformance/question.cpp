@@ -4,9 +4,7 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "conformance/scene_of.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/point_rules.hpp"
@@ -156,23 +154,6 @@ void read_places(const nlohmann::json& scene, ProtocolQuestion& q) {
     if (scene.contains("load_phases")) q.load_phases = member<std::vector<double>>(scene, "load_phases");
 }
 
-void add_numbers(std::ostringstream& line, const std::vector<double>& list) {
-    for (const double x : list) line << ' ' << number_to_text(x);
-}
-
-// Words of the plain dialect for a scene beyond the paper, behind all those for one of the paper.
-void add_tags(std::ostringstream& line, const ProtocolQuestion& q) {
-    if (q.contact_with != 0) line << " contact_with " << q.contact_with;
-    if (!q.base_motion.empty()) line << " base_motion " << q.base_motion;
-    const auto add = [&](const char* tag, const std::vector<double>& list) {
-        if (!list.empty()) line << ' ' << tag;
-        add_numbers(line, list);
-    };
-    add("loads", q.loads);
-    add("load_phases", q.load_phases);
-    for (const PartOfSystem& part : parts_of_system) add(part.matrix_key, q.*part.matrix);
-}
-
 } // namespace
 
 std::span<const Quantity> quantities() { return table; }
@@ -243,14 +224,26 @@ nlohmann::ordered_json question_json(const ProtocolQuestion& q) {
 }
 
 std::string question_plain(const ProtocolQuestion& q) {
-    std::ostringstream line;
-    const std::size_t N = masses_of(q);
-    line << q.id << ' ' << q.quantity << ' ' << N << ' ' << q.contact << ' ' << q.load << ' ' << q.mass << ' ' << q.samples << ' '
-         << number_to_text(q.tau) << ' ' << number_to_text(q.mu) << ' ' << number_to_text(q.r) << ' ' << number_to_text(q.beta);
+    const int N = static_cast<int>(masses_of(q));
+    std::vector<std::string> words{q.id, q.quantity};
+    for (const int x : {N, q.contact, q.load, q.mass, q.samples}) words.push_back(std::to_string(x));
+    const auto add = [&](const std::vector<double>& list) {
+        for (const double x : list) words.push_back(number_to_text(x));
+    };
+    add({q.tau, q.mu, q.r, q.beta});
     for (const PartOfSystem& part : parts_of_system)
-        add_numbers(line, (q.*part.matrix).empty() ? q.*part.ratios : std::vector<double>(N, 0));
-    add_tags(line, q);
-    return line.str();
+        add((q.*part.matrix).empty() ? q.*part.ratios : std::vector<double>(static_cast<std::size_t>(N), 0));
+    // Words for a scene beyond the paper, behind all those for one of the paper.
+    if (q.contact_with != 0) words.insert(words.end(), {"contact_with", std::to_string(q.contact_with)});
+    if (!q.base_motion.empty()) words.insert(words.end(), {"base_motion", q.base_motion});
+    const auto add_under = [&](const char* tag, const std::vector<double>& list) {
+        if (!list.empty()) words.emplace_back(tag);
+        add(list);
+    };
+    add_under("loads", q.loads);
+    add_under("load_phases", q.load_phases);
+    for (const PartOfSystem& part : parts_of_system) add_under(part.matrix_key, q.*part.matrix);
+    return joined(words);
 }
 
 ProtocolQuestion question_from_json(const nlohmann::json& object) {

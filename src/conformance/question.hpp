@@ -12,6 +12,11 @@
 #include <variant>
 #include <vector>
 
+namespace denhartog {
+template <class T>
+struct Scene;
+} // namespace denhartog
+
 namespace denhartog::conformance {
 
 /// @brief Count of the numbers in an answer to a quantity.
@@ -97,6 +102,12 @@ struct ProtocolQuestion {
 /// @return whether it does
 [[nodiscard]] bool asks_for(const ProtocolQuestion& q, std::initializer_list<std::string_view> names);
 
+/// @brief The scene of a question, as the library has it, its numbers taken as exact.
+/// @param q  the question
+/// @return   the scene, checked; a moving base as the load that it is
+/// @throws   InputError if a number breaks a rule of the scene, or the scene does not have the mass asked about
+[[nodiscard]] Scene<double> scene_of(const ProtocolQuestion& q);
+
 /// @brief A question as the object of the protocol's `json` dialect. @param q the question @return the object
 [[nodiscard]] nlohmann::ordered_json question_json(const ProtocolQuestion& q);
 
@@ -139,6 +150,13 @@ using Answer = std::variant<Value, Rejected, Skipped, Unusable>;
 /// @brief A number as an answer writes it: decimal or hexadecimal, nothing before or after it. @param text the text
 /// @return   the number; none if it is no finite one
 [[nodiscard]] std::optional<double> finite_number(std::string_view text);
+
+/// @brief Words in a line. @param words the words @param between what stands between two of them @return the line
+[[nodiscard]] std::string joined(std::span<const std::string> words, std::string_view between = " ");
+
+/// @brief Numbers in a line, each as the shortest text from which it can be read again. @param numbers the numbers
+/// @param between what stands between two of them @return the line
+[[nodiscard]] std::string joined(std::span<const double> numbers, std::string_view between = " ");
 
 /// @brief JSON as text, whatever bytes its strings hold. @param x the JSON @return the text
 [[nodiscard]] std::string text_of_json(const nlohmann::json& x);

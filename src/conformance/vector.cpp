@@ -5,17 +5,15 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 
-#include "conformance/scene_of.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/json_document.hpp"
+#include "denhartog/scene/scene.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -46,16 +44,6 @@ void check_text(const std::string& name, const std::string& text) {
     if (text != legible(text)) throw InputError(name, "must be a short text without control characters", text);
 }
 
-std::string text_of(double x) { return number_to_text(x); }
-std::string text_of(const std::string& x) { return x; }
-
-template <class List>
-std::string joined(const List& list, const char* between = " ") {
-    std::string text;
-    for (const auto& x : list) text += (text.empty() ? "" : between) + text_of(x);
-    return text;
-}
-
 // The first word of a question in the plain dialect.
 void check_id(const std::string& id) {
     check_text("id", id);
@@ -75,7 +63,7 @@ void check_numbers(const Vector& v) {
         throw InputError("hex", "must have as many numbers as value (" + count + ")", std::to_string(v.nearest.size()));
     if (quantity(v.question.quantity).shape == Shape::samples && static_cast<std::size_t>(v.question.samples) != v.value.size())
         throw InputError("samples", "must be as many as value has numbers (" + count + ")", std::to_string(v.question.samples));
-    if (!(v.scale > 0)) throw InputError("scale", "must be positive", text_of(v.scale));
+    if (!(v.scale > 0)) throw InputError("scale", "must be positive", number_to_text(v.scale));
 }
 
 } // namespace
@@ -171,30 +159,23 @@ std::string vector_csv_heading(bool systems) {
 
 std::string vector_csv(const Vector& v, bool systems) {
     const ProtocolQuestion& q = v.question;
-    std::string condition;
-    for (const auto& [input, number] : v.condition) condition += (condition.empty() ? "" : " ") + input + ":" + text_of(number);
-    const bool numbers = v.reject.empty() && v.word.empty();
-    const auto of_numbers = [&](const std::string& text) { return numbers ? text : std::string(); };
-    std::vector<std::string> cells{q.id,
-                                   v.group,
-                                   v.equation,
-                                   v.tier,
-                                   q.quantity,
-                                   std::to_string(q.contact) + (q.contact_with == 0 ? "" : " " + std::to_string(q.contact_with)),
-                                   q.loads.empty() ? std::to_string(q.load) : joined(q.loads),
-                                   std::to_string(q.mass),
-                                   std::to_string(q.samples)};
-    for (const double x : {q.tau, q.mu, q.r, q.beta}) cells.push_back(text_of(x));
-    for (const auto* list : {&q.mass_ratios, &q.stiffness_ratios, &q.damping_ratios}) cells.push_back(joined(*list));
-    cells.push_back(!v.reject.empty() ? "reject" : !v.word.empty() ? v.word : joined(v.value));
-    cells.push_back(joined(all_hexadecimal(v.nearest)));
-    cells.push_back(of_numbers(hexadecimal_float(v.scale)));
-    for (const double x : {v.tolerance.pass, v.tolerance.loose, v.tolerance.inaccurate}) cells.push_back(of_numbers(text_of(x)));
-    cells.insert(cells.end(), {condition, v.regime, v.margin ? text_of(*v.margin) : "", joined(v.flags), joined(v.catches),
-                               v.reject.empty() ? joined(v.routes, "; ") : "", v.reject.empty() ? joined(v.digits) : ""});
-    if (systems)
-        cells.insert(cells.end(), {q.base_motion, joined(q.mass_matrix), joined(q.stiffness_matrix), joined(q.damping_matrix),
-                                   joined(q.load_phases)});
+    std::vector<std::string> condition;
+    for (const auto& [input, number] : v.condition) condition.push_back(input + ":" + number_to_text(number));
+    std::vector<std::string> cells{q.id, v.group, v.equation, v.tier, q.quantity};
+    const auto add = [&](const auto&... texts) { (cells.emplace_back(texts), ...); };
+    add(std::to_string(q.contact) + (q.contact_with == 0 ? "" : " " + std::to_string(q.contact_with)));
+    add(q.loads.empty() ? std::to_string(q.load) : joined(q.loads), std::to_string(q.mass), std::to_string(q.samples));
+    for (const double x : {q.tau, q.mu, q.r, q.beta}) add(number_to_text(x));
+    for (const auto* list : {&q.mass_ratios, &q.stiffness_ratios, &q.damping_ratios}) add(joined(*list));
+    const bool answered = v.reject.empty(), numbers = answered && v.word.empty();
+    add(!answered ? "reject" : numbers ? joined(v.value) : v.word, joined(all_hexadecimal(v.nearest)));
+    add(numbers ? hexadecimal_float(v.scale) : "");
+    for (const double x : {v.tolerance.pass, v.tolerance.loose, v.tolerance.inaccurate}) add(numbers ? number_to_text(x) : "");
+    add(joined(condition), v.regime, v.margin ? number_to_text(*v.margin) : "", joined(v.flags), joined(v.catches));
+    add(answered ? joined(v.routes, "; ") : "", answered ? std::to_string(v.digits[0]) + " " + std::to_string(v.digits[1]) : "");
+    if (systems) add(q.base_motion);
+    for (const auto* list : {&q.mass_matrix, &q.stiffness_matrix, &q.damping_matrix, &q.load_phases})
+        if (systems) add(joined(*list));
     return joined(cells, ",");
 }
 

@@ -48,6 +48,9 @@ struct Vector {
     std::array<int, 2> digits{};       ///< digits on which the routes agree: computed in 50 and in 100 digits
 };
 
+/// @brief The true answer of a vector. @param v the vector @return the doubles nearest to it, or the regime
+[[nodiscard]] inline Value truth_of(const Vector& v) { return {v.nearest, v.word}; }
+
 /// @brief A number as a hexadecimal float. @param x a number @return its text
 [[nodiscard]] std::string hexadecimal_float(double x);
 

@@ -55,6 +55,8 @@ bool is_wrong_value(Verdict verdict) {
     return badness(verdict) == 2 || (badness(verdict) == 4 && verdict != Verdict::not_rejected);
 }
 
+bool is_broken(Verdict verdict) { return badness(verdict) == 5; }
+
 double digits(double error) {
     constexpr double most = 17;
     if (!(error > 0)) return most;
@@ -101,7 +103,8 @@ std::vector<const Judged*> worst_first(std::span<const Judged> judged) {
     };
     const auto order = [&](const Judged* one) {
         const int bad = badness(one->verdict);
-        return std::tuple(bad < 5, !one->vector->word.empty(), place_in_chain(one->vector->question), -bad, -size(*one));
+        return std::tuple(!is_broken(one->verdict), !one->vector->word.empty(), place_in_chain(one->vector->question), -bad,
+                          -size(*one));
     };
     std::ranges::stable_sort(worst, {}, order);
     return worst;

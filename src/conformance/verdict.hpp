@@ -49,6 +49,9 @@ inline constexpr std::size_t number_of_verdicts = 12;
 /// @return true for `inaccurate`, `as-printed`, `wrong` and `wrong-regime`
 [[nodiscard]] bool is_wrong_value(Verdict verdict);
 
+/// @brief Whether a program broke in place of an answer. @param verdict the verdict @return true for `crash`, `timeout`, `stall`
+[[nodiscard]] bool is_broken(Verdict verdict);
+
 /// @brief Rank of a verdict, to compare two runs. @param verdict the verdict @return 0 for the best; equal numbers are equally
 /// bad
 [[nodiscard]] int badness(Verdict verdict);

@@ -10,9 +10,9 @@
 
 #include "denhartog/answer/reference.hpp"
 #include "denhartog/sliding/steady_state.hpp"
+#include "denhartog/solve/decision.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/solve/decision.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 
@@ -67,20 +67,11 @@ bool is_proved(const dh_solution* solution) {
     return proved == 1;
 }
 
-dh_summary summary_of(const dh_solution* solution) {
-    dh_summary all{};
-    all.size = sizeof all;
-    REQUIRE(dh_solution_summary(solution, &all) == DH_OK);
-    return all;
-}
-
 // Amplitudes, phases, instants of stops and the interval of rest, and the bounds of their errors.
 std::array<std::vector<double>, 2> numbers_with_bounds(const dh_solution* solution, std::size_t N) {
     std::vector<double> values, errors;
     for (std::size_t k = 0; k <= N; ++k) {
-        dh_mass mass{};
-        mass.size = sizeof mass;
-        REQUIRE((k == 0 ? dh_solution_contact(solution, &mass) : dh_solution_mass(solution, k, &mass)) == DH_OK);
+        const dh_mass mass = k == 0 ? contact_of(solution) : mass_of(solution, k);
         values.insert(values.end(), {mass.amplitude, mass.phase});
         errors.insert(errors.end(), {mass.error, mass.phase_error});
     }
@@ -102,9 +93,7 @@ TEST_CASE("a contact between two masses and a load on several are the same from 
     const std::string text =
         R"({"mass_ratios": [1, 2, 1.5], "stiffness_ratios": [1, 0.75, 1.25], "damping_ratios": [0.05, 0.04, 0.06],
         "contact": [1, 2], "load": [0.25, 1, 0.5]})";
-    dh_system* made = nullptr;
-    REQUIRE(dh_system_from_json(text.data(), text.size(), &made) == DH_OK);
-    const Handle system(made);
+    const Handle system = handle_of(text);
     Scene<double> scene = read_scene<double>(text);
     const double r = 0.75;
     std::size_t N = 0, contact = 0;
@@ -147,8 +136,7 @@ TEST_CASE("a contact between two masses and a load on several are the same from 
         for (std::size_t n = 0; n < 4; ++n) check_close({x[3 * n], x[3 * n + 1], x[3 * n + 2]}, motion.at(n).x, 1e-9);
     }
     for (std::size_t k = 1; k <= 3; ++k) {
-        dh_sliding_mass mass{};
-        mass.size = sizeof mass;
+        auto mass = sized<dh_sliding_mass>();
         REQUIRE(dh_sliding_motion(system.get(), r, 0.0625, 1, k, &mass) == DH_OK);
         double x_0 = 0;
         const double tau = 0;
@@ -192,9 +180,7 @@ TEST_CASE("the load that the C interface tells is a loaded mass, whichever the c
                 const std::string text = R"({"mass_ratios": )" + masses +
                                          R"(, "stiffness_ratios": [1, 1, 1], "damping_ratios": 0.05, "contact": )" + contact +
                                          R"(, "load": )" + std::to_string(loaded) + "}";
-                dh_system* made = nullptr;
-                REQUIRE(dh_system_from_json(text.data(), text.size(), &made) == DH_OK);
-                const Handle system(made);
+                const Handle system = handle_of(text);
                 std::size_t N = 0, load = 0;
                 REQUIRE(dh_system_masses(system.get(), &N, nullptr, &load) == DH_OK);
                 INFO(text);
@@ -206,9 +192,7 @@ TEST_CASE("the modes that the C interface hands out have their digits beside a l
     const std::string text = R"({"mass_matrix": [[1, 0, 0], [0, 2.1, 0], [0, 0, 1e-13]],
         "stiffness_matrix": [[1.9, -0.1, -0.8], [-0.1, 1.1, -0.3], [-0.8, -0.3, 2.2]], "damping_ratios": 0.01, "contact": 1,
         "load": 2})";
-    dh_system* made = nullptr;
-    REQUIRE(dh_system_from_json(text.data(), text.size(), &made) == DH_OK);
-    const Handle system(made);
+    const Handle system = handle_of(text);
     System<double> condensed;
     condensed.mass_matrix = Matrix<double>{{1, 0}, {0, 2.1}};
     condensed.stiffness_matrix = Matrix<double>{{1.9 - 0.64 / 2.2, -0.1 - 0.24 / 2.2}, {-0.1 - 0.24 / 2.2, 1.1 - 0.09 / 2.2}};
@@ -233,8 +217,7 @@ TEST_CASE("what the C interface says of boundaries and the closed form is what t
         const Handle system = handle_of(scene.system);
         const ModeSums<double> s = mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, *scene.r);
         const Boundary<double> b = boundary(s, scene.mu);
-        dh_boundary found{};
-        found.size = sizeof found;
+        auto found = sized<dh_boundary>();
         REQUIRE(dh_boundaries(system.get(), *scene.r, scene.mu, &found) == DH_OK);
         check_close({found.exact, found.paper, found.approximate, found.sticking},
                     {b.exact, b.paper, b.approximate, b.sticking.value_or(0)});
@@ -248,8 +231,7 @@ TEST_CASE("what the C interface says of boundaries and the closed form is what t
             check_same({found.exact, found.paper, found.approximate},
                        {expected.limits->exact.value, expected.limits->paper.value, expected.limits->approximate.value});
             const SolvedMass& of = expected.masses.front();
-            dh_sliding_mass mass{};
-            mass.size = sizeof mass;
+            auto mass = sized<dh_sliding_mass>();
             REQUIRE(dh_sliding_motion(system.get(), *scene.r, *at.beta, scene.mu, k + 1, &mass) == DH_OK);
             const std::vector<double> all{
                 mass.initial_displacement,   mass.initial_velocity,  mass.amplitude, mass.phase, mass.instant,
@@ -274,9 +256,7 @@ TEST_CASE("what the C interface solves is what the library solves, in every regi
         const Handle system = handle_of(scene.system);
         const Solution expected = solve(scene_source(scene), Question{});
         const Answered solution = solved(system.get(), *scene.r, *scene.beta, scene.mu);
-        dh_summary all{};
-        all.size = sizeof all;
-        REQUIRE(dh_solution_summary(solution.get(), &all) == DH_OK);
+        const dh_summary all = summary_of(solution.get());
         CHECK(all.regime == static_cast<int>(expected.regime.regime));
         CHECK(all.unique == expected.unique);
         CHECK(all.symmetric == expected.symmetric);
@@ -303,9 +283,7 @@ TEST_CASE("what the C interface solves is what the library solves, in every regi
         check_same(end, of_ends);
         for (std::size_t k = 0; k < N; ++k) {
             const SolvedMass& m = expected.masses[k];
-            dh_mass mass{};
-            mass.size = sizeof mass;
-            REQUIRE(dh_solution_mass(solution.get(), k + 1, &mass) == DH_OK);
+            const dh_mass mass = mass_of(solution.get(), k + 1);
             CHECK(mass.moves == m.phase.has_value());
             check_same({mass.amplitude, mass.phase}, {m.amplitude.value, m.phase ? m.phase->value : 0});
             CHECK(mass.error >= m.amplitude.error);
@@ -378,9 +356,7 @@ TEST_CASE("the sampled motion starts at the maximum of the force, the closed for
     const Handle system = handle_of(scene.system);
     const Answered solution = solved(system.get(), *scene.r, *scene.beta, scene.mu);
     const std::size_t N = scene.system.mass_ratios.size(), j = scene.system.contact.index + 1, samples = 8;
-    dh_mass contact{};
-    contact.size = sizeof contact;
-    REQUIRE(dh_solution_mass(solution.get(), j, &contact) == DH_OK);
+    const dh_mass contact = mass_of(solution.get(), j);
     std::vector<double> x(samples * N), tau(samples), closed(samples);
     REQUIRE(dh_solution_motion(solution.get(), samples, samples * N, x.data(), nullptr) == DH_OK);
     for (std::size_t n = 0; n < samples; ++n) tau[n] = 2 * std::numbers::pi * static_cast<double>(n) / 8 - contact.phase;
@@ -391,9 +367,7 @@ TEST_CASE("the sampled motion starts at the maximum of the force, the closed for
 TEST_CASE("a system from JSON is the system from its ratios, whatever point the text has", "[c_interface][scene]") {
     const std::string text = R"({"mass_ratios":[1,2.5],"stiffness_ratios":[1,0.625],"damping_ratios":[0.0625,0.125],)"
                              R"("contact":2,"load":1,"mu":1.25,"r":1.125,"beta":0.125})";
-    dh_system* made = nullptr;
-    REQUIRE(dh_system_from_json(text.data(), text.size(), &made) == DH_OK);
-    const Handle from_text(made), from_ratios = handle_of(chain_of({1, 2.5}, {1, 0.625}, {0.0625, 0.125}, 2, 1));
+    const Handle from_text = handle_of(text), from_ratios = handle_of(chain_of({1, 2.5}, {1, 0.625}, {0.0625, 0.125}, 2, 1));
     std::size_t N = 0, contact = 0, load = 0;
     REQUIRE(dh_system_masses(from_text.get(), &N, &contact, &load) == DH_OK);
     CHECK((N == 2 && contact == 2 && load == 1));

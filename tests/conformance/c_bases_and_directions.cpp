@@ -43,8 +43,7 @@ TEST_CASE("dh_map has the phases and the absolute numbers of the library", "[c_i
         request.threads = 1;
         request.from_ground = ground ? 1 : 0;
         std::vector<double> amplitude(27), phase(27);
-        dh_map_result result{};
-        result.size = sizeof result;
+        auto result = sized<dh_map_result>();
         result.amplitude_r_step = 9;
         result.amplitude_beta_step = 3;
         result.mass_step = 1;
@@ -69,8 +68,7 @@ TEST_CASE("dh_map has the phases and the absolute numbers of the library", "[c_i
     const Handle still = handle_of(chain + R"("contact": 2, "load": 1})");
     dh_map_request request = map_request(r, r, 1);
     request.from_ground = 1;
-    dh_map_result result{};
-    result.size = sizeof result;
+    auto result = sized<dh_map_result>();
     CHECK(dh_map(still.get(), &request, &result) == DH_ERROR_INPUT);
 }
 
@@ -87,8 +85,7 @@ TEST_CASE("the boundary of any load that inertia brings to the contact tends to 
             std::string(text).find("damping") != std::string::npos
                 ? R"({"mass_ratios": [1, 2, 1.5], "stiffness_ratios": [1, 0.75, 1.25], )" + std::string(text)
                 : chain + text;
-        dh_boundary at{};
-        at.size = sizeof at;
+        auto at = sized<dh_boundary>();
         REQUIRE(dh_boundaries(handle_of(scene).get(), 3000, 1.25, &at) == DH_OK);
         CHECK(at.exact == Approx(limit_of(scene)).epsilon(1e-4)); // at r = 3000 what falls with 1/r is left
     }
@@ -112,17 +109,13 @@ TEST_CASE("a contact of any direction from C is w^T x, and stands for the mass w
     size_t N = 0, contact = 0;
     CHECK(dh_system_masses(system.get(), &N, &contact, nullptr) == DH_OK);
     CHECK(contact == 2);
-    dh_solution* found = nullptr;
-    REQUIRE(dh_solve(system.get(), 0.75, 0.5, 1, 0, &found) == DH_OK);
-    const Answered solution(found);
+    const Answered solution = solved(system.get(), 0.75, 0.5, 1);
     std::vector<double> x(3 * 512);
-    REQUIRE(dh_solution_motion(found, 512, x.size(), x.data(), nullptr) == DH_OK);
+    REQUIRE(dh_solution_motion(solution.get(), 512, x.size(), x.data(), nullptr) == DH_OK);
     double largest = 0;
     for (std::size_t n = 0; n < 512; ++n)
         largest = std::max(largest, std::abs(0.5 * x[3 * n] - x[3 * n + 1] + 0.25 * x[3 * n + 2]));
-    dh_mass of{};
-    of.size = sizeof of;
-    REQUIRE(dh_solution_contact(found, &of) == DH_OK);
+    const dh_mass of = contact_of(solution.get());
     CHECK(of.amplitude == Approx(largest).epsilon(1e-4)); // a sample is half a step of 2 pi / 512 off at most: 1.9e-5
     std::vector<double> psi(9), V(6), U(3), G(3), products(3);
     REQUIRE(dh_mode_shapes(system.get(), 0.75, 9, psi.data()) == DH_OK);
@@ -144,12 +137,10 @@ TEST_CASE("a contact of any direction from C is w^T x, and stands for the mass w
 TEST_CASE("dh_solution_warning says what an answer depends on too much", "[c_interface]") {
     const Handle undamped =
         handle_of(R"({"mass_ratios": 1, "stiffness_ratios": 1, "damping_ratios": 0, "contact": 1, "load": 1})");
-    dh_solution* found = nullptr;
-    REQUIRE(dh_solve(undamped.get(), 1 - 0x1p-45, 0.125, 1, 0, &found) == DH_OK);
-    const Answered solution(found);
+    const Answered solution = solved(undamped.get(), 1 - 0x1p-45, 0.125, 1);
     char text[512] = "";
-    REQUIRE(dh_solution_warning(found, sizeof text, text) == DH_OK);
+    REQUIRE(dh_solution_warning(solution.get(), sizeof text, text) == DH_OK);
     CHECK(std::string(text).find("a unit in the last place of the frequency") == 0);
-    CHECK(dh_solution_warning(found, 10, text) == DH_ERROR_SIZE);
+    CHECK(dh_solution_warning(solution.get(), 10, text) == DH_ERROR_SIZE);
     CHECK(std::string(text).size() > 10);
 }

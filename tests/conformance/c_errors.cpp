@@ -85,16 +85,14 @@ TEST_CASE("the bound of shapes that share one frequency is as large as they are,
     // Equal springs and masses round a ring: two modes have one frequency, and any two shapes of a plane are theirs.
     const std::string ring = R"({"mass_ratios": [1, 1, 1], "stiffness_matrix": [[3, -1, -1], [-1, 3, -1], [-1, -1, 3]],
         "damping_ratios": 0.05, "contact": 1, "load": 1})";
-    dh_system* made = nullptr;
-    REQUIRE(dh_system_from_json(ring.data(), ring.size(), &made) == DH_OK);
-    const Handle system(made);
+    const Handle system = handle_of(ring);
     std::vector<double> errors(9);
-    REQUIRE(dh_mode_shape_errors(made, 1, 9, errors.data()) == DH_OK);
+    REQUIRE(dh_mode_shape_errors(system.get(), 1, 9, errors.data()) == DH_OK);
     for (std::size_t k = 0; k < 3; ++k) {
         CHECK(errors[3 * k] < 1e-12); // all masses move together
         CHECK(errors[3 * k + 1] >= 0.5);
         CHECK(errors[3 * k + 2] >= 0.5);
     }
-    REQUIRE(dh_natural_frequency_ratio_errors(made, 3, errors.data(), nullptr) == DH_OK);
+    REQUIRE(dh_natural_frequency_ratio_errors(system.get(), 3, errors.data(), nullptr) == DH_OK);
     CHECK(errors[2] < 1e-12);
 }

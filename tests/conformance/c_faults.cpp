@@ -231,8 +231,7 @@ TEST_CASE("structs are refused where they are null or too small, and filled wher
             f, [&](auto* result) { return dh_solution_energies(x, 0, result, nullptr); },
             [&](auto* result) { return dh_solution_energies(x, 16, result, nullptr); }, DH_ERROR_INPUT);
     dh_energies small{};
-    dh_energies right_size{};
-    right_size.size = sizeof right_size;
+    auto right_size = sized<dh_energies>();
     f.fails(dh_solution_energies(x, 0, &right_size, &small), DH_ERROR_SIZE, "errors->size");
     CHECK(dh_solution_energies(nullptr, 0, &right_size, nullptr) == DH_ERROR_NULL);
     CHECK(dh_solution_energies(x, 0, nullptr, nullptr) == DH_ERROR_NULL);
@@ -256,8 +255,7 @@ TEST_CASE("a motion from a start refuses what is wrong and has room for what is 
     const double x = 1;
     double turn[8], turn_x[8], rest[2], masses[1], masses_error[1];
     dh_decay_request request{sizeof request, 1, 0.125, 1, &x, nullptr, 0};
-    dh_decay decay{};
-    decay.size = sizeof decay;
+    auto decay = sized<dh_decay>();
     decay.room = 8;
     decay.turn = turn;
     decay.turn_x = turn_x;
@@ -299,8 +297,7 @@ TEST_CASE("a motion from a start refuses what is wrong and has room for what is 
     double tau[8], states[8];
     signed char direction[8];
     dh_history_request over{sizeof over, 1, 0.125, 1, &x, nullptr, 2, 0, 4, 1};
-    dh_history history{};
-    history.size = sizeof history;
+    auto history = sized<dh_history>();
     history.stop_room = history.sample_room = 8;
     history.tau = tau;
     history.x = states;

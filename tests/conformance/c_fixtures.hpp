@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "denhartog/scene/scene.hpp"
+#include "tests/catch.hpp"
 #include "tests/support/scene_builder.hpp"
 
 namespace denhartog::tests {
@@ -48,10 +49,17 @@ inline Handle handle_of(const std::string& text) {
     return Handle(system);
 }
 
+/// @brief A struct of the interface that knows its size. @return all else zero
+template <class Struct>
+[[nodiscard]] Struct sized() {
+    Struct s{};
+    s.size = sizeof s;
+    return s;
+}
+
 /// @brief A request for a map; r and beta must outlive it. @return the request
 inline dh_map_request map_request(const std::vector<double>& r, const std::vector<double>& beta, double mu) {
-    dh_map_request request{};
-    request.size = sizeof request;
+    auto request = sized<dh_map_request>();
     request.r_count = r.size();
     request.r = r.data();
     request.beta_count = beta.size();
@@ -60,11 +68,30 @@ inline dh_map_request map_request(const std::vector<double>& r, const std::vecto
     return request;
 }
 
-/// @brief The solution at a point. @return its handle; throws where there is none
-inline Answered solved(const dh_system* system, double r, double beta, double mu) {
+/// @brief The solution at a point, to some digits. @return its handle; throws where there is none
+inline Answered solved(const dh_system* system, double r, double beta, double mu, int digits = 0) {
     dh_solution* solution = nullptr;
-    if (dh_solve(system, r, beta, mu, 0, &solution) != DH_OK) throw std::runtime_error(dh_last_message());
+    if (dh_solve(system, r, beta, mu, digits, &solution) != DH_OK) throw std::runtime_error(dh_last_message());
     return Answered(solution);
+}
+
+/// @brief The summary of a solution. @return the summary
+inline dh_summary summary_of(const dh_solution* solution) {
+    auto all = sized<dh_summary>();
+    REQUIRE(dh_solution_summary(solution, &all) == DH_OK);
+    return all;
+}
+
+/// @brief The motion of a mass, from 1 on, or of the contact. @return its numbers
+inline dh_mass mass_of(const dh_solution* solution, std::size_t k) {
+    auto mass = sized<dh_mass>();
+    REQUIRE(dh_solution_mass(solution, k, &mass) == DH_OK);
+    return mass;
+}
+inline dh_mass contact_of(const dh_solution* solution) {
+    auto mass = sized<dh_mass>();
+    REQUIRE(dh_solution_contact(solution, &mass) == DH_OK);
+    return mass;
 }
 
 /// @brief The amplitudes at a point. @return N amplitudes; none where a call fails
@@ -75,8 +102,7 @@ inline std::vector<double> amplitudes(const dh_system* system, double r, double 
     const Answered solution(made);
     std::vector<double> all(N);
     for (std::size_t k = 0; k < N; ++k) {
-        dh_mass mass{};
-        mass.size = sizeof mass;
+        auto mass = sized<dh_mass>();
         if (dh_solution_mass(made, k + 1, &mass) != DH_OK) return {};
         all[k] = mass.amplitude;
     }

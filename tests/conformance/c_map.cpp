@@ -40,8 +40,7 @@ TEST_CASE("dh_map writes the bytes of the map, with any steps and on any number 
             std::vector<signed char> status(20, 9), regime(40, 9);
             std::vector<int> stops(20, 9), periods(20, 9);
             std::vector<double> amplitude(60, -1);
-            dh_map_result result{};
-            result.size = sizeof result;
+            auto result = sized<dh_map_result>();
             result.r_step = 1; // beta runs slowest here
             result.beta_step = 4;
             result.status = status.data();
@@ -82,8 +81,7 @@ TEST_CASE("dh_solve_points has the numbers of dh_solve", "[c_interface]") {
     std::vector<signed char> regime(4);
     std::vector<int> stops(4);
     std::vector<double> amplitude(8), error(8), phase(8), phase_error(8);
-    dh_points_request request{};
-    request.size = sizeof request;
+    auto request = sized<dh_points_request>();
     request.count = 4;
     request.r = r.data();
     request.beta = beta.data();
@@ -93,8 +91,7 @@ TEST_CASE("dh_solve_points has the numbers of dh_solve", "[c_interface]") {
     request.mass_count = 2;
     request.masses = masses;
     request.threads = 2;
-    dh_points points{};
-    points.size = sizeof points;
+    auto points = sized<dh_points>();
     points.step = 1;
     points.regime = regime.data();
     points.stops = stops.data();
@@ -135,8 +132,7 @@ TEST_CASE("dh_solve_systems has the numbers of dh_solve for the system of each p
     std::vector<signed char> status(5, 9), regime(5, 9);
     std::vector<int> stops(5, 9), periods(5, 9);
     std::vector<double> amplitude(15, 9), error(15, 9), phase(15, 9), phase_error(15, 9);
-    dh_systems_request request{};
-    request.size = sizeof request;
+    auto request = sized<dh_systems_request>();
     request.count = 5;
     request.systems = systems;
     request.r = r;
@@ -145,8 +141,7 @@ TEST_CASE("dh_solve_systems has the numbers of dh_solve for the system of each p
     request.mu = mu;
     request.system_step = request.beta_step = request.mu_step = 1;
     request.digits = 9;
-    dh_points points{};
-    points.size = sizeof points;
+    auto points = sized<dh_points>();
     points.step = points.masses_step = 1;
     points.mass_step = 5; // mass after mass
     points.status = status.data();
@@ -205,12 +200,10 @@ TEST_CASE("what is wrong with the points of many systems is told by name, and no
     const double r[] = {0.5, 0.5, 0.5}, beta[] = {0.75, -1, 0.75}, mu[] = {1, 1, 0.5};
     const size_t masses[] = {4};
     std::vector<int> stops(200, 9);
-    dh_points points{};
-    points.size = sizeof points;
+    auto points = sized<dh_points>();
     points.step = 1;
     points.stops = stops.data();
-    dh_systems_request request{};
-    request.size = sizeof request;
+    auto request = sized<dh_systems_request>();
     request.count = 1;
     request.systems = systems;
     request.r = r;
@@ -253,12 +246,8 @@ TEST_CASE("the contact of two masses that rub against each other has its own amp
     for (const std::string contact : {"[1, 3]", "2"}) {
         const std::string text = chain.substr(0, chain.find("\"contact\"")) + "\"contact\": " + contact + ", \"load\": 1}";
         const Handle system = handle_of(text);
-        dh_solution* made = nullptr;
-        REQUIRE(dh_solve(system.get(), 1.125, 0.0625, 1, 0, &made) == DH_OK);
-        const std::unique_ptr<dh_solution, decltype(&dh_solution_destroy)> solution(made, dh_solution_destroy);
-        dh_mass found{};
-        found.size = sizeof found;
-        REQUIRE(dh_solution_contact(made, &found) == DH_OK);
+        const Answered solution = solved(system.get(), 1.125, 0.0625, 1);
+        const dh_mass found = contact_of(solution.get());
         Scene<double> at = scene(text);
         at.r = 1.125;
         at.beta = 0.0625;
@@ -279,16 +268,14 @@ TEST_CASE("a report of progress ends a call, and nothing is written", "[c_interf
     request.context = &calls;
     request.threads = 1;
     std::vector<int> stops(100, 9);
-    dh_map_result result{};
-    result.size = sizeof result;
+    auto result = sized<dh_map_result>();
     result.r_step = 1;
     result.stops = stops.data();
     CHECK(dh_map(system.get(), &request, &result) == DH_ERROR_PRECISION);
     CHECK_THAT(dh_last_message(), Catch::Contains("cancelled"));
     CHECK(calls == 1);
     CHECK(stops == std::vector<int>(100, 9));
-    dh_points_request at{};
-    at.size = sizeof at;
+    auto at = sized<dh_points_request>();
     at.count = 100;
     at.r = r.data();
     at.r_step = 1;
@@ -296,8 +283,7 @@ TEST_CASE("a report of progress ends a call, and nothing is written", "[c_interf
     at.mu = 1;
     at.progress = stop_at_once;
     at.context = &calls;
-    dh_points points{};
-    points.size = sizeof points;
+    auto points = sized<dh_points>();
     points.step = 1;
     points.stops = stops.data();
     CHECK(dh_solve_points(system.get(), &at, &points) == DH_ERROR_PRECISION);
@@ -307,8 +293,7 @@ TEST_CASE("a report of progress ends a call, and nothing is written", "[c_interf
 TEST_CASE("what is wrong with arrays of points is told by name", "[c_interface][bad-input]") {
     const Handle system = handle_of(chain);
     const std::vector<double> r{0.5, -1}, beta{0.75};
-    dh_map_result result{};
-    result.size = sizeof result;
+    auto result = sized<dh_map_result>();
     const auto fault = [&](const dh_map_request& request) {
         const int status = dh_map(system.get(), &request, &result);
         CHECK(status != DH_OK);

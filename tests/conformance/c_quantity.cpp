@@ -53,17 +53,11 @@ TEST_CASE("every quantity of the protocol has its numbers by its name, where it 
     int missing = 0;
     for (const Scene<double>& s : c_scenes()) {
         const Handle system = handle_of(s.system);
-        dh_solution* made = nullptr;
-        REQUIRE(dh_solve(system.get(), *s.r, *s.beta, s.mu, 12, &made) == DH_OK);
-        const Answered solution(made);
+        const Answered solution = solved(system.get(), *s.r, *s.beta, s.mu, 12);
         const std::size_t N = s.system.mass_ratios.size();
-        dh_summary all{};
-        all.size = sizeof all;
-        REQUIRE(dh_solution_summary(made, &all) == DH_OK);
+        const dh_summary all = summary_of(solution.get());
         for (std::size_t k = 1; k <= N; ++k) {
-            dh_mass mass{};
-            mass.size = sizeof mass;
-            REQUIRE(dh_solution_mass(made, k, &mass) == DH_OK);
+            const dh_mass mass = mass_of(solution.get(), k);
             for (const conformance::Quantity& quantity : conformance::quantities()) {
                 if (quantity.absolute) continue; // of a moving base, which these scenes do not have
                 const std::string name(quantity.name);
@@ -87,22 +81,16 @@ TEST_CASE("a quantity by its name is what the function for it says", "[c_interfa
     for (const Scene<double>& s : c_scenes()) {
         const Handle system = handle_of(s.system);
         const std::size_t N = s.system.mass_ratios.size(), j = s.system.contact.index;
-        dh_solution* made = nullptr;
-        REQUIRE(dh_solve(system.get(), *s.r, *s.beta, s.mu, 12, &made) == DH_OK);
-        const Answered solution(made);
-        dh_summary all{};
-        all.size = sizeof all;
-        REQUIRE(dh_solution_summary(made, &all) == DH_OK);
+        const Answered solution = solved(system.get(), *s.r, *s.beta, s.mu, 12);
+        const dh_summary all = summary_of(solution.get());
         std::vector<double> V(2 * N), U(N), G(N), psi(N * N), motion(8 * N), start(all.stops), end(all.stops);
         double H_j = 0, S_j = 0, lengths = 0, durations = 0;
         REQUIRE(dh_sums(system.get(), *s.r, N, V.data(), U.data(), G.data(), &H_j, &S_j) == DH_OK);
         REQUIRE(dh_mode_shapes(system.get(), *s.r, N * N, psi.data()) == DH_OK);
-        REQUIRE(dh_solution_motion(made, 8, 8 * N, motion.data(), nullptr) == DH_OK);
-        REQUIRE(dh_solution_stops(made, all.stops, start.data(), end.data()) == DH_OK);
+        REQUIRE(dh_solution_motion(solution.get(), 8, 8 * N, motion.data(), nullptr) == DH_OK);
+        REQUIRE(dh_solution_stops(solution.get(), all.stops, start.data(), end.data()) == DH_OK);
         for (std::size_t k = 1; k <= N; ++k) {
-            dh_mass mass{};
-            mass.size = sizeof mass;
-            REQUIRE(dh_solution_mass(made, k, &mass) == DH_OK);
+            const dh_mass mass = mass_of(solution.get(), k);
             std::vector<double> of_mass, products;
             for (std::size_t n = 0; n < 8; ++n) of_mass.push_back(motion[n * N + k - 1]);
             for (std::size_t i = 0; i < N; ++i) products.push_back(psi[(k - 1) * N + i] * psi[j * N + i]);
@@ -113,16 +101,14 @@ TEST_CASE("a quantity by its name is what the function for it says", "[c_interfa
             CHECK(asked(system.get(), "second_damping_function", s, k).x == std::vector<double>{G[k - 1]});
             CHECK(asked(system.get(), "amplitude", s, k).x == std::vector<double>{mass.amplitude});
             if (all.regime != DH_CONTINUOUS) continue;
-            dh_sliding_mass m{};
-            m.size = sizeof m;
+            auto m = sized<dh_sliding_mass>();
             REQUIRE(dh_sliding_motion(system.get(), *s.r, *s.beta, s.mu, k, &m) == DH_OK);
             CHECK(asked(system.get(), "initial_displacement", s, k).x == std::vector<double>{m.initial_displacement});
             CHECK(asked(system.get(), "initial_velocity", s, k).x == std::vector<double>{m.initial_velocity});
             CHECK(asked(system.get(), "amplitude_monoharmonic", s, k).x == std::vector<double>{m.amplitude_monoharmonic});
             CHECK(asked(system.get(), "phase_monoharmonic", s, k).x == std::vector<double>{m.phase_monoharmonic});
         }
-        dh_boundary b{};
-        b.size = sizeof b;
+        auto b = sized<dh_boundary>();
         REQUIRE(dh_boundaries(system.get(), *s.r, s.mu, &b) == DH_OK);
         CHECK(asked(system.get(), "H_j", s, 0).x == std::vector<double>{H_j});
         CHECK(asked(system.get(), "S_j", s, 0).x == std::vector<double>{S_j});

@@ -36,25 +36,24 @@ std::vector<Mistake> known_stubs() {
 const std::vector<Mistake> stubs = known_stubs();
 
 // Ten amplitudes, half of them at mu = 1, and ten displacements.
-std::vector<Vector> twenty_vectors() {
-    std::vector<Vector> vectors;
+const std::vector<Vector> twenty_vectors = [] {
+    std::vector<Vector> twenty;
     for (const char* quantity : {"amplitude", "displacement"})
         for (int n = 0; n < 10; ++n) {
             ProtocolQuestion q;
             q.r = 1 + n / 8.0;
             q.mu = n % 2 == 0 ? 1 : 1.5;
-            Vector v = vector_of(std::string(quantity) + "-" + std::to_string(n), quantity, {truth(q)});
-            v.question.r = q.r;
-            v.question.mu = q.mu;
-            vectors.push_back(std::move(v));
+            twenty.push_back(vector_of(std::string(quantity) + "-" + std::to_string(n), quantity, {truth(q)}));
+            twenty.back().question.r = q.r;
+            twenty.back().question.mu = q.mu;
         }
-    return vectors;
-}
+    return twenty;
+}();
 
 template <class Answering>
-std::vector<Judged> judged_by(const std::vector<Vector>& vectors, const Answering& answering) {
+std::vector<Judged> judged_by(const Answering& answering) {
     std::vector<Judged> judged;
-    for (const Vector& v : vectors) judged.push_back(grade(v, answering(v.question)));
+    for (const Vector& v : twenty_vectors) judged.push_back(grade(v, answering(v.question)));
     return judged;
 }
 
@@ -64,8 +63,7 @@ Value by(const char* name, const ProtocolQuestion& q) { return stub_answer(name,
 } // namespace
 
 TEST_CASE("right answers need no diagnosis", "[conformance][diagnosis]") {
-    const std::vector<Vector> vectors = twenty_vectors();
-    std::vector<Judged> judged = judged_by(vectors, right);
+    std::vector<Judged> judged = judged_by(right);
     const Diagnosis d = diagnose(judged, stubs);
     CHECK(d.wrong == 0);
     CHECK(d.findings.empty());
@@ -73,8 +71,7 @@ TEST_CASE("right answers need no diagnosis", "[conformance][diagnosis]") {
 }
 
 TEST_CASE("a mistake is found by its answers and told with an example", "[conformance][diagnosis]") {
-    const std::vector<Vector> vectors = twenty_vectors();
-    std::vector<Judged> judged = judged_by(vectors, [](const ProtocolQuestion& q) { return by("twice", q); });
+    std::vector<Judged> judged = judged_by([](const ProtocolQuestion& q) { return by("twice", q); });
     const Diagnosis d = diagnose(judged, stubs);
     CHECK(d.wrong == 20);
     REQUIRE(d.findings.size() == 1);
@@ -88,9 +85,8 @@ TEST_CASE("a mistake is found by its answers and told with an example", "[confor
 
 TEST_CASE("two mistakes in different functions are both found, and the print is called by its equation",
           "[conformance][diagnosis]") {
-    const std::vector<Vector> vectors = twenty_vectors();
     std::vector<Judged> judged =
-        judged_by(vectors, [](const ProtocolQuestion& q) { return by(q.quantity == "amplitude" ? "mu-squared" : "printed", q); });
+        judged_by([](const ProtocolQuestion& q) { return by(q.quantity == "amplitude" ? "mu-squared" : "printed", q); });
     const Diagnosis d = diagnose(judged, stubs);
     CHECK(d.wrong == 15);
     REQUIRE(d.findings.size() == 2);
@@ -105,10 +101,9 @@ TEST_CASE("two mistakes in different functions are both found, and the print is 
 }
 
 TEST_CASE("a mistake that right answers contradict is not told", "[conformance][diagnosis]") {
-    const std::vector<Vector> vectors = twenty_vectors();
     // Twice as large at three of ten points alone: no implementation that makes the mistake does so.
-    std::vector<Judged> judged = judged_by(
-        vectors, [](const ProtocolQuestion& q) { return q.quantity == "amplitude" && q.r < 1.3 ? by("twice", q) : right(q); });
+    std::vector<Judged> judged =
+        judged_by([](const ProtocolQuestion& q) { return q.quantity == "amplitude" && q.r < 1.3 ? by("twice", q) : right(q); });
     const Diagnosis d = diagnose(judged, stubs);
     CHECK(d.wrong == 3);
     CHECK(d.findings.empty());
@@ -116,37 +111,33 @@ TEST_CASE("a mistake that right answers contradict is not told", "[conformance][
 }
 
 TEST_CASE("an inaccurate answer is no mistake's whose answer is the truth there", "[conformance][diagnosis]") {
-    const std::vector<Vector> vectors = twenty_vectors();
     // mu-squared is right at mu = 1: an answer that is off by 1e-7 there agrees with it to 1e-6, and says nothing.
-    std::vector<Judged> judged = judged_by(vectors, [](const ProtocolQuestion& q) { return Value{{truth(q) * (1 + 1e-7)}, ""}; });
+    std::vector<Judged> judged = judged_by([](const ProtocolQuestion& q) { return Value{{truth(q) * (1 + 1e-7)}, ""}; });
     const Diagnosis d = diagnose(judged, stubs);
     CHECK(d.wrong == 20);
     CHECK(d.findings.empty());
 }
 
 TEST_CASE("a mistake is matched to its own agreement: an integrator's loosely, a formula's not", "[conformance][diagnosis]") {
-    const std::vector<Vector> vectors = twenty_vectors();
-    std::vector<Judged> loosely = judged_by(vectors, [](const ProtocolQuestion& q) { return Value{{3.03 * truth(q)}, ""}; });
+    std::vector<Judged> loosely = judged_by([](const ProtocolQuestion& q) { return Value{{3.03 * truth(q)}, ""}; });
     const Diagnosis d = diagnose(loosely, stubs);
     REQUIRE(d.findings.size() == 1);
     CHECK(d.findings.front().mistake.name == "rough");
-    std::vector<Judged> off = judged_by(vectors, [](const ProtocolQuestion& q) { return Value{{2.001 * truth(q)}, ""}; });
+    std::vector<Judged> off = judged_by([](const ProtocolQuestion& q) { return Value{{2.001 * truth(q)}, ""}; });
     CHECK(diagnose(off, stubs).findings.empty());
 }
 
 TEST_CASE("what cannot be used agrees with nothing", "[conformance][diagnosis]") {
-    const std::vector<Vector> vectors = twenty_vectors();
     std::vector<Mistake> nothing = stubs;
     for (Mistake& stub : nothing) stub.answer = [](const ProtocolQuestion&) { return std::optional(Value{}); };
-    std::vector<Judged> judged = judged_by(vectors, [](const ProtocolQuestion&) { return Unusable{"nan"}; });
+    std::vector<Judged> judged = judged_by([](const ProtocolQuestion&) { return Unusable{"nan"}; });
     const Diagnosis d = diagnose(judged, nothing);
     CHECK(d.wrong == 20);
     CHECK(d.findings.empty());
 }
 
 TEST_CASE("where nothing matches, what the wrong answers have in common is told", "[conformance][diagnosis]") {
-    const std::vector<Vector> vectors = twenty_vectors();
-    std::vector<Judged> judged = judged_by(vectors, [](const ProtocolQuestion& q) {
+    std::vector<Judged> judged = judged_by([](const ProtocolQuestion& q) {
         return q.quantity == "amplitude" && q.mu > 1 ? Value{{-7}, ""} : right(q);
     });
     const Diagnosis d = diagnose(judged, stubs);
@@ -163,8 +154,7 @@ TEST_CASE("where nothing matches, what the wrong answers have in common is told"
 }
 
 TEST_CASE("one or two wrong answers have nothing in common", "[conformance][diagnosis]") {
-    const std::vector<Vector> vectors = twenty_vectors();
-    std::vector<Judged> judged = judged_by(vectors, [](const ProtocolQuestion& q) {
+    std::vector<Judged> judged = judged_by([](const ProtocolQuestion& q) {
         return q.quantity == "amplitude" && q.r > 2 ? Value{{-7}, ""} : right(q);
     });
     const Diagnosis d = diagnose(judged, stubs);

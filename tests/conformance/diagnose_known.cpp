@@ -49,7 +49,7 @@ TEST_CASE("each known mistake is found by its answers, it alone", "[conformance]
     for (const Mistake& mistake : mistakes()) {
         std::vector<Judged> judged;
         for (const Vector& v : vectors)
-            judged.push_back(grade(v, answers.at(mistake.name).at(v.question.id).value_or(Value{v.nearest, v.word})));
+            judged.push_back(grade(v, answers.at(mistake.name).at(v.question.id).value_or(truth_of(v))));
         const Diagnosis d = diagnose(judged, remembered);
         std::string found;
         for (const Finding& f : d.findings)

@@ -30,15 +30,13 @@ const std::vector<Vector>& some_vectors() {
     return some;
 }
 
-Value truth(const Vector& v) { return {v.nearest, v.word}; }
-
 // The names that a program gets which makes some mistakes and is right otherwise.
 std::set<std::string> names_of(const std::vector<const Mistake*>& made) {
     std::vector<const Answering*> changes;
     for (const Mistake* mistake : made) changes.push_back(&mistake->answer);
     std::vector<Judged> judged;
     for (const Vector& v : some_vectors())
-        judged.push_back(grade(v, answer_with_several(changes, v.question).value_or(truth(v))));
+        judged.push_back(grade(v, answer_with_several(changes, v.question).value_or(truth_of(v))));
     std::set<std::string> names;
     for (const Finding& f : diagnose(judged, fitted_to(judged)).findings) names.insert(f.mistake.name);
     return names;

@@ -55,8 +55,7 @@ double worst_difference(const FarScene& at, const std::vector<double>& tau, cons
     double worst = 0;
     for (std::size_t k = 0; k < at.N; ++k) {
         if (k + 1 == at.contact) continue;
-        dh_sliding_mass mass{}, contact{};
-        mass.size = contact.size = sizeof mass;
+        auto mass = sized<dh_sliding_mass>(), contact = mass;
         REQUIRE(dh_sliding_motion(handle.get(), at.r, at.beta, 1, k + 1, &mass) == DH_OK);
         REQUIRE(dh_sliding_motion(handle.get(), at.r, at.beta, 1, at.contact, &contact) == DH_OK);
         for (std::size_t n = 0; n < tau.size(); ++n) {
@@ -135,8 +134,7 @@ TEST_CASE("a mass that stands still at an antiresonance is no fault of the digit
     REQUIRE(dh_sums(handle_of(system).get(), 1, 2, V.data(), nullptr, nullptr, nullptr, nullptr) == DH_OK);
     CHECK(V[0] == 0);
     CHECK(V[2] == Approx(-4).epsilon(1e-14));
-    dh_boundary limits{};
-    limits.size = sizeof limits;
+    auto limits = sized<dh_boundary>();
     REQUIRE(dh_boundaries(handle_of(chain_of({1, 0.25}, {1, 0.25}, {0, 0}, 1, 1)).get(), 1, 1, &limits) == DH_OK);
     CHECK(limits.exact < 1e-25);
 }

@@ -26,7 +26,7 @@ std::vector<Judged> answered(const std::vector<std::string>& quantities, std::si
             continue;
         if (n++ % every != 0) continue;
         const std::optional<Value> value = answering(v);
-        judged.push_back(grade(v, value.value_or(Value{v.nearest, v.word})));
+        judged.push_back(grade(v, value.value_or(truth_of(v))));
     }
     return judged;
 }
@@ -50,6 +50,19 @@ TEST_CASE("the period in which a transient is read off is found from the answers
         CHECK(found.mistake.name == "transient");
         CHECK(found.mistake.number == "read off in period " + std::to_string(period) + " from rest");
     }
+}
+
+TEST_CASE("a transient that was found has no answer to a question that breaks a rule", "[conformance][diagnosis][fitted]") {
+    const std::vector<Judged> judged =
+        answered({"amplitude"}, 12, [&](const Vector& v) { return answers_of_transient(v.question, 7, 7).front(); });
+    const std::vector<Mistake> known = fitted_to(judged);
+    const auto transient = std::ranges::find(known, "transient", &Mistake::name);
+    REQUIRE(transient != known.end());
+    REQUIRE(transient->number == "read off in period 7 from rest");
+    ProtocolQuestion q = judged.front().vector->question;
+    CHECK(transient->answer(q));
+    q.mass_ratios.front() = -1;
+    CHECK_FALSE(transient->answer(q));
 }
 
 TEST_CASE("answers that are all right, or wrong by a factor, show no transient", "[conformance][diagnosis][fitted]") {
@@ -100,8 +113,8 @@ TEST_CASE("where r alone is wrong, the natural frequencies are right and R is fi
                  });
     const Diagnosis d = diagnose(judged, fitted_to(judged));
     REQUIRE(d.chain.size() >= 3);
-    CHECK(d.chain[0].name == "natural frequencies");
+    CHECK(d.chain[0].property == "natural frequencies");
     CHECK(d.chain[0].wrong == 0);
-    CHECK(d.chain[1].name == "R = r / r_n, (22)");
-    CHECK(d.chain[1].wrong == d.chain[1].answered);
+    CHECK(d.chain[1].property == "R = r / r_n, (22)");
+    CHECK(d.chain[1].wrong == d.chain[1].asked);
 }

@@ -165,7 +165,7 @@ TEST_CASE("the children of a program are gone with it, and none is left to be wa
                              pids.string() + "\"; exec sleep 1000' & while [ $(wc -w <'" + pids.string() +
                              "') -lt 3 ]; do sleep 0.01; done; " + greet + "read -r q; ";
     const Vector v = vector_of("a-1", "amplitude", {1});
-    const ProtocolQuestion* const asked = &v.question;
+    const Vector* const asked = &v;
     for (const std::string ending : {"exit 3", "sleep 1000"}) {
         const std::string name = file_with("family.sh", text + ending + "\n").string();
         const Conversation conversation = converse({{"bash", name}, 0.5, 1}, {&asked, 1}, [](std::size_t) {});

@@ -1,7 +1,6 @@
 // What a method can do decides how its answers are judged.
-#include "conformance/method.hpp"
-
 #include "conformance/grade.hpp"
+
 #include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/runner_fixtures.hpp"

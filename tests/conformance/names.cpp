@@ -103,11 +103,9 @@ Program program(std::string rule, std::string told, std::vector<std::string> all
     return p;
 }
 
-Value right(const Vector& v) { return {v.nearest, v.word}; }
-
 // A known mistake; right where it says nothing.
 std::optional<Value> known_answer(const std::string& name, const Vector& v) {
-    return known_answers().at(name).at(v.question.id).value_or(right(v));
+    return known_answers().at(name).at(v.question.id).value_or(truth_of(v));
 }
 
 bool is_wrong_there(const std::string& name, const Vector& v) {
@@ -167,16 +165,10 @@ Outcome outcome_of(const Program& p, const Thresholds& least, bool guess) {
         if (std::find(p.allowed.begin(), p.allowed.end(), f.mistake.name) == p.allowed.end()) o.false_name = true;
     }
     o.lost_name = !p.allowed.empty() && !p.allowed.front().empty() && (o.names.empty() || o.names.front() != p.allowed.front());
-    for (const Link& link : d.chain)
-        if (link.wrong > 0 && o.first_wrong.empty()) o.first_wrong = link.name;
+    for (const InCommon& link : d.chain)
+        if (link.wrong > 0 && o.first_wrong.empty()) o.first_wrong = link.property;
     if (!d.simple.empty()) o.simple = d.simple.front().mistake.told;
     return o;
-}
-
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
 }
 
 std::string cell(std::size_t count) { return std::to_string(count); }
@@ -242,8 +234,8 @@ std::vector<std::string> unknown_rows(const std::vector<Outcome>& outcomes) {
     for (std::size_t n = 0; n < outcomes.size(); ++n) {
         const Program& p = programs()[n];
         if (!p.allowed.empty()) continue;
-        rows.push_back("| " + p.rule + " | " + p.told + " | " + cell(outcomes[n].wrong) + " | " + joined(outcomes[n].names) +
-                       " | " + outcomes[n].first_wrong + " | " + outcomes[n].simple + " |\n");
+        rows.push_back("| " + p.rule + " | " + p.told + " | " + cell(outcomes[n].wrong) + " | " +
+                       joined(outcomes[n].names, ", ") + " | " + outcomes[n].first_wrong + " | " + outcomes[n].simple + " |\n");
     }
     return rows;
 }
@@ -278,7 +270,7 @@ TEST_CASE("no mistake that is not known gets a name, nor a pair of them, and kno
     for (std::size_t n = 0; n < outcomes().size(); ++n) {
         const Program& p = programs()[n];
         const Outcome& o = outcomes()[n];
-        INFO(p.rule << ": " << p.told << ": " << o.wrong << " wrong; named " << joined(o.names) << "; first wrong "
+        INFO(p.rule << ": " << p.told << ": " << o.wrong << " wrong; named " << joined(o.names, ", ") << "; first wrong "
                     << o.first_wrong << "; " << o.simple);
         CHECK_FALSE(o.false_name);
         CHECK_FALSE(o.lost_name);

@@ -5,7 +5,8 @@
 #include <map>
 
 #include "conformance/grade.hpp"
-#include "conformance/scene_of.hpp"
+#include "conformance/vector.hpp"
+#include "denhartog/scene/scene.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/seeded_questions.hpp"
 #include "tests/conformance/vector_folder.hpp"

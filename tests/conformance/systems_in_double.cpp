@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "conformance/scene_of.hpp"
+#include "conformance/question.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/sliding/bounded_modes.hpp"
 #include "denhartog/sliding/coupled_sums.hpp"
+#include "denhartog/sliding/load_of_base.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/sliding/load_of_base.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 
 namespace denhartog::tests {
@@ -22,30 +22,13 @@ using conformance::Value;
 
 constexpr int digits_asked = 11;
 
-// What friction does not change, and the motion while the contact slides.
 std::vector<double> of_sums(const ProtocolQuestion& q) {
     const Scene<double> scene = conformance::scene_of(q);
     const System<double> s = with_load_at(scene.system, *scene.r);
-    const std::size_t k = q.mass == 0 ? contact_row(s).index : static_cast<std::size_t>(q.mass - 1);
     const ModalBasis<double> basis = modal_basis(s);
     const ModeSums<double> sums = basis.coupled() ? values_of(coupled_sums(s, as_input(*scene.r)))
                                                   : mode_sums(basis, contact_row(s), load_rows(s), *scene.r);
-    const std::string& name = q.quantity;
-    if (name == "complex_response") return {sums.V[k].re, sums.V[k].im};
-    if (name == "first_damping_function") return {sums.U[k]};
-    if (name == "second_damping_function") return {sums.G[k]};
-    if (name == "H_j") return {sums.H_j};
-    const Boundary<double> limits = boundary(sums, scene.mu);
-    if (name == "S_j") return {limits.S_exact};
-    if (name == "beta_lim_exact") return {limits.exact};
-    if (name == "beta_lim_sticking") return limits.sticking ? std::vector{*limits.sticking} : std::vector<double>();
-    const SteadyState<double> state = steady_state(sums, limits, *scene.beta);
-    const MassResponse<double>& m = state.masses[k];
-    if (name == "amplitude_monoharmonic") return {m.amplitude_monoharmonic};
-    if (name == "phase_monoharmonic") return {m.phase_monoharmonic};
-    if (name == "initial_displacement") return {m.x0};
-    if (name == "initial_velocity") return {m.v0};
-    return {motion(sums, state, q.tau).x[k]};
+    return numbers_of_sums(q, sums, q.mass == 0 ? contact_row(s).index : static_cast<std::size_t>(q.mass - 1));
 }
 
 // Displacements of the mass asked about, or of the contact, at the instants of the question.
@@ -113,6 +96,31 @@ std::optional<Value> of_motion(const ProtocolQuestion& q) {
 }
 
 } // namespace
+
+std::vector<double> numbers_of_sums(const ProtocolQuestion& q, const ModeSums<double>& s, std::size_t k) {
+    if (q.quantity == "complex_response") return {s.V[k].re, s.V[k].im};
+    if (q.quantity == "first_damping_function") return {s.U[k]};
+    if (q.quantity == "second_damping_function") return {s.G[k]};
+    if (q.quantity == "H_j") return {s.H_j};
+    const Boundary<double> b = boundary(s, q.mu);
+    if (q.quantity == "S_j") return {b.S_exact};
+    if (q.quantity == "beta_lim_exact") return {b.exact};
+    if (q.quantity == "beta_lim_paper") return {b.paper};
+    if (q.quantity == "beta_lim_approximate") return {b.approximate};
+    if (q.quantity == "beta_lim_sticking") return b.sticking ? std::vector{*b.sticking} : std::vector<double>();
+    const SteadyState<double> state = steady_state(s, b, q.beta);
+    const MassResponse<double>& m = state.masses[k];
+    if (q.quantity == "amplitude") return {m.amplitude};
+    if (q.quantity == "phase") return {m.phase};
+    if (q.quantity == "amplitude_monoharmonic") return {m.amplitude_monoharmonic};
+    if (q.quantity == "phase_monoharmonic") return {m.phase_monoharmonic};
+    if (q.quantity == "initial_displacement") return {m.x0};
+    if (q.quantity == "initial_velocity") return {m.v0};
+    if (q.quantity == "displacement") return {motion(s, state, q.tau).x[k]};
+    std::vector<double> x;
+    for (int n = 0; n < q.samples; ++n) x.push_back(motion(s, state, 2 * n * pi<double>() / q.samples - state.phi_j).x[k]);
+    return x;
+}
 
 std::optional<Value> answer_of_system(const ProtocolQuestion& q) {
     if (q.quantity == "natural_frequency_ratios") return Value{modal_basis(conformance::scene_of(q).system).r_n, ""};

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "conformance/scene_of.hpp"
+#include "conformance/vector.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/number/errors.hpp"
@@ -42,30 +42,8 @@ Numbers of_modes(const Asks& q, const Scene<double>& scene) {
 }
 
 Numbers of_sums(const Asks& q, const Scene<double>& scene) {
-    const std::size_t k = mass_of(q);
-    const ModeSums<double> s = mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, q.r);
-    if (q.quantity == "complex_response") return {s.V[k].re, s.V[k].im};
-    if (q.quantity == "first_damping_function") return {s.U[k]};
-    if (q.quantity == "second_damping_function") return {s.G[k]};
-    if (q.quantity == "H_j") return {s.H_j};
-    const Boundary<double> b = boundary(s, q.mu);
-    if (q.quantity == "S_j") return {b.S_exact};
-    if (q.quantity == "beta_lim_exact") return {b.exact};
-    if (q.quantity == "beta_lim_paper") return {b.paper};
-    if (q.quantity == "beta_lim_approximate") return {b.approximate};
-    if (q.quantity == "beta_lim_sticking") return {b.sticking.value()};
-    const SteadyState<double> state = steady_state(s, b, q.beta);
-    const MassResponse<double>& m = state.masses[k];
-    if (q.quantity == "amplitude") return {m.amplitude};
-    if (q.quantity == "phase") return {m.phase};
-    if (q.quantity == "amplitude_monoharmonic") return {m.amplitude_monoharmonic};
-    if (q.quantity == "phase_monoharmonic") return {m.phase_monoharmonic};
-    if (q.quantity == "initial_displacement") return {m.x0};
-    if (q.quantity == "initial_velocity") return {m.v0};
-    if (q.quantity == "displacement") return {motion(s, state, q.tau).x[k]};
-    Numbers x;
-    for (int n = 0; n < q.samples; ++n) x.push_back(motion(s, state, 2 * n * pi<double>() / q.samples - state.phi_j).x[k]);
-    return x;
+    const ModalBasis<double> basis = modal_basis(scene.system);
+    return numbers_of_sums(q, mode_sums(basis, scene.system.contact, scene.system.load, q.r), mass_of(q));
 }
 
 Numbers of_stuck_motion(const Asks& q, const Scene<double>& scene) {

@@ -3,9 +3,9 @@
 #include <sstream>
 
 #include "conformance/grade.hpp"
-#include "conformance/scene_of.hpp"
 #include "conformance/vector.hpp"
 #include "denhartog/scene/json_document.hpp"
+#include "denhartog/scene/scene.hpp"
 #include "tests/fuzz/answer_claims.hpp"
 
 using namespace denhartog;

@@ -14,7 +14,7 @@ namespace denhartog::conformance {
 
 // The chain from the frequencies to the motion: natural frequencies, R, shapes, v, u, g, V, U, G, H, S, boundary, rest interval,
 // initial values, displacement, monoharmonic response, amplitude, phase, motion and stops. Links without an answer are left out.
-[[nodiscard]] std::vector<Link> chain_of(std::span<const Judged* const> wrong, std::span<const Judged> judged);
+[[nodiscard]] std::vector<InCommon> chain_of(std::span<const Judged* const> wrong, std::span<const Judged> judged);
 
 // Properties that nine in ten of the wrong answers have, and the other answers to the same quantities less often; those that
 // separate best first, three at most. Fewer than three wrong answers have nothing in common.
@@ -40,10 +40,6 @@ struct Fitted {
 };
 
 inline constexpr std::size_t least_agreeing = 3;
-
-// Finds the instants at which a program looks for the maximum of (57), from wrong answers for S_j and the boundaries: of
-// `57-as-printed` or `coarse-grid-of-tau`. The instants may be the same in every scene, or proportional to r, 1 / r, R_1 or R_N.
-[[nodiscard]] std::optional<Fitted> fitted_instants(std::span<const Judged> judged);
 
 // Finds the period from rest, up to the 200th, in which a program reads off wrong amplitudes and motions: of `transient`.
 [[nodiscard]] std::optional<Fitted> fitted_transient(std::span<const Judged> judged);

@@ -31,45 +31,38 @@ std::map<std::string, std::vector<const Judged*>> numbers_by_quantity(std::span<
     return all;
 }
 
-// The right answer to a question with each number changed.
 Mistake changed_numbers(std::string told, const std::string& asked,
                         std::function<double(double x, const ProtocolQuestion& q)> change) {
-    return {"", "", std::move(told), "",
-            changed({quantity(asked).name}, [change = std::move(change)](Value& value, const ProtocolQuestion& q) {
-                for (double& x : value.numbers) x = change(x, q);
-            })};
+    return {"", "", std::move(told), "", each_changed({quantity(asked).name}, std::move(change))};
 }
 
-double middle_of(std::vector<double> numbers) {
+// The middle one of some numbers, or the half of a whole number next to it, if every second number is that.
+std::optional<double> shared(std::vector<double> numbers, bool in_halves = false) {
+    if (numbers.empty()) return std::nullopt;
     std::nth_element(numbers.begin(), numbers.begin() + static_cast<long>(numbers.size() / 2), numbers.end());
-    return numbers[numbers.size() / 2];
-}
-
-bool is_shared(const std::vector<double>& numbers, double x) {
+    const double middle = numbers[numbers.size() / 2], x = in_halves ? std::round(2 * middle) / 2 : middle;
     const auto equal = [&](double y) { return std::abs(y - x) <= fits * std::abs(x); };
-    return 2 * std::count_if(numbers.begin(), numbers.end(), equal) >= static_cast<long>(numbers.size());
+    const bool is_shared = 2 * std::ranges::count_if(numbers, equal) >= static_cast<long>(numbers.size());
+    return is_shared && std::abs(middle - x) <= fits ? std::optional(x) : std::nullopt;
 }
 
-// A factor, or an offset: the middle one of all answers to a quantity.
+// A factor, or an offset, in the answers to a quantity.
 void add_changes(std::vector<Mistake>& all, const std::string& asked, const std::vector<const Judged*>& answers) {
     std::vector<double> factors, offsets;
+    const bool angle = quantity(asked).angle;
     for (const Judged* one : answers) {
         const double given = one->given.numbers.front(), truth = one->vector->nearest.front();
-        const double apart = given - truth;
         if (truth != 0) factors.push_back(given / truth);
-        offsets.push_back(quantity(asked).angle ? wrapped_angle(apart) : apart);
+        offsets.push_back(angle ? wrapped_angle(given - truth) : given - truth);
     }
-    const double offset = middle_of(offsets);
-    const bool angle = quantity(asked).angle;
-    if (is_shared(offsets, offset))
-        all.push_back(changed_numbers(asked + " plus " + short_text(offset), asked, [=](double x, const ProtocolQuestion&) {
-            return angle ? wrapped_angle(x + offset) : x + offset;
-        }));
-    if (factors.empty()) return;
-    const double factor = middle_of(factors);
-    if (is_shared(factors, factor))
-        all.push_back(changed_numbers(asked + " times " + short_text(factor), asked,
-                                      [=](double x, const ProtocolQuestion&) { return factor * x; }));
+    if (const std::optional<double> offset = shared(offsets))
+        all.push_back(
+            changed_numbers(asked + " plus " + short_text(*offset), asked, [=, by = *offset](double x, const ProtocolQuestion&) {
+                return angle ? wrapped_angle(x + by) : x + by;
+            }));
+    if (const std::optional<double> factor = shared(factors))
+        all.push_back(changed_numbers(asked + " times " + short_text(*factor), asked,
+                                      [by = *factor](double x, const ProtocolQuestion&) { return by * x; }));
 }
 
 // A number of the scene, to some power of which answers may have a wrong factor.
@@ -84,7 +77,7 @@ constexpr Base bases[] = {{"r", [](const ProtocolQuestion& q) { return q.r; }},
                                return q.mass_ratios.empty() ? 1 : q.mass_ratios[static_cast<std::size_t>(q.contact - 1)];
                            }}};
 
-// A power of a number of the scene: the middle exponent of all answers to a quantity.
+// A power of a number of the scene in the answers to a quantity.
 void add_powers(std::vector<Mistake>& all, const std::string& asked, const std::vector<const Judged*>& answers) {
     for (const Base& base : bases) {
         std::vector<double> exponents;
@@ -94,9 +87,9 @@ void add_powers(std::vector<Mistake>& all, const std::string& asked, const std::
             if (factor > 0 && std::isfinite(factor) && size > 0 && size != 1)
                 exponents.push_back(elementary::log(factor) / elementary::log(size));
         }
-        if (exponents.empty() || 2 * exponents.size() < answers.size()) continue;
-        const double middle = middle_of(exponents), exponent = std::round(2 * middle) / 2;
-        if (exponent == 0 || std::abs(middle - exponent) > fits || !is_shared(exponents, exponent)) continue;
+        if (2 * exponents.size() < answers.size()) continue;
+        const double exponent = shared(exponents, true).value_or(0);
+        if (exponent == 0) continue;
         all.push_back(changed_numbers(asked + " times " + base.name + "^" + short_text(exponent), asked,
                                       [&base, exponent](double x, const ProtocolQuestion& q) {
                                           return x * elementary::exp(exponent * elementary::log(base.of(q)));
@@ -121,27 +114,18 @@ constexpr Input inputs[] = {
     {"every mass ratio but the first", [](ProtocolQuestion& q, double f) { scale_all(q.mass_ratios, f, 1); }},
     {"every stiffness ratio but the first", [](ProtocolQuestion& q, double f) { scale_all(q.stiffness_ratios, f, 1); }}};
 
-Choices closed_form_alone() {
-    Choices c;
-    c.closed_form_alone = true;
-    return c;
-}
+const Choices closed_form_alone{.closed_form_alone = true};
 
 Mistake read_as(std::string told, std::function<void(ProtocolQuestion&)> change) {
     return {"", "", std::move(told), "", [change = std::move(change)](const ProtocolQuestion& q) {
                 if (!is_of_the_paper(q)) return std::optional<Value>();
                 ProtocolQuestion other = q;
                 change(other);
-                return plain_answer(other, closed_form_alone());
+                return plain_answer(other, closed_form_alone);
             }};
 }
 
-Mistake scaled(const Input& input, double by) {
-    return read_as(std::string(input.name) + " times " + short_text(by),
-                   [&input, by](ProtocolQuestion& q) { input.scale(q, by); });
-}
-
-// Whether a guess gives some of the answers: most guesses do not, and need no look at the others.
+// Whether a guess gives half of some answers. Most guesses do not, and need no further look.
 bool fits_some(const Mistake& guess, std::span<const Judged* const> answers) {
     std::size_t fitting = 0;
     for (const Judged* one : answers) {
@@ -157,11 +141,10 @@ bool fits_some(const Mistake& guess, std::span<const Judged* const> answers) {
 void add_factors(std::vector<Mistake>& all, const Input& input, std::span<const Judged* const> answers, const Judged& one) {
     constexpr int pieces = 48;
     const double reach = elementary::log(12.0);
-    const Choices c = closed_form_alone();
     const auto apart = [&](double factor) {
         ProtocolQuestion q = one.vector->question;
         input.scale(q, factor);
-        const std::optional<Value> value = plain_answer(q, c);
+        const std::optional<Value> value = plain_answer(q, closed_form_alone);
         return value && !value->numbers.empty() ? value->numbers.front() - one.given.numbers.front() : std::nan("");
     };
     std::vector<double> grid;
@@ -169,14 +152,15 @@ void add_factors(std::vector<Mistake>& all, const Input& input, std::span<const 
     std::vector<double> factors = sign_changes(apart, grid, 48);
     for (const double unit : {100.0, 1000.0, 180 / std::numbers::pi}) factors.insert(factors.end(), {unit, 1 / unit});
     for (const double factor : factors) {
-        Mistake guess = scaled(input, factor);
+        Mistake guess = read_as(std::string(input.name) + " times " + short_text(factor),
+                                [&input, factor](ProtocolQuestion& q) { input.scale(q, factor); });
         if (std::abs(factor - 1) > fits && fits_some(guess, answers)) all.push_back(std::move(guess));
     }
 }
 
 Mistake with(std::string told, std::function<void(Choices&)> choose) {
     return {"", "", std::move(told), "", [choose = std::move(choose)](const ProtocolQuestion& q) {
-                Choices c = closed_form_alone();
+                Choices c = closed_form_alone;
                 choose(c);
                 return plain_answer(q, c);
             }};

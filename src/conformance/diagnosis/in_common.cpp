@@ -42,8 +42,32 @@ std::set<std::string> properties(const Vector& v) {
     return all;
 }
 
-bool was_answered(const Judged& one) {
-    return one.vector->reject.empty() && (is_right(one.verdict) || is_wrong_value(one.verdict));
+using Answers = std::vector<const Judged*>;
+
+// The answers that were judged right or wrong: to every quantity, or to some.
+Answers answered(std::span<const Judged> judged, const std::set<std::string>& quantities = {}) {
+    Answers all;
+    for (const Judged& one : judged)
+        if (one.vector->reject.empty() && (is_right(one.verdict) || is_wrong_value(one.verdict)) &&
+            (quantities.empty() || quantities.contains(one.vector->question.quantity)))
+            all.push_back(&one);
+    return all;
+}
+
+// Wrong answers, and all that were asked for, by what they share; by name.
+template <class Of>
+std::vector<InCommon> counted(std::span<const Judged* const> wrong, const Answers& asked, const Of& properties_of) {
+    std::map<std::string, InCommon> all;
+    const auto count = [&](const auto& answers, std::size_t InCommon::*number) {
+        for (const Judged* one : answers)
+            for (const std::string& property : properties_of(*one->vector))
+                ++(all.try_emplace(property, InCommon{property, 0, wrong.size(), 0, asked.size()}).first->second.*number);
+    };
+    count(asked, &InCommon::asked);
+    count(wrong, &InCommon::wrong);
+    std::vector<InCommon> list;
+    for (const auto& [property, one] : all) list.push_back(one);
+    return list;
 }
 
 template <class List, class Condition>
@@ -66,8 +90,7 @@ bool is_too_small(const Judged& one) {
 }
 
 // Properties of the answers: that they are all too small or too large, or have few digits, as all answers have then.
-void add_of_answers(std::vector<InCommon>& found, std::span<const Judged* const> wrong, const std::set<std::string>& quantities,
-                    std::span<const Judged> judged) {
+void add_of_answers(std::vector<InCommon>& found, std::span<const Judged* const> wrong, const Answers& asked) {
     const std::size_t numbers = count_of(wrong, [](const Judged* one) { return one->error.has_value(); });
     const std::size_t small = count_of(wrong, [](const Judged* one) { return is_too_small(*one); });
     if (numbers < wrong.size()) return;
@@ -75,14 +98,10 @@ void add_of_answers(std::vector<InCommon>& found, std::span<const Judged* const>
         if (count == numbers) found.push_back({told, count, count, count, count});
     constexpr int fewest = 3, most = 8;
     for (int digits = fewest; digits <= most; ++digits) {
-        std::size_t asked = 0, with = 0;
-        for (const Judged& one : judged) {
-            if (!was_answered(one) || !quantities.contains(one.vector->question.quantity)) continue;
-            ++asked;
-            with += has_digits(one, digits);
-        }
-        if (share(with, asked) < share_in_common) continue;
-        found.push_back({"the answer has no more than " + std::to_string(digits) + " digits", numbers, numbers, with, asked});
+        const std::size_t with = count_of(asked, [&](const Judged* one) { return has_digits(*one, digits); });
+        if (share(with, asked.size()) < share_in_common) continue;
+        found.push_back(
+            {"the answer has no more than " + std::to_string(digits) + " digits", numbers, numbers, with, asked.size()});
         return;
     }
 }
@@ -109,55 +128,37 @@ constexpr std::array<std::string_view, 19> links{"natural frequencies",
 
 } // namespace
 
-std::vector<Link> chain_of(std::span<const Judged* const> wrong, std::span<const Judged> judged) {
-    std::array<Link, links.size()> all;
-    for (std::size_t n = 0; n < links.size(); ++n) all[n].name = links[n];
-    for (const Judged& one : judged)
-        if (was_answered(one)) ++all[place_in_chain(one.vector->question)].answered;
-    for (const Judged* one : wrong) ++all[place_in_chain(one->vector->question)].wrong;
-    std::vector<Link> answered;
-    std::copy_if(all.begin(), all.end(), std::back_inserter(answered), [](const Link& link) { return link.answered > 0; });
-    return answered;
+std::vector<InCommon> chain_of(std::span<const Judged* const> wrong, std::span<const Judged> judged) {
+    std::vector<InCommon> chain = counted(
+        wrong, answered(judged), [](const Vector& v) { return std::array{std::string(links[place_in_chain(v.question)])}; });
+    std::ranges::sort(chain, {}, [](const InCommon& link) { return std::ranges::find(links, link.property); });
+    return chain;
 }
 
 std::vector<InCommon> properties_in_common(std::span<const Judged* const> wrong, std::span<const Judged> judged) {
     if (wrong.size() < least_wrong) return {};
     std::set<std::string> quantities;
-    std::map<std::string, std::size_t> of_wrong, of_asked;
-    for (const Judged* one : wrong) {
-        quantities.insert(one->vector->question.quantity);
-        for (const std::string& property : properties(*one->vector)) ++of_wrong[property];
-    }
-    std::size_t asked = 0;
-    for (const Judged& one : judged) {
-        if (!was_answered(one) || !quantities.contains(one.vector->question.quantity)) continue;
-        ++asked;
-        for (const std::string& property : properties(*one.vector)) ++of_asked[property];
-    }
-    std::vector<InCommon> found;
-    for (const auto& [property, count] : of_wrong) {
-        const InCommon one{property, count, wrong.size(), of_asked[property], asked};
-        const bool common = share(one.wrong, one.all_wrong) >= share_in_common;
-        if (common && share(one.wrong, one.asked) >= least_lift * share(one.all_wrong, asked)) found.push_back(one);
-    }
+    for (const Judged* one : wrong) quantities.insert(one->vector->question.quantity);
+    const Answers asked = answered(judged, quantities);
+    std::vector<InCommon> found = counted(wrong, asked, properties);
+    std::erase_if(found, [](const InCommon& one) {
+        return share(one.wrong, one.all_wrong) < share_in_common ||
+               share(one.wrong, one.asked) < least_lift * share(one.all_wrong, one.all_asked);
+    });
     std::stable_sort(found.begin(), found.end(), larger_share_of_wrong);
     if (found.size() > most_told) found.resize(most_told);
     std::erase_if(found, [&](const InCommon& one) { // what separates much worse than the first says nothing new
         return share(one.wrong, one.asked) < share_in_common * share(found.front().wrong, found.front().asked);
     });
-    add_of_answers(found, wrong, quantities, judged);
+    add_of_answers(found, wrong, asked);
     return found;
 }
 
 std::vector<InCommon> by_quantity(std::span<const Judged* const> wrong, std::span<const Judged> judged) {
-    std::map<std::string, std::size_t> of_wrong, of_asked;
-    for (const Judged* one : wrong) ++of_wrong[one->vector->question.quantity];
-    for (const Judged& one : judged)
-        if (was_answered(one)) ++of_asked[one.vector->question.quantity];
-    std::vector<InCommon> found;
-    for (const auto& [quantity, count] : of_wrong)
-        found.push_back({quantity, count, wrong.size(), of_asked[quantity], judged.size()});
-    std::stable_sort(found.begin(), found.end(), [](const InCommon& a, const InCommon& b) { return a.wrong > b.wrong; });
+    std::vector<InCommon> found =
+        counted(wrong, answered(judged), [](const Vector& v) { return std::array{v.question.quantity}; });
+    std::erase_if(found, [](const InCommon& one) { return one.wrong == 0; });
+    std::ranges::stable_sort(found, std::greater(), &InCommon::wrong);
     return found;
 }
 

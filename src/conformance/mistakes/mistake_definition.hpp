@@ -16,8 +16,13 @@ inline constexpr double of_steps_in_time = 3e-2;
 
 using Names = std::vector<std::string_view>;
 
+// Quantities that (67) decides; those that the condition of (69) decides; those that a maximum over tau decides.
+inline const Names of_load{"beta_lim_approximate", "beta_lim_exact", "beta_lim_paper", "regime"},
+    of_boundary{"beta_lim_exact", "beta_lim_paper", "regime"}, of_maximum{"S_j", "beta_lim_exact", "beta_lim_paper", "regime"};
+
 // The plain closed form with other choices. It affects the quantities `touched`; all if there are none.
 [[nodiscard]] Answering by_formulas(Names touched, std::function<void(Choices&)> choose);
+[[nodiscard]] Answering by_formulas(Names touched, bool Choices::*choice);
 [[nodiscard]] Answering by_formulas_of(Names touched, std::function<void(Choices&, const ProtocolQuestion&)> choose);
 
 // A mistake that is made only if no mode is overdamped.
@@ -26,20 +31,17 @@ using Names = std::vector<std::string_view>;
 // The right answer to some quantities, changed.
 [[nodiscard]] Answering changed(Names touched, std::function<void(Value& value, const ProtocolQuestion& q)> change);
 
+// The right answer to some quantities, each of its numbers changed.
+[[nodiscard]] Answering each_changed(Names touched, std::function<double(double x, const ProtocolQuestion& q)> change);
+
 // The right answer to another question; none if the change leaves the question as it is.
 [[nodiscard]] Answering reading(std::function<void(ProtocolQuestion&)> change);
 
-// Mistakes in reading a question.
+// Mistakes in reading a question, and in what only systems beyond the paper have.
 [[nodiscard]] std::vector<Mistake> mistakes_of_input();
-// A mistake in what only systems beyond the paper have.
-[[nodiscard]] std::vector<Mistake> mistakes_of_systems();
-// Formulas as the paper prints them, if the derivation refutes them.
-[[nodiscard]] std::vector<Mistake> mistakes_of_print();
-// Mistakes in the closed form that the paper does not print.
-[[nodiscard]] std::vector<Mistake> mistakes_of_form();
-// Mistakes in the convention of an answer, such as its unit or sign.
+// Formulas as the paper prints them, if the derivation refutes them, and others in the closed form.
+[[nodiscard]] std::vector<Mistake> mistakes_of_formulas();
+// Mistakes in the convention of an answer, such as its unit or sign, and those that solvers of the motion make.
 [[nodiscard]] std::vector<Mistake> mistakes_of_output();
-// Mistakes that solvers of the motion make.
-[[nodiscard]] std::vector<Mistake> mistakes_of_integrators();
 
 } // namespace denhartog::conformance

@@ -56,11 +56,21 @@ Answering by_formulas(Names touched, std::function<void(Choices&)> choose) {
     return by_formulas_of(std::move(touched), [choose = std::move(choose)](Choices& c, const ProtocolQuestion&) { choose(c); });
 }
 
+Answering by_formulas(Names touched, bool Choices::*choice) {
+    return by_formulas(std::move(touched), [choice](Choices& c) { c.*choice = true; });
+}
+
 Answering changed(Names touched, std::function<void(Value& value, const ProtocolQuestion& q)> change) {
     Answering mistake;
     mistake.touches = about(std::move(touched));
     mistake.change = std::move(change);
     return of_changes(std::move(mistake));
+}
+
+Answering each_changed(Names touched, std::function<double(double x, const ProtocolQuestion& q)> change) {
+    return changed(std::move(touched), [change = std::move(change)](Value& value, const ProtocolQuestion& q) {
+        for (double& x : value.numbers) x = change(x, q);
+    });
 }
 
 Answering where_modes_vibrate(Answering mistake) {
@@ -84,8 +94,7 @@ Answering reading(std::function<void(ProtocolQuestion&)> change) {
 std::span<const Mistake> mistakes() {
     static const std::vector<Mistake> all = [] {
         std::vector<Mistake> list;
-        for (auto part : {mistakes_of_input(), mistakes_of_print(), mistakes_of_form(), mistakes_of_output(),
-                          mistakes_of_integrators(), mistakes_of_systems()})
+        for (auto part : {mistakes_of_input(), mistakes_of_formulas(), mistakes_of_output()})
             for (Mistake& mistake : part) {
                 // none for a place beyond the chain, or a motion that is none
                 mistake.answer.alone = [answer = std::move(mistake.answer.alone)](const ProtocolQuestion& q) {

@@ -10,6 +10,11 @@ namespace {
 
 using std::numbers::pi;
 
+// Cores of mistakes.
+const std::vector<std::string> of_67{"beta_lim_approximate"},
+    of_limits{"beta_lim_approximate", "beta_lim_exact", "beta_lim_paper"}, of_maxima{"S_j", "beta_lim_exact", "beta_lim_paper"},
+    of_sticking{"beta_lim_sticking"};
+
 // Every mode shape times a factor of its own.
 Answering scaled_shapes(double (*factor)(const PlainModes& m, std::size_t i)) {
     return by_formulas({}, [=](Choices& c) {
@@ -43,14 +48,13 @@ Mistake printed(const std::string& equation, std::string told, std::string look_
 
 } // namespace
 
-std::vector<Mistake> mistakes_of_print() {
+std::vector<Mistake> mistakes_of_formulas() {
     return {
         printed("46",
                 "Sine and cosine stand exchanged in the bracket of (46), as printed there and in (40), (41) and (A.15); it is d "
                 "of (A.8).",
                 "the bracket that multiplies (1 + g_i): cos + zeta / sqrt(1 - zeta^2) sin, which is 1 at tau = 0",
-                by_formulas({"displacement", "amplitude", "phase", "motion_under_force"},
-                            [](Choices& c) { c.motion_as_printed = true; }),
+                by_formulas({"displacement", "amplitude", "phase", "motion_under_force"}, &Choices::motion_as_printed),
                 {"displacement"}),
         printed("44", "(44) as printed: the real part lacks beta U_dj sin(Delta).",
                 "x_k0: the phase phi_j is not zero in V_dk cos(phi_j), read as Re{V_dk exp(i phi_j)}",
@@ -66,24 +70,20 @@ std::vector<Mistake> mistakes_of_print() {
                 {"initial_velocity"}),
         printed("50", "(50) as printed: the ratio of the moduli multiplies its first term only.",
                 "X_kC: |V_dk| / |V_dj| multiplies the root and beta U_dj sin(Delta)",
-                by_formulas({"phase_monoharmonic", "amplitude_monoharmonic"}, [](Choices& c) { c.cosine_as_printed = true; }),
+                by_formulas({"phase_monoharmonic", "amplitude_monoharmonic"}, &Choices::cosine_as_printed),
                 {"phase_monoharmonic"}),
         printed("52", "(52) as printed: U_dk sin(Delta) has the other sign.",
                 "the first bracket of (52): G_k cos(Delta) - U_dk sin(Delta)",
-                by_formulas({"amplitude_monoharmonic"}, [](Choices& c) { c.monoharmonic_as_printed = true; }),
-                {"amplitude_monoharmonic"}),
+                by_formulas({"amplitude_monoharmonic"}, &Choices::monoharmonic_as_printed), {"amplitude_monoharmonic"}),
         printed("56", "The sum of the maxima of the modes, (56), is taken for the maximum of their sum.",
                 "where the maximum over tau is taken: after the sum over the modes",
-                by_formulas({"S_j", "beta_lim_exact", "regime"}, [](Choices& c) { c.maximum_of_each_mode = true; }), {"S_j"}),
+                by_formulas({"S_j", "beta_lim_exact", "regime"}, &Choices::maximum_of_each_mode), {"S_j"}),
         printed("63", "The load condition is asked of every mode on its own, as (59) and (63) print it; it holds for the sum.",
                 "(59) and (63): sum over the modes with psi_ji before comparing with mu beta",
-                by_formulas({"beta_lim_approximate", "beta_lim_exact", "beta_lim_paper", "regime"},
-                            [](Choices& c) { c.load_of_each_mode = true; }),
-                {"beta_lim_approximate"}),
+                by_formulas(of_load, &Choices::load_of_each_mode), {"beta_lim_approximate"}),
         printed("68", "The contact is said to slide beyond (68) as printed, which also needs H_j > mu / (gamma_j r^2).",
                 "the condition (68): drop it, since (58) and (68) never hold at once",
-                by_formulas({"beta_lim_exact", "beta_lim_paper", "regime"}, [](Choices& c) { c.sliding_beyond_68 = true; }),
-                {"beta_lim_exact"}),
+                by_formulas(of_boundary, &Choices::sliding_beyond_68), {"beta_lim_exact"}),
         printed("86", "(86) as printed has mu in place of its square.", "the root of (86): 4 mu^2 + pi^2",
                 changed({"beta_lim_high_frequency"},
                         [](Value& value, const ProtocolQuestion& q) {
@@ -93,86 +93,55 @@ std::vector<Mistake> mistakes_of_print() {
                 "(88): all forces on the held contact count, the damping forces of the moving masses among them",
                 by_formulas({"beta_lim_sticking", "regime"}, [](Choices& c) { c.sticking = plain_sticking_limit_by_88; }),
                 {"beta_lim_sticking"}),
-        // It has no maximum: what is answered depends on the instants tried, which `fitted_instants` finds from the answers.
+        // It has no maximum: what is answered depends on the instants tried, which `fitted_to` finds from the answers.
         printed("57",
                 "(57) as printed: another bracket multiplies u_di, and cos(tau) is missing, so that it has no maximum; its "
                 "value at one of the instants tried is taken for it, in the sum over the modes or, by (56), mode by mode.",
                 "the expression of (57): (1 + g_i) R_i q_i - u_di R_i^2 (R_i q_i' - cos(tau)) over sin(tau) stays finite at "
                 "both ends",
-                by_formulas({"S_j", "beta_lim_paper", "beta_lim_exact", "regime"},
+                by_formulas(of_maximum,
                             [](Choices& c) {
                                 c.demand_as_printed = true;
                                 c.instants = Instants{pi / 1000, pi / 1000, 999};
                             }),
-                {"S_j", "beta_lim_exact", "beta_lim_paper"})};
-}
-
-std::vector<Mistake> mistakes_of_form() {
-    return {
-        {"88-without-damping-forces",
-         "88",
-         "The damping forces of the moving masses on the held contact are left out of (88).",
+                {"S_j", "beta_lim_exact", "beta_lim_paper"}),
+        // Mistakes that the paper does not print.
+        {"88-without-damping-forces", "88", "The damping forces of the moving masses on the held contact are left out of (88).",
          "(88): row j of the damping matrix is not zero off its diagonal",
          by_formulas({"beta_lim_sticking", "regime"}, [](Choices& c) { c.sticking = plain_sticking_limit_without_damping; }),
-         1e-6,
-         {"beta_lim_sticking"}},
-        {"88-by-sub-matrices",
-         "88",
+         1e-6, of_sticking},
+        {"88-by-sub-matrices", "88",
          "(88) from the first or last rows and columns of M, C and K, as its text has it: of the forces on the held contact only "
          "that of one spring counts.",
          "(88): all forces on the held contact count, the damping forces of all moving masses among them",
          by_formulas({"beta_lim_sticking", "regime"}, [](Choices& c) { c.sticking = plain_sticking_limit_by_sub_matrices; }),
-         1e-6,
-         {"beta_lim_sticking"}},
-        {"approximate-limit",
-         "67",
-         "(67) is taken for the boundary (69): (72) stands in place of the maximum over tau.",
+         1e-6, of_sticking},
+        {"approximate-limit", "67", "(67) is taken for the boundary (69): (72) stands in place of the maximum over tau.",
          "whether the maximum over tau of the sum over modes is sought at all",
-         by_formulas({"S_j", "beta_lim_exact", "beta_lim_paper", "regime"}, [](Choices& c) { c.demand_at_start = true; }),
-         1e-6,
-         {"S_j", "beta_lim_exact", "beta_lim_paper"}},
-        {"load-condition-left-out",
-         "67",
+         by_formulas(of_maximum, &Choices::demand_at_start), 1e-6, of_maxima},
+        {"load-condition-left-out", "67",
          "The boundary (69) is taken from the maximum over tau alone; the load condition (67) may end the sliding before.",
          "whether the larger of S_j and H_j + mu / (gamma_j r^2) stands in (69)",
-         by_formulas({"beta_lim_exact", "beta_lim_paper", "regime"}, [](Choices& c) { c.without_load_condition = true; }),
-         1e-6,
-         {"beta_lim_approximate", "beta_lim_exact", "beta_lim_paper"}},
-        {"mu-missing-in-67",
-         "67",
-         "mu is left out of (67): the load is compared with kinetic friction.",
+         by_formulas(of_boundary, &Choices::without_load_condition), 1e-6, of_limits},
+        {"mu-missing-in-67", "67", "mu is left out of (67): the load is compared with kinetic friction.",
          "mu in H_j + mu / (gamma_j r^2), and in the load condition of (69)",
-         by_formulas({"beta_lim_approximate", "beta_lim_exact", "beta_lim_paper", "regime"},
-                     [](Choices& c) { c.change_sums = [](PlainModes& m) { m.sum_of_squares /= m.mu; }; }),
-         1e-6,
-         {"beta_lim_approximate"}},
-        // The number of instants is found from the answers by `fitted_instants`.
-        {"coarse-grid-of-tau",
-         "57",
+         by_formulas(of_load, [](Choices& c) { c.change_sums = [](PlainModes& m) { m.sum_of_squares /= m.mu; }; }), 1e-6, of_67},
+        // The number of instants is found from the answers by `fitted_to`.
+        {"coarse-grid-of-tau", "57",
          "The maximum over tau is that of a few instants, 14 for example; the true one lies between two of them.",
          "how the maximum over tau is found: refine it around the largest sample",
-         by_formulas({"S_j", "beta_lim_exact", "beta_lim_paper", "regime"},
+         by_formulas(of_maximum,
                      [](Choices& c) {
                          c.instants = Instants{pi / 15, pi / 15, 14};
                      }),
-         1e-6,
-         {"S_j", "beta_lim_exact", "beta_lim_paper"}},
-        {"sign-of-mu-in-67",
-         "67",
-         "mu / (gamma_j r^2) has the other sign in (67) and (69), which is (68).",
+         1e-6, of_maxima},
+        {"sign-of-mu-in-67", "67", "mu / (gamma_j r^2) has the other sign in (67) and (69), which is (68).",
          "H_j + mu / (gamma_j r^2) in (67)",
-         by_formulas({"beta_lim_approximate", "beta_lim_exact", "beta_lim_paper", "regime"},
-                     [](Choices& c) { c.change_sums = [](PlainModes& m) { m.sum_of_squares = -m.sum_of_squares; }; }),
-         1e-6,
-         {"beta_lim_approximate"}},
-        {"r-not-squared-in-65",
-         "65",
-         "The sum of squares in (65) is taken as 1 / (gamma_j r); it is 1 / (gamma_j r^2).",
+         by_formulas(of_load, [](Choices& c) { c.change_sums = [](PlainModes& m) { m.sum_of_squares = -m.sum_of_squares; }; }),
+         1e-6, of_67},
+        {"r-not-squared-in-65", "65", "The sum of squares in (65) is taken as 1 / (gamma_j r); it is 1 / (gamma_j r^2).",
          "mu / (gamma_j r^2) in (67)",
-         by_formulas({"beta_lim_approximate", "beta_lim_exact", "beta_lim_paper", "regime"},
-                     [](Choices& c) { c.change_sums = [](PlainModes& m) { m.sum_of_squares *= m.r; }; }),
-         1e-6,
-         {"beta_lim_approximate"}},
+         by_formulas(of_load, [](Choices& c) { c.change_sums = [](PlainModes& m) { m.sum_of_squares *= m.r; }; }), 1e-6, of_67},
         {"psi-not-scaled-with-r", "17", "Mode shapes are normalised with diag(m_i / m_1); (17) has r^2 diag(m_i / m_1).",
          "the normalisation of the mode shapes: they go as 1 / r",
          scaled_shapes([](const PlainModes& m, std::size_t) { return m.r; })},
@@ -206,11 +175,11 @@ std::vector<Mistake> mistakes_of_form() {
         {"argument-by-arctangent", "39",
          "The argument of V_dj is taken as the arcus tangent of a quotient, which loses the half-plane.",
          "the argument of V_dj in (39): atan2 of imaginary and real part",
-         by_formulas({"phase", "phase_monoharmonic", "motion_under_force"}, [](Choices& c) { c.argument_in_half_plane = true; })},
+         by_formulas({"phase", "phase_monoharmonic", "motion_under_force"}, &Choices::argument_in_half_plane)},
         {"minimum-taken-for-maximum", "47",
          "The phase of a mass is that of its minimum where this is what the half-period holds: (47) lacks half a period.",
          "(47): add pi where the displacement of largest size is negative",
-         by_formulas({"phase"}, [](Choices& c) { c.no_half_period_for_minima = true; })}};
+         by_formulas({"phase"}, &Choices::no_half_period_for_minima)}};
 }
 
 } // namespace denhartog::conformance

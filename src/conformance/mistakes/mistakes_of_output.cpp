@@ -9,19 +9,11 @@ namespace {
 
 using std::numbers::pi;
 
-// The right answer to some quantities, each of its numbers changed.
-Answering each_changed(Names touched, std::function<void(double& x, const ProtocolQuestion& q)> change) {
-    return changed(std::move(touched), [change = std::move(change)](Value& value, const ProtocolQuestion& q) {
-        for (double& x : value.numbers) change(x, q);
-    });
-}
-
 const Names angles_of_paper{"phase", "phase_monoharmonic"}, angles{"phase", "phase_monoharmonic", "absolute_phase"};
 const Names amplitudes{"amplitude", "amplitude_monoharmonic", "absolute_amplitude", "transmissibility"};
 
 double phase_of_contact(const ProtocolQuestion& q) {
-    Choices c;
-    c.beyond_the_boundary = true;
+    const Choices c{.beyond_the_boundary = true};
     return plain_phase(plain_modes(q, c), c);
 }
 
@@ -75,32 +67,35 @@ std::optional<Value> without_stops(const ProtocolQuestion& q) {
 } // namespace
 
 std::vector<Mistake> mistakes_of_output() {
-    return {
+    constexpr double of_collocation = 1e-2;
+    constexpr int period = 10; // where the answers do not show another
+    std::vector<Mistake> all{
         {"degrees", "39", "Angles are given in degrees; the protocol has radians.", "the unit of every phase",
-         each_changed(angles, [](double& x, const ProtocolQuestion&) { x *= 180 / pi; })},
+         each_changed(angles, [](double x, const ProtocolQuestion&) { return x * (180 / pi); })},
         {"phase-sign", "39", "Phases are given as lead; the protocol has the lag behind the force.",
          "the sign of every phase: positive where the mass is late",
-         each_changed(angles, [](double& x, const ProtocolQuestion&) { x = wrapped_angle(-x); })},
+         each_changed(angles, [](double x, const ProtocolQuestion&) { return wrapped_angle(-x); })},
         {"phase-wrap", "39", "Phases are wrapped to [0, 2 pi); the protocol has (-pi, pi].",
          "the interval to which phases are wrapped",
-         each_changed(angles, [](double& x, const ProtocolQuestion&) { x = x < 0 ? x + 2 * pi : x; })},
+         each_changed(angles, [](double x, const ProtocolQuestion&) { return x < 0 ? x + 2 * pi : x; })},
         {"phase-behind-contact", "47", "Phases are given behind the mass in contact; the protocol has the lag behind the force.",
          "whether phi_j is added in (47) and (53)",
-         each_changed(angles_of_paper,
-                      [](double& x, const ProtocolQuestion& q) { x = slides(q) ? wrapped_angle(x - phase_of_contact(q)) : x; })},
+         each_changed(
+             angles_of_paper,
+             [](double x, const ProtocolQuestion& q) { return slides(q) ? wrapped_angle(x - phase_of_contact(q)) : x; })},
         {"peak-to-peak", "38", "Amplitudes are given peak to peak; the protocol has the largest displacement.",
-         "a factor of 2 in the amplitude", each_changed(amplitudes, [](double& x, const ProtocolQuestion&) { x *= 2; })},
+         "a factor of 2 in the amplitude", each_changed(amplitudes, [](double x, const ProtocolQuestion&) { return x * 2; })},
         {"amplitude-halved", "38", "Amplitudes are halved, as if the motion had been taken peak to peak before.",
-         "a factor of 1/2 in the amplitude", each_changed(amplitudes, [](double& x, const ProtocolQuestion&) { x /= 2; })},
+         "a factor of 1/2 in the amplitude", each_changed(amplitudes, [](double x, const ProtocolQuestion&) { return x / 2; })},
         {"root-mean-square", "38", "Amplitudes are those of a harmonic motion over sqrt(2): its root mean square.",
          "how the amplitude is read off the motion",
-         each_changed(amplitudes, [](double& x, const ProtocolQuestion&) { x /= std::sqrt(2.0); })},
+         each_changed(amplitudes, [](double x, const ProtocolQuestion&) { return x / std::sqrt(2.0); })},
         {"static-deflection-of-loaded-mass", "5",
          "Displacements are in units of the static deflection of the loaded mass; (5) has P / k_1.",
          "the unit of displacements: the stiffness of the first spring",
          each_changed({"amplitude", "amplitude_monoharmonic", "initial_displacement", "initial_velocity", "displacement",
                        "complex_response", "motion_under_force", "rest_interval"},
-                      [](double& x, const ProtocolQuestion& q) { x /= static_deflection(q); })},
+                      [](double x, const ProtocolQuestion& q) { return x / static_deflection(q); })},
         {"tau-from-force",
          "46",
          "tau = 0 is taken at the maximum of the force; the closed form has it at that of the contact.",
@@ -137,27 +132,23 @@ std::vector<Mistake> mistakes_of_output() {
          "the origin of tau, and a phase of pi / 2", under_a_sine},
         {"amplitude-at-contact-maximum", "44",
          "The amplitude of a mass is taken as its displacement at the maximum of the contact.",
-         "how the maximum of (46) over tau is found", [](const ProtocolQuestion& q) -> std::optional<Value> {
+         "how the maximum of (46) over tau is found",
+         [](const ProtocolQuestion& q) -> std::optional<Value> {
              if (q.quantity != "amplitude") return std::nullopt;
              ProtocolQuestion other = q;
              other.quantity = "initial_displacement";
              std::optional<Value> value = plain_answer(other);
              if (value) value->numbers.front() = std::abs(value->numbers.front());
              return value;
-         }}};
-}
-
-std::vector<Mistake> mistakes_of_integrators() {
-    constexpr double of_collocation = 1e-2;
-    constexpr int period = 10; // where the answers do not show another
-    std::vector<Mistake> all{
+         }},
+        // Solvers of the motion.
         {"transient", "", "The motion is read off before the transient has decayed.",
          "how many periods are integrated from rest; go on until two in a row agree",
          [](const ProtocolQuestion& q) { return of_motion(q) ? answers_of_transient(q, period, period).front() : std::nullopt; },
          of_steps_in_time},
         {"sliding-beyond-the-boundary", "69", "The closed form is used where the contact stops: (69) is not asked.",
          "whether beta < beta_lim is tested before (38) is used",
-         by_formulas({"amplitude", "phase", "motion_under_force"}, [](Choices& c) { c.beyond_the_boundary = true; })},
+         by_formulas({"amplitude", "phase", "motion_under_force"}, &Choices::beyond_the_boundary)},
         {"sgn-of-0-is-0", "3",
          "The contact never rests: friction at rest is taken as sgn(0) = 0; (3) has any value up to mu beta there.",
          "the friction law at zero velocity: while the load is at most mu beta the contact sticks, (74)", without_stops,

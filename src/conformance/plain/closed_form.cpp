@@ -63,19 +63,12 @@ double monoharmonic_amplitude(const PlainModes& m, const Choices& c, std::size_t
     return std::sqrt(V * V + G * G + U * U - 2 * (root * (G * cosine + U * sine) + drag * (G * sine + U * cosine)));
 }
 
-bool is_of_motion(const std::string& quantity) {
-    return quantity == "amplitude" || quantity == "phase" || quantity == "motion_under_force" || quantity == "stops_per_period" ||
-           quantity == "stop_durations" || quantity == "rest_interval";
-}
-
 bool slides(const PlainModes& m, const Choices& c) {
     if (c.beyond_the_boundary || c.harmonics > 0) return true;
     const double V = modulus(m.V[m.j]), root = std::sqrt(V * V - m.beta * m.U[m.j] * (m.beta * m.U[m.j]));
     if (!(root > m.beta * (m.H_j + m.mu * m.sum_of_squares))) return false; // (67), which costs no search
     return m.beta < plain_limit(m, {}, plain_demand(m, {}, false));
 }
-
-bool is_absolute(const ProtocolQuestion& q) { return quantity(q.quantity).absolute; }
 
 PlainRow row_of_mass(const ProtocolQuestion& q, const PlainSystem& s) { return q.mass == 0 ? s.w : place_of(q.mass, s.size()); }
 
@@ -98,13 +91,9 @@ std::optional<Value> answer_of_stuck_motion(const ProtocolQuestion& q, const Pla
     if (q.quantity == "stops_per_period") return Value{{0}, ""};
     if (q.quantity == "stop_durations") return Value{};
     const PlainRow row = row_of_mass(q, s);
-    Phasor X;
+    Phasor X = dot(row, held);
     double largest = force * compliance;
-    for (std::size_t k = 0; k < s.size(); ++k) {
-        X.re += row[k] * held[k].re;
-        X.im += row[k] * held[k].im;
-        largest = std::max(largest, modulus(held[k]));
-    }
+    for (std::size_t k = 0; k < s.size(); ++k) largest = std::max(largest, modulus(held[k]));
     constexpr double rounding = 1e-14;
     if (row == s.w || modulus(X) <= rounding * largest) X = {0, 0};
     X.re += frame;
@@ -152,8 +141,8 @@ Value regime(const ProtocolQuestion& q, const PlainModes& m, const Choices& c) {
     return {{}, m.beta >= plain_sticking_limit(q, m, c) ? "permanent_sticking" : "stick_slip"};
 }
 
-// What the contact bears of the load where inertia is all that counts, over a unit force on it: (86) is for 1. None where the load
-// of a base or wall grows with the frequency.
+// Force that the load brings to the contact if inertia alone counts, over that of a unit force on the contact, which is the load of
+// (86). Throws NoPlainAnswer if the load of a base or wall grows with the frequency.
 double share_at_high_frequency(const ProtocolQuestion& q) {
     if (is_of_the_paper(q)) return 1;
     const PlainSystem s = plain_system(q);
@@ -164,33 +153,26 @@ double share_at_high_frequency(const ProtocolQuestion& q) {
     return modulus({dot(pull, s.p), dot(pull, s.p_i)}) / dot(pull, s.w);
 }
 
-// Quantities of the modes and of the boundaries, which do not depend on the motion; none for another quantity.
-std::optional<std::vector<double>> without_motion(const ProtocolQuestion& q, const PlainModes& m, const Choices& c,
-                                                  std::size_t k) {
+// The numbers of the closed form.
+PlainRow numbers_of(const ProtocolQuestion& q, const PlainModes& m, const Choices& c, std::size_t k) {
     const std::string& name = q.quantity;
     if (name == "natural_frequency_ratios") return m.r_n;
     if (name == "modal_frequency_ratios") return m.R;
     if (name == "mode_shape_products") {
-        std::vector<double> products;
+        PlainRow products;
         for (std::size_t i = 0; i < m.R.size(); ++i) products.push_back(m.psi[k][i] * m.psi[m.j][i]);
         return products;
     }
-    if (name == "complex_response") return std::vector{m.V[k].re, m.V[k].im};
-    if (name == "first_damping_function") return std::vector{m.U[k]};
-    if (name == "second_damping_function") return std::vector{m.G[k]};
-    if (name == "H_j") return std::vector{m.H_j};
-    if (name == "S_j") return std::vector{plain_demand(m, c, false)};
+    if (name == "complex_response") return {m.V[k].re, m.V[k].im};
+    if (name == "first_damping_function") return {m.U[k]};
+    if (name == "second_damping_function") return {m.G[k]};
+    if (name == "H_j") return {m.H_j};
+    if (name == "S_j") return {plain_demand(m, c, false)};
     if (name == "beta_lim_exact" || name == "beta_lim_paper")
-        return std::vector{plain_limit(m, c, plain_demand(m, c, name == "beta_lim_paper"))};
-    if (name == "beta_lim_approximate") return std::vector{plain_approximate_limit(m, c)};
-    if (name == "beta_lim_sticking") return std::vector{plain_sticking_limit(q, m, c)};
-    if (name == "beta_lim_high_frequency") return std::vector{share_at_high_frequency(q) * 2 / elementary::hypot(2 * m.mu, pi)};
-    return std::nullopt;
-}
-
-// Quantities of the motion while the contact slides.
-std::vector<double> of_motion(const ProtocolQuestion& q, const PlainModes& m, const Choices& c, std::size_t k) {
-    const std::string& name = q.quantity;
+        return {plain_limit(m, c, plain_demand(m, c, name == "beta_lim_paper"))};
+    if (name == "beta_lim_approximate") return {plain_approximate_limit(m, c)};
+    if (name == "beta_lim_sticking") return {plain_sticking_limit(q, m, c)};
+    if (name == "beta_lim_high_frequency") return {share_at_high_frequency(q) * 2 / elementary::hypot(2 * m.mu, pi)};
     if (name == "amplitude") return {largest_displacement(m, c, k).size};
     if (name == "phase") return {wrapped_angle(phase_of_mass(m, c, k))};
     if (name == "amplitude_monoharmonic") return {monoharmonic_amplitude(m, c, k)};
@@ -201,8 +183,7 @@ std::vector<double> of_motion(const ProtocolQuestion& q, const PlainModes& m, co
     if (name == "displacement") return {plain_motion(m, c, k, q.tau).x};
     if (name == "motion_under_force")
         return sampled(q, [&](double tau) { return plain_motion(m, c, k, tau - plain_phase(m, c)).x; }).numbers;
-    if (name == "stops_per_period") return {0};
-    return {};
+    return name == "stops_per_period" ? PlainRow{0} : PlainRow{};
 }
 
 // The answer to a question; of the motion in a frame that moves by frame cos(tau).
@@ -220,10 +201,11 @@ std::optional<Value> computed(const ProtocolQuestion& q, const Choices& c, doubl
     }
     if (m.coupled && asks_for(q, {"modal_frequency_ratios", "mode_shape_products"})) return std::nullopt;
     if (q.quantity == "regime") return regime(q, m, c);
-    if (const std::optional<std::vector<double>> numbers = without_motion(q, m, c, k)) return Value{*numbers, ""};
-    if (is_of_motion(q.quantity) && !slides(m, c)) return c.closed_form_alone ? std::nullopt : answer_of_steady_motion(q, frame);
+    const bool of_motion =
+        asks_for(q, {"amplitude", "phase", "motion_under_force", "stops_per_period", "stop_durations", "rest_interval"});
+    if (of_motion && !slides(m, c)) return c.closed_form_alone ? std::nullopt : answer_of_steady_motion(q, frame);
     if (q.quantity == "rest_interval") return std::nullopt;
-    return Value{of_motion(q, m, c, k), ""};
+    return Value{numbers_of(q, m, c, k), ""};
 }
 
 // The answer about the motion that is seen from the ground, where the frame moves so many times as far as it does.
@@ -262,7 +244,7 @@ double wrapped_angle(double angle) {
 }
 
 std::optional<Value> plain_answer(const ProtocolQuestion& q) {
-    return where_finite([&] { return is_absolute(q) ? computed_from_ground(q, 1) : computed(q, {}); });
+    return where_finite([&] { return quantity(q.quantity).absolute ? computed_from_ground(q, 1) : computed(q, {}); });
 }
 
 std::optional<Value> plain_answer_in_frame(const ProtocolQuestion& q, double times_frame) {
@@ -270,7 +252,7 @@ std::optional<Value> plain_answer_in_frame(const ProtocolQuestion& q, double tim
 }
 
 std::optional<Value> plain_answer(const ProtocolQuestion& q, const Choices& c) {
-    if (!is_of_the_paper(q) || is_absolute(q)) return std::nullopt;
+    if (!is_of_the_paper(q) || quantity(q.quantity).absolute) return std::nullopt;
     return where_finite([&] { return computed(q, c); });
 }
 

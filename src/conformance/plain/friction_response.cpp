@@ -9,7 +9,6 @@ namespace denhartog::conformance {
 PlainMatrix equations_of(const PlainSystem& s, bool held) {
     const std::size_t N = s.size();
     PlainMatrix A = square(2 * N + 3);
-    PlainRow pull(N); // acceleration by a unit force on the contact
     const auto accelerations = [&](PlainRow force) {
         for (double& f : force) f /= s.r * s.r;
         return solved(s.M, std::move(force));
@@ -32,6 +31,12 @@ PlainMatrix equations_of(const PlainSystem& s, bool held) {
     A[2 * N][2 * N + 1] = -1;
     A[2 * N + 1][2 * N] = 1;
     return A;
+}
+
+PlainRow in_state(const PlainRow& row, std::size_t from) {
+    PlainRow all(2 * row.size() + 3);
+    std::ranges::copy(row, all.begin() + static_cast<long>(from));
+    return all;
 }
 
 int steps_of(const PlainSystem& s) {
@@ -62,28 +67,18 @@ FrictionResponse::FrictionResponse(const PlainSystem& s) : A(equations_of(s, fal
 PlainMotion FrictionResponse::at(const PlainRow& row, double tau) const {
     const auto n = std::min(static_cast<std::size_t>(tau / step), nodes.size() - 1);
     const PlainRow z = moved(A, nodes[n], tau - static_cast<double>(n) * step);
-    PlainMotion motion;
-    for (std::size_t k = 0; k < row.size(); ++k) {
-        motion.x += row[k] * z[k];
-        motion.v += row[k] * z[row.size() + k];
-    }
-    return motion;
+    return {dot(row, z), dot(in_state(row, row.size()), z)};
 }
 
 double FrictionResponse::rate_gained(const PlainRow& row, double tau) const {
     const double at_start = at(row, 0).v;
     if (tau > step) return at(row, tau).v - at_start;
-    double gained = 0; // by the rate of the state, so that no digits are lost next to the start
-    const PlainRow gain = increment(A, nodes.front(), tau);
-    for (std::size_t k = 0; k < row.size(); ++k) gained += row[k] * gain[row.size() + k];
-    return gained;
+    // By the rate of the state, so that no digits are lost next to the start.
+    return dot(in_state(row, row.size()), increment(A, nodes.front(), tau));
 }
 
 double FrictionResponse::acceleration_at_start(const PlainRow& row) const {
-    const PlainRow rate = times(A, nodes.front());
-    double sum = 0;
-    for (std::size_t k = 0; k < row.size(); ++k) sum += row[k] * rate[row.size() + k];
-    return sum;
+    return dot(in_state(row, row.size()), times(A, nodes.front()));
 }
 
 } // namespace denhartog::conformance

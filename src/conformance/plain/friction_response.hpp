@@ -16,6 +16,9 @@ struct PlainMotion {
 // contact held the last entry is beta, and no other entry of z depends on it.
 [[nodiscard]] PlainMatrix equations_of(const PlainSystem& s, bool held);
 
+// The weights of a row as weights of a state: of its displacements, from 0 on, or of its rates, from N on.
+[[nodiscard]] PlainRow in_state(const PlainRow& row, std::size_t from);
+
 // Steps in a period that show every oscillation and decay of the modes.
 [[nodiscard]] int steps_of(const PlainSystem& s);
 

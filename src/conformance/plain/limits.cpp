@@ -35,19 +35,13 @@ double largest_over_half_period(const std::function<double(double)>& f, int step
     return best;
 }
 
-// The largest value at some instants.
-double largest_at(const Instants& at, const std::function<double(double)>& f) {
-    const double from = at.first, to = pi - at.before_end;
-    double best = -1e300;
-    for (std::size_t n = 0; n < at.count; ++n)
-        best = std::max(
-            best, f(n + 1 == at.count ? to : from + static_cast<double>(n) * (to - from) / static_cast<double>(at.count - 1)));
-    return best;
-}
-
 // Largest value over the half-period, or at the instants tried: (57) as printed has none but those.
 double largest(const PlainModes& m, const Choices& c, const std::function<double(double)>& f) {
-    return c.instants ? largest_at(*c.instants, f) : largest_over_half_period(f, plain_steps(m));
+    if (!c.instants) return largest_over_half_period(f, plain_steps(m));
+    const double from = c.instants->first, to = pi - c.instants->before_end, last = static_cast<double>(c.instants->count - 1);
+    double best = -1e300;
+    for (double n = 0; n <= last; ++n) best = std::max(best, f(n == last ? to : from + n * (to - from) / last));
+    return best;
 }
 
 // (56): the sum of the maxima of the modes.

@@ -18,6 +18,15 @@ double dot(const PlainRow& a, const PlainRow& b) {
     return sum;
 }
 
+Phasor dot(const PlainRow& a, const std::vector<Phasor>& b) {
+    Phasor sum;
+    for (std::size_t n = 0; n < a.size(); ++n) {
+        sum.re += a[n] * b[n].re;
+        sum.im += a[n] * b[n].im;
+    }
+    return sum;
+}
+
 PlainRow times(const PlainMatrix& A, const PlainRow& x) {
     PlainRow y(A.size());
     std::size_t i = 0;

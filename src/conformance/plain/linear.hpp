@@ -18,7 +18,8 @@ struct Phasor {
 [[nodiscard]] double argument(const Phasor& a);
 [[nodiscard]] double times_cosine(const Phasor& a, double tau); // real part of a exp(i tau)
 
-[[nodiscard]] double dot(const PlainRow& a, const PlainRow& b);
+[[nodiscard]] double dot(const PlainRow& a, const PlainRow& b); // over the length of a
+[[nodiscard]] Phasor dot(const PlainRow& a, const std::vector<Phasor>& b);
 [[nodiscard]] PlainRow times(const PlainMatrix& A, const PlainRow& x);
 [[nodiscard]] PlainMatrix times(const PlainMatrix& A, const PlainMatrix& B);
 [[nodiscard]] PlainMatrix transposed(const PlainMatrix& A);

@@ -164,21 +164,13 @@ void sum_modes(PlainModes& m) {
 void sum_without_modes(PlainModes& m, const PlainSystem& s) {
     m.coupled = std::make_shared<FrictionResponse>(s);
     const std::vector<Phasor> X = plain_response(s), Y = plain_response_to_contact(s);
-    const auto of_row = [](const PlainRow& row, const std::vector<Phasor>& all) {
-        Phasor sum;
-        for (std::size_t k = 0; k < row.size(); ++k) {
-            sum.re += row[k] * all[k].re;
-            sum.im += row[k] * all[k].im;
-        }
-        return sum;
-    };
     for (const PlainRow& row : m.psi) {
         const PlainMotion start = m.coupled->at(row, 0);
-        m.V.push_back(of_row(row, X));
+        m.V.push_back(dot(row, X));
         m.U.push_back(-start.v);
         m.G.push_back(-start.x);
     }
-    m.Y_jj = of_row(s.w, Y);
+    m.Y_jj = dot(s.w, Y);
     m.H_j = m.coupled->acceleration_at_start(s.w) - m.sum_of_squares;
 }
 

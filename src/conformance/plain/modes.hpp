@@ -26,27 +26,28 @@ struct PlainModes;
 
 // The points of variation of the plain closed form.
 struct Choices {
-    bool motion_as_printed = false;                // the bracket of (46) as printed
-    bool initial_displacement_as_printed = false;  // (44) as printed
-    bool initial_velocity_as_printed = false;      // (45) as printed
-    bool motion_from_start = false;                // (41) and (49) in place of (46) and (50) to (52)
-    bool cosine_as_printed = false;                // (50) as printed
-    bool monoharmonic_as_printed = false;          // (52) as printed
-    bool maximum_of_each_mode = false;             // (56) in place of the maximum of the sum over modes
-    bool demand_at_start = false;                  // (72) in place of the maximum of the sum over modes, and of (56)
-    bool load_of_each_mode = false;                // (67) from (63), required of every mode by itself
-    bool sliding_beyond_68 = false;                // the condition of sliding is (58) and "(67) or (68)", with (68) as printed
-    bool argument_in_half_plane = false;           // the argument of V_dj is the arctangent of a quotient
-    bool no_half_period_for_minima = false;        // (47) leaves out the half-period if the mass is at a minimum
-    bool beyond_the_boundary = false;              // the closed form answers in every regime
-    bool closed_form_alone = false;                // there is no answer for the motion beyond the sliding regime
-    bool demand_as_printed = false;                // (57) as printed, which needs `instants`
-    std::optional<Instants> instants;              // where to look for the maximum of (57); none: everywhere
-    bool without_load_condition = false;           // (69) from the maximum alone, without the load condition (67)
-    int harmonics = 0;                             // the highest harmonic of friction that is kept; 0: all
-    std::function<void(PlainModes&)> change_modes; // changes the modes before the sums; empty: no change
-    std::function<void(PlainModes&)> change_sums;  // changes the sums over the modes; empty: no change
-    std::function<double(const ProtocolQuestion&)> sticking; // another boundary of permanent sticking, (88); empty: the right one
+    bool motion_as_printed = false;               // the bracket of (46) as printed
+    bool initial_displacement_as_printed = false; // (44) as printed
+    bool initial_velocity_as_printed = false;     // (45) as printed
+    bool motion_from_start = false;               // (41) and (49) in place of (46) and (50) to (52)
+    bool cosine_as_printed = false;               // (50) as printed
+    bool monoharmonic_as_printed = false;         // (52) as printed
+    bool maximum_of_each_mode = false;            // (56) in place of the maximum of the sum over modes
+    bool demand_at_start = false;                 // (72) in place of the maximum of the sum over modes, and of (56)
+    bool load_of_each_mode = false;               // (67) from (63), required of every mode by itself
+    bool sliding_beyond_68 = false;               // the condition of sliding is (58) and "(67) or (68)", with (68) as printed
+    bool argument_in_half_plane = false;          // the argument of V_dj is the arctangent of a quotient
+    bool no_half_period_for_minima = false;       // (47) leaves out the half-period if the mass is at a minimum
+    bool beyond_the_boundary = false;             // the closed form answers in every regime
+    bool closed_form_alone = false;               // there is no answer for the motion beyond the sliding regime
+    bool demand_as_printed = false;               // (57) as printed, which needs `instants`
+    std::optional<Instants> instants = {};        // where to look for the maximum of (57); none: everywhere
+    bool without_load_condition = false;          // (69) from the maximum alone, without the load condition (67)
+    int harmonics = 0;                            // the highest harmonic of friction that is kept; 0: all
+    std::function<void(PlainModes&)> change_modes = {}; // changes the modes before the sums; empty: no change
+    std::function<void(PlainModes&)> change_sums = {};  // changes the sums over the modes; empty: no change
+    // Another boundary of permanent sticking, (88); empty: the right one.
+    std::function<double(const ProtocolQuestion&)> sticking = {};
 };
 
 // Modes and sums over modes of a question's system. Rows are those of the masses, and behind them that of a contact between two

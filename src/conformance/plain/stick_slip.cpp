@@ -23,13 +23,6 @@ double distance(const PlainRow& a, const PlainRow& b, std::size_t count) {
     return size;
 }
 
-// The weights of a row as weights of a state's displacements, or of its rates.
-PlainRow in_state(const PlainRow& row, std::size_t from) {
-    PlainRow all(2 * row.size() + 3);
-    std::ranges::copy(row, all.begin() + static_cast<long>(from));
-    return all;
-}
-
 // Weights of a state as a polynomial of the share of dt that has passed, the series of the exponential.
 PlainRow series_of(const PlainMatrix& A, PlainRow z, double dt, const PlainRow& weights) {
     constexpr int most_terms = 80;
@@ -213,12 +206,6 @@ void PlainContact::settle() {
     throw NoPlainAnswer();
 }
 
-double PlainContact::displacement(const PlainRow& row, const PlainRow& z) const {
-    double x = 0;
-    for (std::size_t k = 0; k < row.size(); ++k) x += row[k] * z[k];
-    return x;
-}
-
 PlainRow PlainContact::samples(const PlainRow& row, int count) const {
     PlainRow x;
     for (int n = 0; n < count; ++n) {
@@ -226,7 +213,7 @@ PlainRow PlainContact::samples(const PlainRow& row, int count) const {
         const auto of = std::ranges::find_if(period, [&](const PlainStretch& s) { return s.end() > tau; });
         auto state = std::ranges::upper_bound(of->states, tau, {}, &std::pair<double, PlainRow>::first);
         if (state != of->states.begin()) --state;
-        x.push_back(displacement(row, moved(equations(of->direction), state->second, tau - state->first)));
+        x.push_back(dot(row, moved(equations(of->direction), state->second, tau - state->first)));
     }
     return x;
 }

@@ -48,7 +48,6 @@ private:
 
     void start_again(PlainRow& z, bool may_rest);
     [[nodiscard]] PlainStretch stretch(double from, PlainRow z) const;
-    [[nodiscard]] double displacement(const PlainRow& row, const PlainRow& z) const;
     [[nodiscard]] std::optional<PlainRow> by_newton() const;
     [[nodiscard]] const PlainMatrix& equations(int of) const { return of == 0 ? resting : slipping; }
 };

@@ -74,8 +74,8 @@ void read_damping(PlainSystem& s) {
     }
 }
 
-// What moves, and the load that it is: by inertia in the frame of a wall, by springs and dampers where it moves alone. The forces
-// of the question come first.
+// The load of the forces of the question; if there are none, that of the base or wall that moves: by inertia in the frame of a wall,
+// by springs and dampers if it moves alone.
 void read_load(PlainSystem& s, const ProtocolQuestion& q) {
     const std::size_t N = s.size();
     const bool with_wall = q.base_motion == "with_wall", wall = q.base_motion == "wall";

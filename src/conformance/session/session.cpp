@@ -19,14 +19,13 @@ constexpr const char* greeting = "denhartog-conform 1";
 
 std::string in_quotes(const std::string& text) { return "'" + legible(text) + "'"; }
 
-// A conversation in the making, by several processes. What is not const is touched under the lock alone; the exchange of a
-// question belongs to one of them.
+// A conversation in the making, by several processes. What is not const is touched under the lock alone; the verdict on an answer
+// belongs to one of them.
 class Talk {
 public:
-    Talk(const RunSettings& run_settings, std::span<const ProtocolQuestion* const> asked,
-         const std::function<void(std::size_t)>& tell)
-        : settings(run_settings), questions(asked), progress(tell) {
-        conversation.exchanges.resize(questions.size());
+    Talk(const RunSettings& run_settings, std::span<const Vector* const> asked, const std::function<void(std::size_t)>& tell)
+        : settings(run_settings), vectors(asked), progress(tell) {
+        for (const Vector* v : vectors) conversation.judged.push_back(grade(*v, Skipped{}));
     }
 
     // Takes questions until there are none, or the program has broken too often in a row.
@@ -34,10 +33,9 @@ public:
         int broken = 0;
         while (broken <= most_restarts && !interruption() && !is_late()) {
             const std::size_t n = take();
-            if (n >= questions.size()) break;
-            Exchange& exchange = conversation.exchanges[n];
-            ask(partner, *questions[n], exchange);
-            broken = exchange.trouble ? broken + 1 : 0;
+            if (n >= vectors.size()) break;
+            conversation.judged[n] = judge(*vectors[n], partner, reply_of(partner, *vectors[n]));
+            broken = is_broken(conversation.judged[n].verdict) ? broken + 1 : 0;
             const std::lock_guard<std::mutex> hold(lock);
             progress(++done);
         }
@@ -51,16 +49,15 @@ public:
     // Results of the run, when `jobs` processes have worked.
     Conversation all(std::size_t jobs) {
         const bool all_given_up = given_up == jobs;
-        conversation.broken = all_given_up || std::ranges::all_of(conversation.exchanges, [](const Exchange& exchange) {
-                                  return exchange.trouble.has_value();
-                              });
+        conversation.broken =
+            all_given_up || std::ranges::all_of(conversation.judged, [](const Judged& one) { return is_broken(one.verdict); });
         const std::string reason = interruption() ? "the runner was interrupted"
                                    : all_given_up ? "the program broke " + std::to_string(most_restarts + 1) + " times in a row"
                                                   : "the total time was over";
-        if (!all_given_up && next < questions.size())
-            conversation.cut_short = reason + " after " + std::to_string(std::min(done, questions.size())) + " of " +
-                                     std::to_string(questions.size()) + " questions";
-        for (std::size_t n = next; n < questions.size(); ++n) conversation.exchanges[n].answer = Skipped{reason};
+        if (!all_given_up && next < vectors.size())
+            conversation.cut_short =
+                reason + " after " + std::to_string(done) + " of " + std::to_string(vectors.size()) + " questions";
+        for (std::size_t n = next; n < vectors.size(); ++n) conversation.judged[n] = grade(*vectors[n], Skipped{reason});
         if (unasked > 0)
             conversation.notes.push_back((unasked == 1 ? "1 line" : std::to_string(unasked) + " lines") +
                                          " written without being asked, the first " + in_quotes(first_unasked));
@@ -70,7 +67,7 @@ public:
 
 private:
     const RunSettings& settings;
-    const std::span<const ProtocolQuestion* const> questions;
+    const std::span<const Vector* const> vectors;
     const std::function<void(std::size_t)>& progress;
     const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
     std::mutex lock;
@@ -89,27 +86,19 @@ private:
         return next++;
     }
 
-    void ask(Partner& partner, const ProtocolQuestion& q, Exchange& exchange) {
+    // Starts the program again if it broke before.
+    Reply reply_of(Partner& partner, const Vector& v) {
         try {
             if (!partner.process) partner = shake_hands(settings);
         } catch (const BrokenProgram& e) {
-            exchange.trouble = Verdict::crash;
-            exchange.told = std::string("it could not be started again: ") + e.what();
-            return;
+            return {"", Verdict::crash, std::string("it could not be started again: ") + e.what()};
         }
-        const Reply reply = partner.process->ask(line_for(partner, q), settings.seconds);
-        if (!reply.trouble) {
-            exchange.answer = answer_in(partner, reply.line, q.id);
-            return;
+        Reply reply = partner.process->ask(line_for(partner, v.question), settings.seconds);
+        if (reply.trouble) {
+            count_unasked(partner);
+            partner.process.reset();
         }
-        if (reply.trouble == Verdict::skipped) {
-            exchange.answer = Skipped{reply.told};
-        } else {
-            exchange.trouble = reply.trouble;
-            exchange.told = reply.told;
-        }
-        count_unasked(partner);
-        partner.process.reset();
+        return reply;
     }
 
     void count_unasked(const Partner& partner) {
@@ -158,13 +147,13 @@ Answer answer_in(const Partner& partner, std::string_view line, std::string_view
     return partner.dialect == "plain" ? answer_from_plain(line, id) : answer_from_json(line, id);
 }
 
-Conversation converse(const RunSettings& settings, std::span<const ProtocolQuestion* const> questions,
+Conversation converse(const RunSettings& settings, std::span<const Vector* const> vectors,
                       const std::function<void(std::size_t)>& progress) {
     const WithoutBrokenPipeSignal guard;
     Partner first = shake_hands(settings);
     const std::string name = first.name, dialect = first.dialect;
-    Talk talk(settings, questions, progress);
-    const std::size_t jobs = std::clamp<std::size_t>(settings.jobs, 1, std::max<std::size_t>(questions.size(), 1));
+    Talk talk(settings, vectors, progress);
+    const std::size_t jobs = std::clamp<std::size_t>(settings.jobs, 1, std::max<std::size_t>(vectors.size(), 1));
     parallel_for(jobs, static_cast<unsigned>(jobs), [&](std::size_t n) {
         talk.work(n == 0 ? std::move(first) : Partner{});
         return true;
@@ -175,12 +164,11 @@ Conversation converse(const RunSettings& settings, std::span<const ProtocolQuest
     return conversation;
 }
 
-Judged judge(const Vector& v, const Exchange& exchange) {
-    if (!exchange.trouble) return grade(v, exchange.answer);
-    Judged judged;
-    judged.vector = &v;
-    judged.verdict = *exchange.trouble;
-    judged.reason = exchange.told;
+Judged judge(const Vector& v, const Partner& partner, const Reply& reply) {
+    if (!reply.trouble) return grade(v, answer_in(partner, reply.line, v.question.id));
+    Judged judged = grade(v, Skipped{});
+    judged.verdict = *reply.trouble;
+    judged.reason = reply.told;
     return judged;
 }
 

@@ -49,31 +49,24 @@ struct Partner {
 // The answer in a line of a program.
 [[nodiscard]] Answer answer_in(const Partner& partner, std::string_view line, std::string_view id);
 
-// Result of a question.
-struct Exchange {
-    Answer answer = Skipped{"it was not asked"}; // the answer
-    std::optional<Verdict> trouble;              // `crash`, `timeout` or `stall` in place of an answer
-    std::string told;                            // what happened
-};
+// The verdict on a reply of a program.
+[[nodiscard]] Judged judge(const Vector& v, const Partner& partner, const Reply& reply);
 
 // A whole conversation.
 struct Conversation {
-    std::vector<Exchange> exchanges; // one a question, in their order
-    std::string name;                // of the program
-    std::string dialect;             // `json` or `plain`
-    std::vector<std::string> notes;  // breaches of the protocol that decide no verdict
-    bool broken = false;             // the program broke at every question, or too often in a row
-    std::string cut_short;           // why not every question was asked, and how many were; empty where all were
+    std::vector<Judged> judged;     // the verdicts, in the order of the questions
+    std::string name;               // of the program
+    std::string dialect;            // `json` or `plain`
+    std::vector<std::string> notes; // breaches of the protocol that decide no verdict
+    bool broken = false;            // the program broke at every question, or too often in a row
+    std::string cut_short;          // why not every question was asked, and how many were; empty where all were
 };
 
-// Asks a program all questions. Those of one process come in their order. `progress` is told how many are done, from any
+// Asks a program the questions of some vectors. Those of one process come in their order. `progress` is told how many are done, from any
 // thread but never twice at a time. The conversation is the same for any number of jobs if the program answers each question by
 // itself. Throws BrokenProgram where it cannot be started in the first place.
-[[nodiscard]] Conversation converse(const RunSettings& settings, std::span<const ProtocolQuestion* const> questions,
+[[nodiscard]] Conversation converse(const RunSettings& settings, std::span<const Vector* const> vectors,
                                     const std::function<void(std::size_t)>& progress);
-
-// The verdict on what came of a question.
-[[nodiscard]] Judged judge(const Vector& v, const Exchange& exchange);
 
 // One thing looked at.
 struct SmokeCheck {
@@ -85,8 +78,6 @@ struct SmokeCheck {
 
 // Findings of a look at the protocol.
 struct Smoke {
-    std::string name;               // of the program
-    std::string dialect;            // `json` or `plain`
     std::vector<SmokeCheck> checks; // in the order in which they were made
     bool broken = false;            // the program broke
 };

@@ -72,7 +72,7 @@ std::string line_about_nothing(const Partner& partner, const ProtocolQuestion& k
 Smoke smoke(const RunSettings& settings) {
     const WithoutBrokenPipeSignal guard;
     const Partner partner = shake_hands(settings);
-    Smoke found{partner.name, partner.dialect, {{"handshake", partner.dialect + ", " + partner.name, true}}, false};
+    Smoke found{{{"handshake", partner.dialect + ", " + partner.name, true}}};
     const auto look = [&](const std::string& what, const std::string& line, const std::string& id, const auto& check) {
         if (found.broken) return;
         const Reply reply = partner.process->ask(line, settings.seconds);

@@ -22,17 +22,17 @@ enum class Friction : std::uint8_t {
 
 /// @brief A scene and what is asked about it.
 struct Case {
-    std::string group;                   ///< the group: name of the file
-    std::string tier = "must";           ///< the easiest tier that its vectors may have
-    ProtocolQuestion scene;              ///< the scene; the rest of the question is overwritten
-    Friction friction = Friction::given; ///< how beta is found
-    double part = 0;                     ///< of what `friction` says
-    int bits = 10;                       ///< binary digits that beta is rounded to
-    std::vector<ProtocolQuestion> asked; ///< what is asked: quantity, mass, tau, samples
-    std::vector<std::string> flags;      ///< what the scene has besides what can be seen from its numbers
-    std::string reject;                  ///< the rule it breaks; empty where it breaks none
-    int first_number = 0;                ///< number of its first question within the group
-    bool withdrawn = false;              ///< whether it is no longer asked; its ids are not used again
+    std::string group = {};                   ///< the group: name of the file
+    std::string tier = "must";                ///< the easiest tier that its vectors may have
+    ProtocolQuestion scene = {};              ///< the scene; the rest of the question is overwritten
+    Friction friction = Friction::given;      ///< how beta is found
+    double part = 0;                          ///< of what `friction` says
+    int bits = 10;                            ///< binary digits that beta is rounded to
+    std::vector<ProtocolQuestion> asked = {}; ///< what is asked: quantity, mass, tau, samples
+    std::vector<std::string> flags = {};      ///< what the scene has besides what can be seen from its numbers
+    std::string reject = {};                  ///< the rule it breaks; empty where it breaks none
+    int first_number = 0;                     ///< number of its first question within the group
+    bool withdrawn = false;                   ///< whether it is no longer asked; its ids are not used again
 };
 
 /// @brief Numbers that are the same everywhere: SplitMix64.

@@ -30,9 +30,7 @@ ProtocolQuestion oscillator(double zeta, double r, double mu = 1) {
 }
 
 Case limit(const ProtocolQuestion& scene, const std::string& flag) {
-    Case c;
-    c.group = "limits";
-    c.scene = scene;
+    Case c{.group = "limits", .scene = scene};
     c.flags = {flag};
     c.friction = Friction::of_limit;
     c.part = 0.4375;
@@ -71,9 +69,7 @@ void add_far_frequencies(std::vector<Case>& cases, Draw& draw) {
         }
     for (const double mu : {1.0, 1.125, 1.5, 2.0, 3.5, 10.0})
         for (const int N : {1, 2, 4}) {
-            Case c;
-            c.group = "limits";
-            c.scene = drawn_scene(draw, N, 1);
+            Case c{.group = "limits", .scene = drawn_scene(draw, N, 1)};
             c.scene.mu = mu;
             c.flags = {"high-frequency"};
             c.asked = {ask("beta_lim_high_frequency")};
@@ -101,9 +97,7 @@ void add_regimes(std::vector<Case>& cases, Draw& draw) {
     for (int n = 0; n < 9; ++n) {
         const ProtocolQuestion scene = drawn_scene(draw, n == 0 ? 1 : 1 + n % 5, n % 3);
         for (const Place& p : places) {
-            Case c;
-            c.group = "boundary";
-            c.scene = scene;
+            Case c{.group = "boundary", .scene = scene};
             c.friction = p.friction;
             c.part = p.part;
             c.bits = p.bits;
@@ -116,9 +110,7 @@ void add_regimes(std::vector<Case>& cases, Draw& draw) {
 /// Slow motions of few masses, where what sliding asks for is largest inside the half-period: there (56) as printed shows.
 void add_slow_boundaries(std::vector<Case>& cases, Draw& draw) {
     for (int n = 0; n < 16; ++n) {
-        Case c;
-        c.group = "boundary";
-        c.scene = drawn_scene(draw, 2 + n % 4, n % 2 == 0 ? 0 : 2);
+        Case c{.group = "boundary", .scene = drawn_scene(draw, 2 + n % 4, n % 2 == 0 ? 0 : 2)};
         c.scene.mu = 1;
         c.scene.r = draw.fraction(0.125, 0.375, 64);
         c.asked = {ask("S_j"), ask("beta_lim_exact")};
@@ -133,9 +125,7 @@ std::vector<Case> cases_of_limits() {
     std::vector<Case> cases;
     for (int N = 1; N <= 12; ++N)
         for (int n = 0; n < (N == 1 ? 14 : N <= 4 ? 9 : N <= 8 ? 4 : 2); ++n) {
-            Case c;
-            c.group = "boundary";
-            c.scene = drawn_scene(draw, N, n % 3);
+            Case c{.group = "boundary", .scene = drawn_scene(draw, N, n % 3)};
             if (n % 5 == 4) c.scene.r = draw.fraction(0.125, 0.5, 64);
             if (n % 5 == 3) c.scene.damping_ratios.front() = 0;
             if (n % 5 == 2) c.scene.damping_ratios.back() = 2;

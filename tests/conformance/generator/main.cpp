@@ -12,15 +12,15 @@ namespace {
 using namespace denhartog::conformance::generator;
 
 int write(const std::string& folder, const std::set<std::string>& groups) {
+    const std::string schema = bytes_of(std::filesystem::path(folder) / "schema.json");
     Certified all = certify_all(true, groups);
-    std::filesystem::create_directories(folder);
     if (!groups.empty()) // the others stay as they are
         for (denhartog::conformance::Vector& v : denhartog::conformance::read_vectors(folder))
             if (groups.count(v.group) == 0) all.vectors.push_back(std::move(v));
     for (const auto& entry : std::filesystem::directory_iterator(folder)) // groups that are no more
         if (entry.path().extension() == ".jsonl") std::filesystem::remove(entry.path());
     std::size_t size = 0;
-    for (const auto& [name, bytes] : files_of(all.vectors)) {
+    for (const auto& [name, bytes] : files_of(all.vectors, schema)) {
         std::ofstream stream(std::filesystem::path(folder) / name, std::ios::binary);
         stream << bytes;
         if (!stream.flush()) throw denhartog::InputError("file", "must be writable", name);
@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
     std::string folder;
     std::vector<std::string> groups;
     int every = 1, from = 0;
-    CLI::App* writing = app.add_subcommand("write", "Write all vectors, their schema and their manifest");
+    CLI::App* writing = app.add_subcommand("write", "Write all vectors and their manifest into a folder that has schema.json");
     CLI::App* checking = app.add_subcommand("check", "Compute vectors anew; any other byte is an error");
     for (CLI::App* command : {writing, checking}) command->add_option("folder", folder, "Folder of the vectors")->required();
     writing->add_option("--group", groups, "Compute these groups alone, and take the others from the folder")->delimiter(',');

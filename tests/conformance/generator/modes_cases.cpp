@@ -4,9 +4,7 @@ namespace denhartog::conformance::generator {
 namespace {
 
 Case of_group(const char* group, const ProtocolQuestion& scene) {
-    Case c;
-    c.group = group;
-    c.scene = scene;
+    Case c{.group = group, .scene = scene};
     return c;
 }
 

@@ -11,9 +11,7 @@ public:
     template <class F>
     void add(const std::string& rule, F breaks) {
         static const char* const quantities[] = {"amplitude", "phase", "beta_lim_exact", "natural_frequency_ratios", "regime"};
-        Case c;
-        c.group = "reject";
-        c.reject = rule;
+        Case c{.group = "reject", .reject = rule};
         ProtocolQuestion& q = c.scene;
         q.mass_ratios = {1, 1.5, 0.75};
         q.stiffness_ratios = {1, 0.625, 2};

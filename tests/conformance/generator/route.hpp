@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "conformance/scene_of.hpp"
+#include "conformance/question.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/scene/scene_json.hpp"
 #include "denhartog/sliding/boundary.hpp"

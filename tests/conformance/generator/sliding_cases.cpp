@@ -4,9 +4,7 @@ namespace denhartog::conformance::generator {
 namespace {
 
 Case sliding(const char* group, const ProtocolQuestion& scene, double part) {
-    Case c;
-    c.group = group;
-    c.scene = scene;
+    Case c{.group = group, .scene = scene};
     c.friction = Friction::of_limit;
     c.part = part;
     return c;

@@ -65,9 +65,7 @@ const FoundMotion found_motions[] = {
     {{1, 0.5}, {1, 0.625}, {0.0625, 0.03125}, 2, 1, 3.875, 1.140625, 0.265625}};
 
 Case drawn_case(Draw& draw, const char* group, int N, int place, Friction friction, double part) {
-    Case c;
-    c.group = group;
-    c.scene = drawn_scene(draw, N, place);
+    Case c{.group = group, .scene = drawn_scene(draw, N, place)};
     c.scene.r = draw.fraction(0.25, 1.5, 32);
     c.friction = friction;
     c.part = part;

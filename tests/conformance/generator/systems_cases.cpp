@@ -133,9 +133,7 @@ void ask_from_ground(Case& c, int k) {
 // Where (81) to (86) are about: low and high frequencies.
 void add_limits(std::vector<Case>& cases, Draw& draw, const std::string& group, const ProtocolQuestion& scene, bool has_limit) {
     for (const double r : {0.09375, 12.5, 1000.0}) {
-        Case c;
-        c.group = group;
-        c.scene = scene;
+        Case c{.group = group, .scene = scene};
         c.scene.r = r;
         c.flags = {r < 1 ? "low-frequency" : "high-frequency"};
         c.friction = Friction::of_limit;
@@ -175,9 +173,7 @@ void add_group(std::vector<Case>& cases, const std::string& group, std::uint64_t
 // A system of three masses that keeps every rule, until `breaks` has been at it.
 template <class Break>
 void add_rejected(std::vector<Case>& cases, const std::string& rule, const Break& breaks) {
-    Case c;
-    c.group = "systems-reject";
-    c.reject = rule;
+    Case c{.group = "systems-reject", .reject = rule};
     ProtocolQuestion& q = c.scene;
     q.mass_ratios = {1, 1.5, 0.75};
     q.stiffness_ratios = {1, 0.625, 2};

@@ -51,8 +51,8 @@ std::string bytes_of(const std::filesystem::path& file) {
     return bytes.str();
 }
 
-std::map<std::string, std::string> files_of(const std::vector<Vector>& vectors) {
-    std::map<std::string, std::string> files{{"schema.json", schema_text()}};
+std::map<std::string, std::string> files_of(const std::vector<Vector>& vectors, const std::string& schema) {
+    std::map<std::string, std::string> files{{"schema.json", schema}};
     for (const Vector& v : vectors) files[v.group + ".jsonl"] += vector_json(v).dump() + "\n";
     std::string manifest = manifest_of(vectors, files);
     files["manifest.json"] = std::move(manifest);

@@ -1,5 +1,5 @@
 /// @file
-/// @brief The folder of the vectors: its files, its manifest, its schema.
+/// @brief The folder of the vectors: its files and its manifest.
 #pragma once
 
 #include <filesystem>
@@ -13,11 +13,11 @@ namespace denhartog::conformance::generator {
 /// @brief Version of the vectors' content: one higher whenever a vector is added, taken out or changed.
 inline constexpr int content_version = 8;
 
-/// @brief The files of a set of vectors, by name. @param vectors the vectors, in their order @return contents
-[[nodiscard]] std::map<std::string, std::string> files_of(const std::vector<Vector>& vectors);
-
-/// @brief JSON schema (draft 2020-12) of a line of a vector file. @return the text
-[[nodiscard]] std::string schema_text();
+/// @brief The files of a set of vectors, by name.
+/// @param vectors  the vectors, in their order
+/// @param schema   the text of schema.json, which is written by hand: the JSON schema (draft 2020-12) of a line of a vector file
+/// @return         contents
+[[nodiscard]] std::map<std::string, std::string> files_of(const std::vector<Vector>& vectors, const std::string& schema);
 
 /// @brief What is wrong with the files of a folder: sizes and checksums that its manifest does not have, files that are missing.
 /// @param folder  the folder

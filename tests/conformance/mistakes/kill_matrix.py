@@ -1,6 +1,6 @@
 """The kill matrix: every known mistake as a program of its own, asked the certified vectors by `denhartog conform run`.
 
-A mistake is made by edits of an adapter (edits.json) or by arguments of a solver (programs.json). Its program has to be found
+A mistake is made by edits of an adapter or by arguments of a solver (programs.txt). Its program has to be found
 wrong, and the first diagnosis has to be the right one; a correct program has to pass, one in single precision to be found
 inaccurate and nowhere wrong, and one that has no name must not conform. Every two equations as printed are made together, and all
 at once: each has to be named, and nothing else; but (68) beside all others, where it changes one answer. Where the vectors that show a mistake are no `must`, the run conforms but finds it all the
@@ -28,18 +28,32 @@ MOST_CAUGHT = 24  # vectors that claim to catch the mistake
 MOST_A_QUANTITY = 3  # vectors besides, of every quantity
 
 
-def text(lines):
-    return lines if isinstance(lines, str) else "\n".join(lines)
+def programs_in(text):
+    """The programs of a text, which says at its head how it is written."""
+    programs, edit = [], None
+    for line in text.splitlines():
+        if line.startswith("== "):
+            name, brace, settings = line[3:].partition(" {")
+            programs.append({"name": name, **json.loads(brace + settings or "{}"), "edits": []})
+        elif line.startswith(("-", "+")):
+            if line[0] == "-" and edit["new"]:
+                edit = {"file": edit["file"], "old": [], "new": []}
+            if not edit["old"]:
+                programs[-1]["edits"].append(edit)
+            edit["old" if line[0] == "-" else "new"].append(line[1:])
+        elif not line.startswith("#"):
+            edit = {"file": line, "old": [], "new": []}
+    return programs
 
 
 def edited(folder, edits, adapter):
     """An adapter with the edits in a folder of its own."""
     files = {path.name: path.read_text() for path in (ADAPTERS / adapter).iterdir() if path.suffix in (".py", ".js")}
     for edit in edits:
-        old, content = text(edit["old"]), files[edit["file"]]
+        old, content = "\n".join(edit["old"]), files[edit["file"]]
         if content.count(old) != 1:
             raise SystemExit(f"stale edit: {edit['file']} has {content.count(old)} times\n{old}")
-        files[edit["file"]] = content.replace(old, text(edit["new"]))
+        files[edit["file"]] = content.replace(old, "\n".join(edit["new"]))
     for name, content in files.items():
         (folder / name).write_text(content)
     return ["node", str(folder / "adapter.js")] if "adapter.js" in files else [sys.executable, str(folder / "adapter.py")]
@@ -78,10 +92,10 @@ def run(options, vectors, subject):
             lines = [v["line"] for v in asked if v["file"] == group]
             (folder / "vectors" / group).write_text("\n".join(lines) + "\n")
         (folder / "program").mkdir()
-        if "edits" in subject:
-            command = edited(folder / "program", subject["edits"], subject.get("adapter", "python"))
-        else:
+        if "program" in subject:
             command = [sys.executable, str(HERE / subject["program"][0]), *subject["program"][1:]]
+        else:
+            command = edited(folder / "program", subject["edits"], subject.get("adapter", "python"))
         done = subprocess.run([options.program, "conform", "run", "--vectors", str(folder / "vectors"), "--systems", "--format",
                                "json", "--timeout", "30", "--method", subject.get("method", "closed-form"), "--", *command],
                               capture_output=True, text=True)
@@ -100,7 +114,7 @@ def combined(subjects, is_all):
     """Equations as printed, every two of them (one pair in four without `is_all`), and all at once.
 
     The programs give the closed form wherever it has a number: a boundary as printed would hide the motion."""
-    printed = {s["name"]: s["edits"] for s in subjects if s["name"].endswith("-as-printed") and "edits" in s}
+    printed = {s["name"]: s["edits"] for s in subjects if s["name"].endswith("-as-printed")}
     initial = next(s["edits"] for s in subjects if s["name"] == "44 with 45")  # both change the same line
 
     beyond = next(s["edits"] for s in subjects if s["name"] == BEYOND)[:1]
@@ -168,7 +182,7 @@ def main():
             vectors.append({**v, "file": path.name, "line": line, "catches": v.get("catches", [])})
     if not vectors:
         raise SystemExit(f"no vectors in {options.vectors}")
-    subjects = json.loads((HERE / "edits.json").read_text()) + json.loads((HERE / "programs.json").read_text())
+    subjects = programs_in((HERE / "programs.txt").read_text())
     for subject in subjects:
         subject.setdefault("diagnosis", [subject["name"]])
     subjects += combined(subjects, options.all)

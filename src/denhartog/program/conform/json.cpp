@@ -4,7 +4,7 @@
 
 #include "conformance/verdict.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/program/conform/report.hpp"
+#include "denhartog/program/conform/conform.hpp"
 #include "denhartog/program/output/files.hpp"
 #include "denhartog/scene/json_document.hpp"
 
@@ -82,8 +82,8 @@ Json in_common_json(const conformance::InCommon& one) {
 Json diagnosis_json(const conformance::Diagnosis& d) {
     Json object = {{"wrong", d.wrong}, {"findings", list_of(d.findings, finding_json)}};
     object["unexplained"] = list_of(d.unexplained, [](const Judged* one) { return one->vector->question.id; });
-    object["chain"] = list_of(d.chain, [](const conformance::Link& link) {
-        return Json{{"link", link.name}, {"answers", link.answered}, {"wrong", link.wrong}};
+    object["chain"] = list_of(d.chain, [](const conformance::InCommon& link) {
+        return Json{{"link", link.property}, {"answers", link.asked}, {"wrong", link.wrong}};
     });
     object["simple"] = list_of(d.simple, [](const conformance::Finding& one) {
         return Json{{"told", one.mistake.told},
@@ -111,15 +111,15 @@ Json score_json(const conformance::Score& score) {
 } // namespace
 
 std::string report_json(const ConformReport& report) {
-    Json object = {{"format", 1}, {"subject", report.subject}};
-    if (!report.command.empty()) object["command"] = report.command;
+    Json object = {{"format", 1}, {"subject", report.name}};
+    if (!report.options.command.empty()) object["command"] = shell_text(report.options.command);
     if (!report.dialect.empty()) object["dialect"] = report.dialect;
-    object["method"] = report.method;
+    object["method"] = report.options.method;
     object["status"] = report.status();
     object["conforms"] = report.conforms;
     object["broken"] = report.broken;
     if (!report.cut_short.empty()) object["cut_short"] = report.cut_short;
-    object["needed"] = report.needed;
+    object["needed"] = report.options.needed;
     object["counts"] = counts_json(conformance::counts_of(report.judged));
     object["scores"] = list_of(conformance::scores(report.judged), score_json);
     object["diagnosis"] = diagnosis_json(report.diagnosis);

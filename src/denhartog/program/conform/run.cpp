@@ -1,4 +1,4 @@
-#include "denhartog/program/conform/options.hpp"
+#include "denhartog/program/conform/conform.hpp"
 
 #include <unistd.h>
 
@@ -8,13 +8,8 @@
 #include <cstdio>
 
 #include "conformance/grade.hpp"
-#include "conformance/method.hpp"
-#include "conformance/question.hpp"
-#include "conformance/verdict.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
-#include "denhartog/program/conform/report.hpp"
-#include "denhartog/program/exit_status.hpp"
 #include "denhartog/program/json/number_json.hpp"
 #include "denhartog/program/output/files.hpp"
 
@@ -67,16 +62,13 @@ std::vector<Vector> vectors_for(const ConformOptions& options) {
 }
 
 // Diagnosis, comparison, and the report where it belongs. Where something got worse the file of verdicts is left as it was.
-void finish(ConformReport& report, const ConformOptions& options, const std::optional<Verdicts>& earlier, ExitStatus& status) {
+void finish(ConformReport& report, const std::optional<Verdicts>& earlier, ExitStatus& status) {
+    const ConformOptions& options = report.options;
     const conformance::SolverMethod& method = conformance::method_named(options.method);
     for (Judged& one : report.judged) conformance::excuse(one, method);
     conformance::Thresholds least;
-    least.agreement = conformance::least_agreement(method);
-    report.method = method.name;
+    least.agreement = method.displacement.loose;
     report.diagnosis = conformance::diagnose(report.judged, conformance::fitted_to(report.judged), least);
-    report.needed = options.needed;
-    report.verbose = options.verbose;
-    report.strict = options.strict;
     report.conforms = report.cut_short.empty() && conformance::conforms(report.judged, needed_quantities(options));
     if (earlier) report.changes = compare(*earlier, report.judged);
     write_output(options.output, text_in_format(report, options.format));
@@ -102,14 +94,13 @@ void note_what_is_kept(ConformReport& report, conformance::RunSettings settings)
     const std::size_t count = std::min(most, wrong.size());
     for (std::size_t n = 0; n < count; ++n) {
         const Judged& one = *wrong[n * wrong.size() / count + wrong.size() / (2 * count)];
-        const conformance::ProtocolQuestion* const question = &one.vector->question;
+        const std::string& id = one.vector->question.id;
         try {
-            const conformance::Conversation again = conformance::converse(settings, {&question, 1}, [](std::size_t) {});
-            const Judged alone = conformance::judge(*one.vector, again.exchanges.at(0));
+            const Judged alone = conformance::converse(settings, {&one.vector, 1}, [](std::size_t) {}).judged.at(0);
             if (!alone.answered || (alone.given.numbers == one.given.numbers && alone.given.word == one.given.word)) continue;
             report.notes.push_back(
-                "The program keeps something from question to question: asked alone, as --repro asks, it answers " +
-                question->id + " otherwise.");
+                "The program keeps something from question to question: asked alone, as --repro asks, it answers " + id +
+                " otherwise.");
             return;
         } catch (const conformance::BrokenProgram&) { // it is asked no more
             return;
@@ -176,7 +167,7 @@ void conform_repro(const ConformOptions& options, ExitStatus& status) {
     conformance::Judged judged;
     std::string told = reply.told + "\n";
     if (answered) {
-        judged = conformance::grade(v, conformance::answer_in(partner, reply.line, v.question.id));
+        judged = conformance::judge(v, partner, reply);
         conformance::excuse(judged, method);
         const conformance::Diagnosis d = conformance::diagnose({&judged, 1}, conformance::mistakes());
         told = legible(reply.line) + "\n" + answer_text(judged, "");
@@ -194,26 +185,16 @@ void conform_run(const ConformOptions& options, ExitStatus& status) {
     const std::vector<Vector> all = vectors_for(options);
     const std::vector<const Vector*> chosen = selected(options, all);
     const std::optional<Verdicts> earlier = earlier_verdicts(options);
-    std::vector<const conformance::ProtocolQuestion*> questions;
-    for (const Vector* v : chosen) questions.push_back(&v->question);
     const Interruptible interruptible(conformance::interruption());
-    const conformance::Conversation conversation =
-        conformance::converse(settings, questions, [&](std::size_t done) { show_answered(done, chosen.size()); });
+    ConformReport report{conformance::converse(settings, chosen, [&](std::size_t done) { show_answered(done, chosen.size()); }),
+                         options};
     if (interruptible.caught() != 0) {
         status.signal = interruptible.caught();
-        report("interrupted: the report tells what was answered until then");
+        denhartog::program::report("interrupted: the report tells what was answered until then");
     }
-    ConformReport report;
-    report.cut_short = conversation.cut_short;
-    report.subject = conversation.name.empty() ? legible(options.command.front()) : conversation.name;
-    report.command = shell_text(options.command);
-    report.dialect = conversation.dialect;
-    report.notes = conversation.notes;
-    report.broken = conversation.broken;
-    for (std::size_t n = 0; n < chosen.size(); ++n)
-        report.judged.push_back(conformance::judge(*chosen[n], conversation.exchanges[n]));
+    if (report.name.empty()) report.name = legible(options.command.front());
     if (!report.broken && report.cut_short.empty()) note_what_is_kept(report, settings);
-    finish(report, options, earlier, status);
+    finish(report, earlier, status);
 }
 
 void conform_grade(const ConformOptions& options, ExitStatus& status) {
@@ -229,14 +210,14 @@ void conform_grade(const ConformOptions& options, ExitStatus& status) {
                          });
     const std::vector<const Vector*> chosen = selected(choice, all);
     const std::optional<Verdicts> earlier = earlier_verdicts(options);
-    ConformReport report;
-    report.subject = legible(options.answers);
+    ConformReport report{{}, options};
+    report.name = legible(options.answers);
     for (const Vector* v : chosen) {
         const auto answer = answers.find(v->question.id);
         report.judged.push_back(
             conformance::grade(*v, answer != answers.end() ? answer->second : conformance::Skipped{"no answer in the file"}));
     }
-    finish(report, options, earlier, status);
+    finish(report, earlier, status);
 }
 
 void conform_smoke(const ConformOptions& options, ExitStatus& status) {

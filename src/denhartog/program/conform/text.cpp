@@ -1,33 +1,76 @@
+// The report for people, as text and as Markdown, and in XML for programs that show test results.
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <map>
 #include <span>
 
-#include "conformance/method.hpp"
-#include "conformance/verdict.hpp"
+#include "conformance/grade.hpp"
 #include "denhartog/number/number_text.hpp"
-#include "denhartog/program/conform/report.hpp"
+#include "denhartog/program/conform/conform.hpp"
 #include "denhartog/program/json/number_json.hpp"
 
 namespace denhartog::program {
 namespace {
 
+using conformance::Finding;
+using conformance::joined;
 using conformance::Judged;
 using conformance::Verdict;
 
 constexpr std::size_t worst_told = 10, most_of_a_quantity = 2;
 
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
+std::string rough(double x) { return number_in_digits(x, 2); }
+
+// Digits of an answer to one decimal, or a dash.
+std::string digits_cell(const std::optional<double>& digits) {
+    if (!digits) return "-";
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.1f", *digits);
+    return text.data();
+}
+
+// Numbers or a regime in a line: decimal with hexadecimal where there is one number, long lists cut short.
+std::string value_text(const conformance::Value& value) {
+    constexpr std::size_t most = 4;
+    const std::size_t count = value.numbers.size();
+    if (!value.word.empty()) return value.word;
+    if (count == 0) return "nothing";
+    if (count == 1)
+        return number_to_text(value.numbers.front()) + " (" + conformance::hexadecimal_float(value.numbers.front()) + ")";
+    return joined(std::span(value.numbers).first(std::min(count, most)), ", ") +
+           (count > most ? said(" and ", count - most, " more") : "");
+}
+
+// Verdicts and digits by tier and group, as cells; `none` stands for a count of zero.
+Rows score_cells(const ConformReport& report, const std::string& worst, const std::string& none) {
+    const conformance::Counts total = conformance::counts_of(report.judged);
+    Rows rows{{"tier", "group", "asked"}};
+    for (std::size_t n = 0; n < total.size(); ++n)
+        if (total[n] > 0) rows.front().emplace_back(conformance::name(static_cast<Verdict>(n)));
+    rows.front().insert(rows.front().end(), {"median digits", worst});
+    for (const conformance::Score& score : conformance::scores(report.judged)) {
+        rows.push_back({score.tier, score.group, std::to_string(score.asked)});
+        for (std::size_t n = 0; n < total.size(); ++n)
+            if (total[n] > 0) rows.back().push_back(score.counts[n] > 0 ? std::to_string(score.counts[n]) : none);
+        rows.back().insert(rows.back().end(), {digits_cell(score.median_digits), digits_cell(score.worst_digits)});
+    }
+    return rows;
+}
+
+std::string answers_are(std::size_t count) { return count == 1 ? "1 answer is" : said(count, " answers are"); }
+
+std::string of_equation(const conformance::Mistake& m) { return m.equation.empty() ? "" : ", Eq. (" + m.equation + ")"; }
+
+std::string contradicted_by(std::size_t answers) {
+    if (answers == 0) return "no answer contradicts it";
+    return answers == 1 ? "1 answer contradicts it" : said(answers, " answers contradict it");
 }
 
 std::string condition_text(const conformance::Vector& v) {
-    std::string text;
-    for (const auto& [input, number] : v.condition) text += (text.empty() ? "condition " : ", ") + input + " " + rough(number);
-    return text;
+    std::vector<std::string> inputs;
+    for (const auto& [input, number] : v.condition) inputs.push_back(input + " " + rough(number));
+    return inputs.empty() ? "" : "; condition " + joined(inputs, ", ");
 }
 
 // The number that has the error, where an answer has several.
@@ -71,7 +114,7 @@ std::string worst_text(const ConformReport& report) {
     for (const Judged* one : worst) {
         ++groups[group_of(*one)];
         const bool more = told.size() < worst_told && told_by_quantity[one->vector->question.quantity]++ < most_of_a_quantity;
-        if (report.verbose || worst.size() <= worst_told || more) told.push_back(one);
+        if (report.options.verbose || worst.size() <= worst_told || more) told.push_back(one);
     }
     std::string text =
         "\nWrong answers" + (told.size() < worst.size() ? said(", ", told.size(), " of ", worst.size()) : "") + ":\n";
@@ -81,11 +124,10 @@ std::string worst_text(const ConformReport& report) {
     return text;
 }
 
-std::string finding_text(const conformance::Finding& f, std::size_t number, std::size_t wrong) {
+std::string finding_text(const Finding& f, std::size_t number, std::size_t wrong) {
     const conformance::Mistake& m = f.mistake;
-    return said("  ", number, ". ", m.name, m.equation.empty() ? "" : ", Eq. (" + m.equation + ")", ": ", m.told,
-                "\n     It explains ", f.explained, " of ", wrong, " wrong answers (", joined(f.quantities), "); ",
-                contradicted_by(f.contradicted), ".",
+    return said("  ", number, ". ", m.name, of_equation(m), ": ", m.told, "\n     It explains ", f.explained, " of ", wrong,
+                " wrong answers (", joined(f.quantities, ", "), "); ", contradicted_by(f.contradicted), ".",
                 f.weak ? "\n     This is weak evidence, because few answers are wrong." : "",
                 m.number.empty() ? "" : "\n     Your answers show its number: " + m.number + ".", "\n     Look at ", m.look_at,
                 ".", m.equation.empty() ? "" : "\n     See its statement and correction: denhartog equations " + m.equation,
@@ -94,16 +136,40 @@ std::string finding_text(const conformance::Finding& f, std::size_t number, std:
                 value_text(truth_of(*f.example->vector)), "\n");
 }
 
+auto first_wrong(const std::vector<conformance::InCommon>& chain) {
+    return std::ranges::find_if(chain, [](const conformance::InCommon& link) { return link.wrong > 0; });
+}
+
 // Right links of the chain of quantities, and the first that is wrong.
-std::string chain_text(const std::vector<conformance::Link>& chain) {
-    std::string right;
-    for (const conformance::Link& link : chain) {
-        if (link.wrong > 0)
-            return said("    Along the chain of quantities the first wrong one is: ", link.name, ", in ", link.wrong, " of ",
-                        link.answered, " answers.", right.empty() ? "" : " Before it all is right: " + right + ".", "\n");
-        right += (right.empty() ? "" : ", ") + link.name;
+std::string chain_text(const std::vector<conformance::InCommon>& chain) {
+    const auto first = first_wrong(chain);
+    if (first == chain.end()) return "";
+    std::vector<std::string> right;
+    for (auto link = chain.begin(); link != first; ++link) right.push_back(link->property);
+    return said("    Along the chain of quantities the first wrong one is: ", first->property, ", in ", first->wrong, " of ",
+                first->asked, " answers.", right.empty() ? "" : " Before it all is right: " + joined(right, ", ") + ".", "\n");
+}
+
+// Explanation of wrong answers.
+std::string diagnosis_text(const conformance::Diagnosis& d) {
+    std::string text;
+    if (d.wrong > 0) text += said("\nDiagnosis (", answers_are(d.wrong), " wrong or inaccurate):\n");
+    for (std::size_t n = 0; n < d.findings.size(); ++n) text += finding_text(d.findings[n], n + 1, d.wrong);
+    if (!d.unexplained.empty()) {
+        text += said("  Wrong answers that match no known mistake: ", d.unexplained.size(), ".\n", chain_text(d.chain));
+        for (const conformance::InCommon& one : d.in_common)
+            text += said("    These have in common: ", one.property, ", in ", one.wrong, " of the ", one.all_wrong,
+                         ". Of all answers to these quantities ", one.asked, " of ", one.all_asked, " have it.\n");
+        for (const Finding& f : d.simple)
+            text += said("    A guess is: ", f.mistake.told, ". It explains ", f.explained, " of them (",
+                         joined(f.quantities, ", "), "); ", contradicted_by(f.contradicted), ".\n");
+        for (const conformance::InCommon& one : d.by_quantity)
+            text += said("    For ", one.property, " they are ", one.wrong, " of the ", one.asked, " answers.\n");
     }
-    return "";
+    for (const auto& [rule, count] : d.accepted)
+        text += said(text.empty() ? "\n" : "", "  Questions that the program answered although they break a rule: ", count, " (",
+                     rule, ").\n");
+    return text;
 }
 
 std::string changes_text(const Comparison& changes, bool verbose) {
@@ -117,79 +183,113 @@ std::string changes_text(const Comparison& changes, bool verbose) {
     return text;
 }
 
-std::string method_text(const ConformReport& report) {
-    const bool own = report.method == conformance::methods().front().name;
-    return own ? "" : ", judged by what " + report.method + " can do";
-}
-
-std::string all_skipped(const ConformReport& report) {
-    const bool any = std::ranges::any_of(report.judged, [](const Judged& one) { return one.verdict != Verdict::skipped; });
-    return any ? "" : ", because no question was answered";
-}
-
-} // namespace
-
-std::string rough(double x) { return number_in_digits(x, 2); }
-
-std::string digits_cell(const std::optional<double>& digits) {
-    if (!digits) return "-";
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "%.1f", *digits);
-    return text.data();
-}
-
-std::string value_text(const conformance::Value& value) {
-    constexpr std::size_t most = 4;
-    if (!value.word.empty()) return value.word;
-    if (value.numbers.empty()) return "nothing";
-    if (value.numbers.size() == 1)
-        return number_to_text(value.numbers.front()) + " (" + conformance::hexadecimal_float(value.numbers.front()) + ")";
-    std::string text;
-    for (std::size_t n = 0; n < value.numbers.size() && n < most; ++n)
-        text += (n > 0 ? ", " : "") + number_to_text(value.numbers[n]);
-    const std::size_t rest = value.numbers.size() - std::min(value.numbers.size(), most);
-    return text + (rest > 0 ? " and " + std::to_string(rest) + " more" : "");
-}
-
-conformance::Value truth_of(const conformance::Vector& v) { return {v.nearest, v.word}; }
-
-Rows score_cells(const ConformReport& report, const std::string& worst, const std::string& none) {
-    const conformance::Counts total = conformance::counts_of(report.judged);
-    Rows rows{{"tier", "group", "asked"}};
-    for (std::size_t n = 0; n < total.size(); ++n)
-        if (total[n] > 0) rows.front().emplace_back(conformance::name(static_cast<Verdict>(n)));
-    rows.front().insert(rows.front().end(), {"median digits", worst});
-    for (const conformance::Score& score : conformance::scores(report.judged)) {
-        rows.push_back({score.tier, score.group, std::to_string(score.asked)});
-        for (std::size_t n = 0; n < total.size(); ++n)
-            if (total[n] > 0) rows.back().push_back(score.counts[n] > 0 ? std::to_string(score.counts[n]) : none);
-        rows.back().insert(rows.back().end(), {digits_cell(score.median_digits), digits_cell(score.worst_digits)});
+// A sentence: whether it conforms, and how many answers of other tiers are wrong.
+std::string conclusion(const ConformReport& report) {
+    if (report.broken) return "The program broke.";
+    if (!report.cut_short.empty()) return "Cut short: " + report.cut_short + ". No verdict on the whole.";
+    if (!report.conforms) {
+        const bool any = std::ranges::any_of(report.judged, [](const Judged& one) { return one.verdict != Verdict::skipped; });
+        return said("Does not conform", any ? "" : ", because no question was answered", ".");
     }
-    return rows;
+    std::string beyond;
+    for (const char* tier : {"should", "stress"})
+        if (const std::size_t wrong = report.wrong_in(tier); wrong > 0)
+            beyond += said(beyond.empty() ? " in must; " : ", ", answers_are(wrong), " wrong in ", tier);
+    return "Conforms" + beyond + (report.status() == 1 ? ", but something got worse." : ".");
 }
 
-std::string diagnosis_text(const conformance::Diagnosis& d) {
-    std::string text;
-    if (d.wrong > 0) text += said("\nDiagnosis (", answers_are(d.wrong), " wrong or inaccurate):\n");
-    for (std::size_t n = 0; n < d.findings.size(); ++n) text += finding_text(d.findings[n], n + 1, d.wrong);
-    if (!d.unexplained.empty()) {
-        text += said("  Wrong answers that match no known mistake: ", d.unexplained.size(), ".\n", chain_text(d.chain));
-        for (const conformance::InCommon& one : d.in_common)
-            text += said("    These have in common: ", one.property, ", in ", one.wrong, " of the ", one.all_wrong,
-                         ". Of all answers to these quantities ", one.asked, " of ", one.all_asked, " have it.\n");
-        for (const conformance::Finding& f : d.simple)
-            text += said("    A guess is: ", f.mistake.told, ". It explains ", f.explained, " of them (", joined(f.quantities),
-                         "); ", contradicted_by(f.contradicted), ".\n");
-        for (const conformance::InCommon& one : d.by_quantity)
-            text += said("    For ", one.property, " they are ", one.wrong, " of the ", one.asked, " answers.\n");
+// A cell whose text cannot end it.
+std::string markdown_cell(const std::string& text) {
+    std::string safe;
+    for (const char c : text) {
+        if (std::string_view("|<`*\\[").find(c) != std::string_view::npos) safe += '\\';
+        safe += c;
     }
-    for (const auto& [rule, count] : d.accepted)
-        text += said(text.empty() ? "\n" : "", "  Questions that the program answered although they break a rule: ", count, " (",
-                     rule, ").\n");
+    return safe;
+}
+
+// A table under its heading.
+std::string table(const Rows& rows) {
+    std::string text;
+    for (const std::vector<std::string>& cells : rows) {
+        text += "|";
+        for (const std::string& one : cells) text += " " + markdown_cell(one) + " |";
+        text += "\n";
+        if (&cells != &rows.front()) continue;
+        text += "|";
+        for (std::size_t n = 0; n < cells.size(); ++n) text += "---|";
+        text += "\n";
+    }
     return text;
 }
 
-std::string answers_are(std::size_t count) { return count == 1 ? "1 answer is" : said(count, " answers are"); }
+std::string worst_rows(const ConformReport& report) {
+    constexpr std::size_t most = 20;
+    const std::vector<const Judged*> worst = conformance::worst_first(report.judged);
+    if (worst.empty()) return "";
+    Rows rows{{"id", "verdict", "answer", "true", "error over tolerance", "why"}};
+    for (std::size_t n = 0; n < worst.size() && (report.options.verbose || n < most); ++n) {
+        const Judged& one = *worst[n];
+        const auto ratio = conformance::error_over_tolerance(one);
+        rows.push_back({one.vector->question.id, std::string(name(one.verdict)), value_text(one.given),
+                        one.vector->reject.empty() ? value_text(truth_of(*one.vector)) : "to be rejected",
+                        ratio ? rough(*ratio) : "", one.reason});
+    }
+    return "\n### Wrong answers\n\n" + table(rows);
+}
+
+std::string diagnosis_rows(const conformance::Diagnosis& d) {
+    if (d.wrong == 0) return "";
+    std::string text = "\n### Diagnosis\n\n";
+    for (const Finding& f : d.findings)
+        text +=
+            said("- **", markdown_cell(f.mistake.name), "**", of_equation(f.mistake), ": ", markdown_cell(f.mistake.told),
+                 " It explains ", f.explained, " of ", d.wrong, " wrong answers, for example ", f.example->vector->question.id,
+                 "; ", contradicted_by(f.contradicted), ". Look at ", markdown_cell(f.mistake.look_at), ".\n");
+    if (!d.unexplained.empty()) text += said("- Wrong answers that match no known mistake: ", d.unexplained.size(), ".\n");
+    if (const auto first = first_wrong(d.chain); first != d.chain.end())
+        text += said("  - The first wrong quantity along the chain is: ", markdown_cell(first->property), ", in ", first->wrong,
+                     " of ", first->asked, " answers.\n");
+    for (const Finding& f : d.simple)
+        text += said("  - A guess is: ", markdown_cell(f.mistake.told), ". It explains ", f.explained, " of them.\n");
+    for (const conformance::InCommon& one : d.in_common)
+        text += said("  - Of the first wrong quantity they have in common: ", markdown_cell(one.property), ", in ", one.wrong,
+                     " of ", one.all_wrong, ".\n");
+    return text;
+}
+
+std::string escaped(const std::string& text) {
+    std::string safe;
+    for (const char c : text) {
+        switch (c) {
+        case '&': safe += "&amp;"; break;
+        case '<': safe += "&lt;"; break;
+        case '>': safe += "&gt;"; break;
+        case '"': safe += "&quot;"; break;
+        case '\n': safe += "&#10;"; break;
+        default: safe += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+        }
+    }
+    return safe;
+}
+
+std::string attribute(const std::string& name, const std::string& text) { return " " + name + "=\"" + escaped(text) + "\""; }
+
+std::string case_of(const Judged& one) {
+    const std::string start = "  <testcase" + attribute("name", one.vector->question.id) +
+                              attribute("classname", one.vector->group + "." + one.vector->question.quantity);
+    if (conformance::is_right(one.verdict)) return start + "/>\n";
+    const std::string verdict(name(one.verdict));
+    const std::string element = one.verdict == Verdict::skipped       ? "skipped"
+                                : conformance::is_broken(one.verdict) ? "error"
+                                                                      : "failure";
+    const std::string message = one.reason.empty() ? verdict : one.reason;
+    if (element == "skipped") return start + ">\n   <skipped" + attribute("message", message) + "/>\n  </testcase>\n";
+    return start + ">\n   <" + element + attribute("type", verdict) + attribute("message", message) + ">" +
+           escaped(answer_text(one, "")) + "</" + element + ">\n  </testcase>\n";
+}
+
+} // namespace
 
 std::size_t ConformReport::wrong_in(std::string_view tier) const {
     return static_cast<std::size_t>(std::ranges::count_if(judged, [&](const Judged& one) {
@@ -200,23 +300,7 @@ std::size_t ConformReport::wrong_in(std::string_view tier) const {
 int ConformReport::status() const {
     if (broken) return 3;
     if (!conforms || (changes && !changes->worse.empty())) return 1;
-    return strict && wrong_in("should") + wrong_in("stress") > 0 ? 4 : 0;
-}
-
-std::string conclusion(const ConformReport& report) {
-    if (report.broken) return "The program broke.";
-    if (!report.cut_short.empty()) return "Cut short: " + report.cut_short + ". No verdict on the whole.";
-    if (!report.conforms) return "Does not conform" + all_skipped(report) + ".";
-    std::string beyond;
-    for (const char* tier : {"should", "stress"})
-        if (const std::size_t wrong = report.wrong_in(tier); wrong > 0)
-            beyond += said(beyond.empty() ? " in must; " : ", ", answers_are(wrong), " wrong in ", tier);
-    return "Conforms" + beyond + (report.status() == 1 ? ", but something got worse." : ".");
-}
-
-std::string contradicted_by(std::size_t answers) {
-    if (answers == 0) return "no answer contradicts it";
-    return answers == 1 ? "1 answer contradicts it" : said(answers, " answers contradict it");
+    return options.strict && wrong_in("should") + wrong_in("stress") > 0 ? 4 : 0;
 }
 
 std::string answer_text(const Judged& one, const std::string& indent) {
@@ -229,24 +313,68 @@ std::string answer_text(const Judged& one, const std::string& indent) {
     text += numbers_text(one, inner);
     if (one.error)
         text += said(inner, "error ", rough(*one.error), ", over tolerance ",
-                     rough(conformance::error_over_tolerance(one).value_or(0)),
-                     v.condition.empty() ? "" : "; " + condition_text(v), "\n");
+                     rough(conformance::error_over_tolerance(one).value_or(0)), condition_text(v), "\n");
     return text;
 }
 
 std::string report_text(const ConformReport& report) {
-    std::string text = said(report.subject, report.dialect.empty() ? "" : " (" + report.dialect + ")", ": ", report.judged.size(),
-                            " questions", method_text(report), "\n\n", aligned(score_cells(report, "worst", ".")),
-                            worst_text(report), digits_text(report), diagnosis_text(report.diagnosis));
-    if (report.verbose) {
+    const bool own = report.options.method == conformance::methods().front().name;
+    std::string text = said(report.name, report.dialect.empty() ? "" : " (" + report.dialect + ")", ": ", report.judged.size(),
+                            " questions", own ? "" : ", judged by what " + report.options.method + " can do", "\n\n",
+                            aligned(score_cells(report, "worst", ".")), worst_text(report), digits_text(report),
+                            diagnosis_text(report.diagnosis));
+    if (report.options.verbose) {
         text += "\nAll other answers:\n";
         for (const Judged& one : report.judged)
             if (conformance::is_right(one.verdict) || one.verdict == Verdict::skipped) text += answer_text(one, "  ");
     }
     if (!report.notes.empty()) text += "\nNotes:\n";
     for (const std::string& note : report.notes) text += "  " + note + "\n";
-    if (report.changes) text += changes_text(*report.changes, report.verbose);
+    if (report.changes) text += changes_text(*report.changes, report.options.verbose);
     return text + "\n" + conclusion(report) + "\n";
+}
+
+std::string report_markdown(const ConformReport& report) {
+    std::string text = "## " + markdown_cell(report.name) + "\n\nMethod: " + report.options.method + "\n\n" +
+                       table(score_cells(report, "worst digits", "0")) + worst_rows(report) + diagnosis_rows(report.diagnosis);
+    if (!report.notes.empty()) text += "\n### Notes\n\n";
+    for (const std::string& note : report.notes) text += "- " + markdown_cell(note) + "\n";
+    if (report.changes) {
+        text += "\n### Since the last run\n\n";
+        for (const auto& [way, changes] : {std::pair("worse", &report.changes->worse), {"better", &report.changes->better}})
+            for (const Change& c : *changes) text += said("- ", way, ": ", c.id, ", ", name(c.before), " to ", name(c.now), "\n");
+        if (report.changes->worse.empty() && report.changes->better.empty()) text += "Nothing changed.\n";
+    }
+    return text + "\n" + markdown_cell(conclusion(report)) + "\n";
+}
+
+std::string report_junit(const ConformReport& report) {
+    struct Suite {
+        std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
+        std::string cases;
+    };
+    std::map<std::string, Suite> suites;
+    Suite all;
+    for (const Judged& one : report.judged) {
+        for (Suite* suite : {&suites[one.vector->group], &all}) {
+            ++suite->tests;
+            suite->skipped += one.verdict == Verdict::skipped;
+            suite->errors += conformance::is_broken(one.verdict);
+            suite->failures += conformance::is_wrong_value(one.verdict) || one.verdict == Verdict::not_rejected;
+        }
+        suites[one.vector->group].cases += case_of(one);
+    }
+    const auto counts = [](const Suite& s) {
+        return attribute("tests", std::to_string(s.tests)) + attribute("failures", std::to_string(s.failures)) +
+               attribute("errors", std::to_string(s.errors)) + attribute("skipped", std::to_string(s.skipped));
+    };
+    std::string text =
+        said("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites", attribute("name", report.name), counts(all), ">\n");
+    const std::string found = diagnosis_text(report.diagnosis) + "\n" + conclusion(report) + "\n";
+    for (const auto& [group, suite] : suites)
+        text += said(" <testsuite", attribute("name", group), counts(suite), ">\n", suite.cases,
+                     suite.failures > 0 ? "  <system-out>" + escaped(found) + "</system-out>\n" : "", " </testsuite>\n");
+    return text + "</testsuites>\n";
 }
 
 } // namespace denhartog::program

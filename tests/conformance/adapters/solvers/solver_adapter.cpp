@@ -4,7 +4,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "conformance/scene_of.hpp"
+#include "conformance/question.hpp"
 #include "denhartog/number/errors.hpp"
 #include "tests/conformance/adapters/solvers/steady_motion.hpp"
 

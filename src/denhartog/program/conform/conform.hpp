@@ -1,16 +1,19 @@
-// Options of `denhartog conform`: which vectors, and how a program is run; and what its subcommands do.
+// `denhartog conform`: its options, what its subcommands do, the report on an implementation, and the verdicts that are kept from
+// run to run.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <set>
+#include <span>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "conformance/diagnose.hpp"
 #include "conformance/session/session.hpp"
 #include "denhartog/program/exit_status.hpp"
-
-namespace CLI {
-class App;
-} // namespace CLI
 
 namespace denhartog::program {
 
@@ -42,11 +45,6 @@ struct ConformOptions : SelectionOptions {
     bool strict = false;              // a status of its own where answers of other tiers than must are wrong
 };
 
-// Adds the options that choose vectors; PROGRAM and its arguments; the options of a report. They must outlive the parse.
-void add_selection_options(CLI::App& command, SelectionOptions& options);
-void add_program_options(CLI::App& command, ConformOptions& options);
-void add_report_options(CLI::App& command, ConformOptions& options);
-
 // Settings of the run. Throws InputError where a number breaks its rule.
 [[nodiscard]] conformance::RunSettings run_settings(const ConformOptions& options);
 
@@ -60,14 +58,69 @@ void add_report_options(CLI::App& command, ConformOptions& options);
 // The vector of an id. Throws InputError where there is none.
 [[nodiscard]] const conformance::Vector& vector_named(const std::string& id, const std::vector<conformance::Vector>& all);
 
-// Words as a shell takes them.
-[[nodiscard]] std::string shell_text(const std::vector<std::string>& words);
-
 // `conform run`, its `--repro`, `conform smoke` and `conform grade`. They throw InputError, and BrokenProgram where the program
 // cannot be started or does not shake hands.
 void conform_run(const ConformOptions& options, ExitStatus& status);
 void conform_repro(const ConformOptions& options, ExitStatus& status);
 void conform_smoke(const ConformOptions& options, ExitStatus& status);
 void conform_grade(const ConformOptions& options, ExitStatus& status);
+
+// Words as a shell takes them.
+[[nodiscard]] std::string shell_text(const std::vector<std::string>& words);
+
+// Texts and numbers of things, one after the other.
+template <class... Parts>
+[[nodiscard]] std::string said(const Parts&... parts) {
+    std::ostringstream text;
+    (text << ... << parts);
+    return text.str();
+}
+
+// Verdicts by id.
+using Verdicts = std::map<std::string, conformance::Verdict>;
+
+// A verdict that changed for better or worse.
+struct Change {
+    std::string id; // the vector
+    conformance::Verdict before, now;
+};
+
+// This run beside the file of earlier ones, by id.
+struct Comparison {
+    std::vector<Change> better, worse;
+};
+
+// The verdicts of a file; none where there is no file yet. Throws InputError where it cannot be read or is no such file.
+[[nodiscard]] std::optional<Verdicts> tracked_verdicts(const std::string& path);
+
+// Compares a run with a file.
+[[nodiscard]] Comparison compare(const Verdicts& before, std::span<const conformance::Judged> judged);
+
+// The text of a file of verdicts: those of a run, and the earlier ones of vectors that were not asked.
+[[nodiscard]] std::string tracked_text(Verdicts before, std::span<const conformance::Judged> judged);
+
+// Findings about an implementation: a conversation with a program, or the answers in a file, which is then the name.
+struct ConformReport : conformance::Conversation {
+    const ConformOptions& options;
+    conformance::Diagnosis diagnosis = {};  // what is the matter
+    std::optional<Comparison> changes = {}; // against earlier runs
+    bool conforms = false;                  // nothing is to be said against it
+
+    // Answers of a tier that are not right, skipped ones left out.
+    [[nodiscard]] std::size_t wrong_in(std::string_view tier) const;
+
+    // The exit status.
+    [[nodiscard]] int status() const;
+};
+
+// The report as text for people, as Markdown, as JSON (docs/conformance-output.md), and as XML for programs that show test results:
+// a test case a vector, a suite a group.
+[[nodiscard]] std::string report_text(const ConformReport& report);
+[[nodiscard]] std::string report_markdown(const ConformReport& report);
+[[nodiscard]] std::string report_json(const ConformReport& report);
+[[nodiscard]] std::string report_junit(const ConformReport& report);
+
+// One answer for people: verdict and reason, answer and truth, in decimal and hexadecimal, error and condition, each line indented.
+[[nodiscard]] std::string answer_text(const conformance::Judged& one, const std::string& indent);
 
 } // namespace denhartog::program
