@@ -75,7 +75,8 @@ void add_to_equation(json& entry, const KernelRecord& record) {
         ++counts[kernel.at("status").get<std::string>()];
         if (reason.empty() && kernel.contains("reason")) reason = kernel.at("reason");
     }
-    json kernel{{"status", "not_run"}, {"certificates", counts["checked"]}, {"theorems", json::array()}, {"negations", json::array()}};
+    json kernel{
+        {"status", "not_run"}, {"certificates", counts["checked"]}, {"theorems", json::array()}, {"negations", json::array()}};
     const json* row = nullptr;
     for (const json& candidate : record.by_equation)
         if (candidate.at("equation") == entry.at("equation")) row = &candidate;
@@ -111,7 +112,8 @@ KernelRecord read_kernel_record(const fs::path& folder, const fs::path& statemen
     KernelRecord record;
     if (const json list = read_if_there(statements); list.is_array()) record.theorems = list;
     if (statements.has_parent_path())
-        if (const json list = read_if_there(statements.parent_path() / "equations.json"); list.is_array()) record.by_equation = list;
+        if (const json list = read_if_there(statements.parent_path() / "equations.json"); list.is_array())
+            record.by_equation = list;
     if (folder.empty()) return record;
     const json exported = read_if_there(folder / "certificates.json"), said = read_if_there(folder / "kernel.json");
     if (exported.is_null() || said.is_null()) return record;
