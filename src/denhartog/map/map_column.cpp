@@ -199,6 +199,7 @@ private:
         solver->set(excitation);
         OrbitSearch search;
         search.follow_start = map.mu > 1 && map.start == MapStart::rest;
+        search.converging_only = true;
         search.contact_only = contact_alone;
         search.with_stability = false;
         search.effort = &effort;
