@@ -1,3 +1,5 @@
+// The system with the contact held. `stuck_configuration` takes row and column a out of the matrices; `set_modes` has the modes
+// of what is left.
 #include "denhartog/model/stuck_configuration.hpp"
 
 #include <algorithm>
@@ -65,7 +67,7 @@ NaturalModes stuck_modes(const System<double>& s, const StuckConfiguration& stuc
     return general_modes(factor_of_masses(stuck.M), stuck.K, effort);
 }
 
-/// Whether D couples no modes; an entry below the rounding of the largest is no coupling.
+/// Tells if D couples no modes; an entry below the rounding of the largest is no coupling.
 void set_coupling(StuckConfiguration& stuck, FrequencyErrors errors, double tolerance) {
     const Matrix<double>& D = stuck.damping;
     const Matrix<double> between = rounding_between_modes(stuck.C, D, {stuck.r_n, stuck.phi}, errors);
@@ -75,7 +77,7 @@ void set_coupling(StuckConfiguration& stuck, FrequencyErrors errors, double tole
     stuck.left_out.diagonal().setZero();
 }
 
-/// Modes of the system with the contact held, and what damping makes of them.
+/// Modes of the system with the contact held, and their damping.
 void set_modes(const System<double>& s, StuckConfiguration& stuck, Effort* effort) {
     NaturalModes modes = stuck_modes(s, stuck, effort);
     const double tolerance = rounding_of_modes(stuck.masses.size() + 1);
@@ -88,7 +90,7 @@ void set_modes(const System<double>& s, StuckConfiguration& stuck, Effort* effor
     set_coupling(stuck, is_chain(s) && !contact_moves_apart(s) ? FrequencyErrors::each : FrequencyErrors::highest, tolerance);
 }
 
-/// The same from elsewhere.
+/// Takes modes and damping that more digits have found.
 void set_modes(const RoundedModes& held, StuckConfiguration& stuck) {
     stuck.r_n = held.r_n;
     stuck.phi = held.phi;
