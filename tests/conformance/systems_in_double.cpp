@@ -10,7 +10,6 @@
 #include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/sliding/load_of_base.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 
 namespace denhartog::tests {

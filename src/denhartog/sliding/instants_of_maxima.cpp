@@ -1,4 +1,4 @@
-// When is the demand (57) largest, and when is each mass farthest out while the contact slides? Searches over the half-period find
+// Instants of the largest demand (57), and of each mass farthest out while the contact slides. Searches over the half-period find
 // the instants, on numbers without bounds; `with_maxima` then has the largest displacements with bounds of what the instants leave
 // open. Read `instants_of_demands`, `regime_at`, `instants_of_maxima` and `settle_maximum`, in this order.
 #include "denhartog/sliding/instants_of_maxima.hpp"
@@ -145,7 +145,7 @@ double instant_of_largest_where_coupled(FrictionMotions& y) {
     return instant_of_largest(std::move(curve), [&](double tau) { return coupled_demand(friction, s.contact, tau); });
 }
 
-// Whether (57) of a mode is certain to be largest for tau -> 0, by numbers in double and with a margin for their rounding.
+// True if (57) of a mode is certain to be largest for tau -> 0, by numbers in double and with a margin for their rounding.
 template <class T>
 bool mode_is_largest_at_start(const ModeSums<T>& s, std::size_t i) {
     const auto narrow = [](const T& x) { return static_cast<double>(ValueOf<T>::of(x)); };
