@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <numeric>
+#include <utility>
 
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/modal_basis.hpp"
@@ -43,20 +44,18 @@ NaturalModes modes_of_two_chains(const System<double>& s, Effort* effort) {
     if (j < n)
         after = chain_modes(std::vector<double>(gamma.begin() + j + 1, gamma.end()),
                             std::vector<double>(kappa.begin() + j + 1, kappa.end()), effort);
-    NaturalModes both{std::vector<double>(static_cast<std::size_t>(n)), Matrix<double>::Zero(n, n)};
-    std::size_t b = 0, a = 0;
-    for (std::size_t i = 0; i < both.r_n.size(); ++i) {
-        const auto column = static_cast<Eigen::Index>(i);
-        const bool take_before = a == after.r_n.size() || (b < before.r_n.size() && before.r_n[b] <= after.r_n[a]);
-        if (take_before) {
-            both.r_n[i] = before.r_n[b];
-            both.phi.col(column).head(j) = before.phi.col(static_cast<Eigen::Index>(b++));
-        } else {
-            both.r_n[i] = after.r_n[a];
-            both.phi.col(column).tail(n - j) = after.phi.col(static_cast<Eigen::Index>(a++));
-        }
-    }
-    return both;
+    Matrix<double> shapes = Matrix<double>::Zero(n, n);
+    shapes.topLeftCorner(j, j) = before.phi;
+    shapes.bottomRightCorner(n - j, n - j) = after.phi;
+    std::vector<double> r_n = std::move(before.r_n);
+    r_n.insert(r_n.end(), after.r_n.begin(), after.r_n.end());
+    std::vector<Eigen::Index> order(r_n.size());
+    std::iota(order.begin(), order.end(), Eigen::Index(0));
+    std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
+        return r_n[static_cast<std::size_t>(a)] < r_n[static_cast<std::size_t>(b)];
+    });
+    std::sort(r_n.begin(), r_n.end());
+    return {std::move(r_n), shapes(Eigen::all, order)};
 }
 
 NaturalModes stuck_modes(const System<double>& s, const StuckConfiguration& stuck, Effort* effort) {

@@ -57,9 +57,14 @@ struct Demand {
             Z -= weights[n] * (2 * s.zeta[first + n] * R * now[n].double_prime + (1 - R) * (1 + R) * now[n].prime);
         }
         if (tau > 0 && tau < pi<double>()) return {N / S, N_prime * S - N * C, Z, Z * S};
-        double limit(0);
-        for (std::size_t n = 0; n < weights.size(); ++n) limit += weights[n] * s_d_of_mode(s, first + n, tau);
-        return {limit, 0.0, Z};
+        return {value(tau), 0.0, Z};
+    }
+
+    // F, the limits at 0 and pi included.
+    double value(double tau) const {
+        double sum(0);
+        for (std::size_t n = 0; n < weights.size(); ++n) sum += weights[n] * s_d_of_mode(s, first + n, tau);
+        return sum;
     }
 
     // A bound of how fast Z changes from an instant on.
@@ -110,18 +115,13 @@ double instant_of_largest(Curve curve, const Demanded& demanded) {
 }
 
 double instant_of_largest(FrictionMotions& y, std::size_t first, const std::vector<double>& weights) {
-    const ModeSums<double>& s = y.sums();
     const Demand demand{y, first, weights};
     Curve curve;
     curve.sample = [&](double tau) { return demand(tau); };
     curve.rate = [&](double a, double) { return demand.rate(a); };
     curve.cost = static_cast<long>(weights.size() + 2); // two for the search itself
     curve.question = y.effort();
-    return instant_of_largest(std::move(curve), [&](double tau) {
-        double sum(0);
-        for (std::size_t n = 0; n < weights.size(); ++n) sum += weights[n] * s_d_of_mode(s, first + n, tau);
-        return sum;
-    });
+    return instant_of_largest(std::move(curve), [&](double tau) { return demand.value(tau); });
 }
 
 double instant_of_largest_where_coupled(FrictionMotions& y) {
