@@ -6,7 +6,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "denhartog/map/map_in_units.hpp"
+#include "denhartog/map/regime_map.hpp"
 #include "denhartog/scene/scene_json.hpp"
 #include "figure.hpp"
 #include "regimes.hpp"
@@ -28,8 +28,8 @@ RegimeMap map_of_top(const Scene<double>& scene, const std::vector<double>& hert
     request.masses = {top};
     request.threads = threads();
     const std::atomic<bool> stop{false};
-    RegimeMap map = map_in_units(scene, frequencies_in_units(scene, "frequency_hz", hertz), RowsOf::friction, friction, request, stop,
-                                 [](std::size_t) {});
+    RegimeMap map = map_in_units(scene, frequencies_in_units(scene, "frequency_hz", hertz), RowsOf::friction, friction, request,
+                                 stop, [](std::size_t) {});
     for (double& each : map.amplitudes) each *= 1000;
     return map;
 }

@@ -308,6 +308,44 @@ TEST_CASE("a motion that tends to no orbit is no answer", "[exact-solver][shooti
     CHECK(chaotic.periods_propagated >= 400);
 }
 
+TEST_CASE("a motion that repeats itself after more half-periods than are looked for is given up where no other orbit is wanted",
+          "[shooting][counter]") {
+    OrbitSearch search;
+    search.converging_only = true;
+    const struct {
+        double r, beta;
+        int half_periods;
+    } cases[] = {{1.15625, 0.25, 9}, {1.1875, 0.28125, 31}};
+    for (const auto& each : cases) {
+        const Prepared p = prepared_chain({1, 1}, {1, 1}, {0.0078125, 0.0078125}, 1, 1, each.r, each.beta, 2);
+        const PeriodicOrbit given_up = orbit_of(p, search), whole = orbit_of(p);
+        CHECK(given_up.status == OrbitStatus::not_converged);
+        CHECK(whole.status != OrbitStatus::periodic);
+        CHECK(2 * given_up.periods_propagated < whole.periods_propagated);
+        CHECK(in_words(given_up.reason).find("no periodic motion within") != std::string::npos);
+        const State late = propagated(p, at_rest(2), 2 * 840);
+        CHECK(distance(propagated(p, late, each.half_periods), late) < 1e-9);
+        for (int h = 1; h <= 16; ++h)
+            if (h <= 8 || h % 2 == 0) CHECK(distance(propagated(p, late, h), late) > 1e-3);
+    }
+    // A motion that never repeats itself is followed to the end.
+    const Prepared irregular = prepared_oscillator(0.0078125, 0.4375, 0.15625, 2);
+    CHECK(orbit_of(irregular, search).status == OrbitStatus::not_converged);
+    CHECK(orbit_of(irregular, search).periods_propagated > 500);
+    // A motion that comes to an orbit gives the same, to the last bit.
+    int found = 0;
+    for (const Prepared& p : between_the_boundaries(61, 3, 1.75)) {
+        const PeriodicOrbit one = orbit_of(p), other = orbit_of(p, search);
+        if (!is_from_start(one)) continue;
+        INFO(p.name);
+        CHECK(other.status == one.status);
+        CHECK(other.contact.amplitude == one.contact.amplitude);
+        CHECK(other.periods_propagated == one.periods_propagated);
+        ++found;
+    }
+    CHECK(found > 20);
+}
+
 TEST_CASE("less is done where less is asked for", "[shooting][counter]") {
     const Prepared p = prepared_three_masses(0.6875, 0.25);
     const PeriodicOrbit all = orbit_of(p);

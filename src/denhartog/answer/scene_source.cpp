@@ -4,7 +4,7 @@
 
 #include "denhartog/number/ball_or_none.hpp"
 #include "denhartog/scene/converted.hpp"
-#include "denhartog/sliding/load_of_base.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
 #if DENHARTOG_REFERENCE
 #include "denhartog/reference/modes.hpp"
 #endif

@@ -7,7 +7,7 @@
 #include "denhartog/formulas/high_frequency.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/number_text.hpp"
-#include "denhartog/sliding/load_of_base.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
 #include "denhartog/solve/decision.hpp"
 #include "denhartog/version.hpp"
 

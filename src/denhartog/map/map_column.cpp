@@ -1,4 +1,4 @@
-// What are the regimes and amplitudes at one frequency ratio, for all friction ratios of a map? Read `MapColumn::answer` first.
+// Regimes and amplitudes at one frequency ratio, for all friction ratios of a map. Read `MapColumn::answer` first.
 // It asks the models in the order of their cost: the closed form (38), a contact that is stuck, the motion with stops, started
 // from the orbits of the points before, and at last the decision that a single question takes.
 #include "denhartog/map/map_column.hpp"
@@ -28,7 +28,7 @@ struct OrbitAt {
     double beta;
 };
 
-// Where the next orbit of a column is looked for: the state on the line through two orbits; none far from both.
+// The state near which the next orbit of a column is looked for, on the line through two orbits; none far from both.
 std::optional<State> on_line_through(const std::optional<OrbitAt>& a, const std::optional<OrbitAt>& b, double beta) {
     if (!a || !b) return std::nullopt;
     const double part = (beta - b->beta) / (b->beta - a->beta);
@@ -41,7 +41,7 @@ std::optional<State> on_line_through(const std::optional<OrbitAt>& a, const std:
     return z;
 }
 
-// What comes of a computation in double that answers, or does not: `failed` is one that is left to `decide`.
+// The status that a computation in double gives a point; `failed` leaves it to `decide`.
 template <class Compute>
 PointStatus status_of(const Compute& compute) {
     const Tried<bool> made = tried(compute);
@@ -51,15 +51,15 @@ PointStatus status_of(const Compute& compute) {
 
 class MapColumn {
 public:
-    MapColumn(const MapSystem& map_, double r_, const std::optional<ContactColumn>& arrays, std::span<MapPoint> points_,
-              std::span<double> amplitudes_, Effort& effort_)
-        : map(map_), r(r_), effort(effort_), by_arrays(arrays.has_value()), column(arrays ? *arrays : evaluated()),
-          points(points_), amplitudes(amplitudes_),
-          contact_alone(std::ranges::all_of(map.masses, [&](Mass k) { return k == map.system().contact; })),
-          damped(every_motion_is_damped(map.system().basis)) {}
+    MapColumn(const PreparedSystem& prepared_, const MapRequest& request_, double r_, const std::optional<ContactColumn>& arrays,
+              std::span<MapPoint> points_, std::span<double> amplitudes_, Effort& effort_)
+        : prepared(prepared_), request(request_), r(r_), effort(effort_), by_arrays(arrays.has_value()),
+          column(arrays ? *arrays : evaluated()), points(points_), amplitudes(amplitudes_),
+          contact_alone(std::ranges::all_of(request.masses, [&](Mass k) { return k == system.contact; })),
+          damped(every_motion_is_damped(system.basis)) {}
 
     // The point in double; as `solve` answers it, where the bounds do not tell the regime or leave an amplitude too few digits.
-    // Where that finds no more, the point is next to a boundary and has the numbers that double has.
+    // If that finds no more, the point is next to a boundary and has the numbers that double has.
     PointStatus answer(std::size_t n) {
         is_near = false;
         if (status_of([&] { return answer_in_double(n); }) == PointStatus::answered) return points[n].status;
@@ -74,12 +74,12 @@ public:
 
     // As many points from n on as the closed form or the rest answer without a motion to follow; the contact's amplitude alone.
     std::size_t answer_together(std::size_t n) {
-        if (!answers_together(map)) return 0;
+        if (!answers_together(prepared, request)) return 0;
         is_near = false;
         const std::size_t first = n;
-        while (n < points.size() && slides(map.beta[n]) && is_told(n)) ++n;
+        while (n < points.size() && slides(request.beta[n]) && is_told(n)) ++n;
         contact_amplitudes({column.V_dj.re.x, column.V_dj.im.x}, column.U_dj.x, column.G_j.x,
-                           std::span(map.beta).subspan(first, n - first), amplitudes.subspan(first, n - first));
+                           std::span(request.beta).subspan(first, n - first), amplitudes.subspan(first, n - first));
         for (std::size_t m = first; m < n; ++m) {
             if (is_accurate(contact_amplitude(m)))
                 points[m] = {PointStatus::answered, Regime::continuous, 0, 1};
@@ -87,7 +87,7 @@ public:
                 n = m;
         }
         if (n > first) sliding = n - 1;
-        for (; n < points.size() && map.mu == 1 && rests(map.beta[n]) && is_told(n); ++n) {
+        for (; n < points.size() && mu == 1 && rests(request.beta[n]) && is_told(n); ++n) {
             amplitudes[n] = 0;
             points[n] = {PointStatus::answered, Regime::permanent_sticking, 0, 1};
         }
@@ -99,36 +99,37 @@ private:
     static bool is_accurate(const Bounded<double>& amplitude) { return amplitude.e <= least_accuracy * amplitude.x; }
 
     SearchedSums& at() {
-        if (!at_) at_.emplace(bounded_sums(map.prepared.scene().system, *map.prepared.bounded, as_input(r), &effort), &effort);
+        if (!at_) at_.emplace(bounded_sums(prepared.scene().system, *prepared.bounded, as_input(r), &effort), &effort);
         return *at_;
     }
 
     ContactColumn evaluated() {
-        const std::size_t j = map.system().contact.index;
+        const std::size_t j = system.contact.index;
         const ModeSums<Bounded<double>>& sums = at().sums();
-        return {sums.V[j], sums.U[j], sums.G[j], regime_boundary(sums, as_input(map.mu))};
+        return {sums.V[j], sums.U[j], sums.G[j], regime_boundary(sums, as_input(mu))};
     }
 
     bool slides(double beta) const { return beta < column.boundary.exact.x; }
     bool rests(double beta) const { return !slides(beta) && column.boundary.sticking && beta >= column.boundary.sticking->x; }
 
-    // Whether the regime is no other for what the limits may be off by.
+    // True if the errors of the limits leave the regime as it is.
     bool is_told(std::size_t n) const {
         if (is_near) return true;
-        const auto apart = [beta = map.beta[n]](const Bounded<double>& limit) { return std::abs(beta - limit.x) >= limit.e; };
+        const auto apart = [beta = request.beta[n]](const Bounded<double>& limit) { return std::abs(beta - limit.x) >= limit.e; };
         return apart(column.boundary.exact) && (!column.boundary.sticking || apart(*column.boundary.sticking));
     }
 
     // The amplitude of the contact with its bound; what the arrays tell is far inside of what is asked.
     Bounded<double> contact_amplitude(std::size_t n) const {
         if (by_arrays) return Bounded<double>(amplitudes[n]);
-        return evaluation::displacement_transmissibility_of_contact(column.V_dj, column.U_dj, column.G_j, as_input(map.beta[n]));
+        return evaluation::displacement_transmissibility_of_contact(column.V_dj, column.U_dj, column.G_j,
+                                                                    as_input(request.beta[n]));
     }
 
     bool answer_in_double(std::size_t n) {
-        const double beta = map.beta[n];
-        const bool may_differ = map.mu > 1 && beta > 0;
-        if (may_differ && map.start == MapStart::rest) return follow_rest(n);
+        const double beta = request.beta[n];
+        const bool may_differ = mu > 1 && beta > 0;
+        if (may_differ && request.start == MapStart::rest) return follow_rest(n);
         if (slides(beta)) return is_told(n) && slide(n);
         if (rests(beta) && (!may_differ || !last)) return is_told(n) && stick(n);
         return is_told(n) && sweep(n);
@@ -136,17 +137,17 @@ private:
 
     // Writes the amplitudes, of which `number` gives each; false where one has too few digits.
     bool write(std::size_t n, const std::function<Bounded<double>(std::size_t k)>& number) {
-        for (std::size_t m = 0; m < map.masses.size(); ++m) {
-            const Bounded<double> amplitude = number(map.masses[m].index);
+        for (std::size_t m = 0; m < request.masses.size(); ++m) {
+            const Bounded<double> amplitude = number(request.masses[m].index);
             if (!std::isfinite(amplitude.x) || !(is_near || is_accurate(amplitude))) return false;
-            amplitudes[n * map.masses.size() + m] = amplitude.x;
+            amplitudes[n * request.masses.size() + m] = amplitude.x;
         }
         return true;
     }
 
     bool slide(std::size_t n) {
-        const std::optional<Mass> only = map.masses.size() == 1 ? std::optional(map.masses.front()) : std::nullopt;
-        const SteadyState<Bounded<double>> state = at().steady_state(as_input(map.beta[n]), only, false);
+        const std::optional<Mass> only = request.masses.size() == 1 ? std::optional(request.masses.front()) : std::nullopt;
+        const SteadyState<Bounded<double>> state = at().steady_state(as_input(request.beta[n]), only, false);
         if (!write(n, [&](std::size_t k) { return state.masses[k].amplitude; })) return false;
         points[n] = {PointStatus::answered, Regime::continuous, 0, 1};
         sliding = n;
@@ -156,13 +157,13 @@ private:
 
     bool stick(std::size_t n) {
         if (!contact_alone && !held) {
-            Scene<double> scene = map.prepared.scene();
+            Scene<double> scene = prepared.scene();
             scene.r = r;
-            scene.beta = map.beta[n];
-            held = held_solution(scene, map.system().stuck, *map.prepared.bounded);
+            scene.beta = request.beta[n];
+            held = held_solution(scene, system.stuck, *prepared.bounded);
         }
         const auto number = [&](std::size_t k) {
-            if (k == map.system().contact.index) return Bounded<double>(0);
+            if (k == system.contact.index) return Bounded<double>(0);
             return Bounded<double>(held->masses[k].amplitude.value, held->masses[k].amplitude.error);
         };
         if (!write(n, number)) return false;
@@ -174,10 +175,10 @@ private:
     // From the motion at the friction ratio before, else from rest. Newton's method starts on the line through the two before.
     bool sweep(std::size_t n) {
         if (!last && sliding) {
-            last = {sliding_at_maximum_of_force(at().values(), map.beta[*sliding]), map.beta[*sliding]};
+            last = {sliding_at_maximum_of_force(at().values(), request.beta[*sliding]), request.beta[*sliding]};
             before_last.reset();
         }
-        const std::optional<State> near = on_line_through(before_last, last, map.beta[n]);
+        const std::optional<State> near = on_line_through(before_last, last, request.beta[n]);
         if (last && follow(n, last->start, near) && points[n].status == PointStatus::answered) return true;
         return follow_rest(n);
     }
@@ -185,32 +186,33 @@ private:
     // The motion from rest, which mostly leads to the sliding motion, or to the neighbour of the orbits before.
     bool follow_rest(std::size_t n) {
         std::optional<State> near;
-        if (map.mu > 1)
-            near = slides(map.beta[n]) ? sliding_at_maximum_of_force(at().values(), map.beta[n])
-                                       : on_line_through(before_last, last, map.beta[n]);
-        return follow(n, at_rest(map.system().basis.r_n.size()), near);
+        if (mu > 1)
+            near = slides(request.beta[n]) ? sliding_at_maximum_of_force(at().values(), request.beta[n])
+                                           : on_line_through(before_last, last, request.beta[n]);
+        return follow(n, at_rest(system.basis.r_n.size()), near);
     }
 
     bool follow(std::size_t n, const State& start, const std::optional<State>& guess) {
-        const bool as_solve_does = !is_near && (map.mu == 1 || map.start == MapStart::rest);
-        if (as_solve_does && !map.system().rounded_because.empty()) return false;
-        const Excitation excitation{r, map.beta[n], map.mu};
-        if (!solver) solver.emplace(map.system(), excitation);
+        const bool as_solve_does = !is_near && (mu == 1 || request.start == MapStart::rest);
+        if (as_solve_does && !system.rounded_because.empty()) return false;
+        const Excitation excitation{r, request.beta[n], mu};
+        if (!solver) solver.emplace(system, excitation);
         solver->set(excitation);
         OrbitSearch search;
-        search.follow_start = map.mu > 1 && map.start == MapStart::rest;
+        search.follow_start = mu > 1 && request.start == MapStart::rest;
+        search.converging_only = true;
         search.contact_only = contact_alone;
         search.with_stability = false;
         search.effort = &effort;
         search.guess = guess ? &*guess : nullptr;
         const PeriodicOrbit orbit = periodic_orbit(*solver, start, search);
-        if (orbit.status == OrbitStatus::permanently_stuck && map.mu > 1) return is_told(n) && stick(n);
+        if (orbit.status == OrbitStatus::permanently_stuck && mu > 1) return is_told(n) && stick(n);
         points[n].status = PointStatus::not_converged;
         if (orbit.status != OrbitStatus::periodic) return true;
         const auto number = [&](std::size_t k) {
             return Bounded<double>(contact_alone ? orbit.contact.amplitude : orbit.masses[k].amplitude, orbit.error_bound);
         };
-        const bool beyond = !slides(map.beta[n]), must_stop = beyond && (map.mu == 1 || damped);
+        const bool beyond = !slides(request.beta[n]), must_stop = beyond && (mu == 1 || damped);
         const bool open = as_solve_does &&
                           stops_are_open(orbit, beyond, must_stop, !beyond && is_sliding_motion(orbit, contact_amplitude(n).x));
         const bool by_closed_form = !beyond && must_be_sliding_motion(orbit, damped);
@@ -219,7 +221,7 @@ private:
         points[n] = {PointStatus::answered, orbit.stops.empty() && !must_stop ? Regime::continuous : Regime::stick_slip,
                      static_cast<std::int32_t>(orbit.stops.size()), orbit.periods};
         before_last = before;
-        last = OrbitAt{orbit.start, map.beta[n]};
+        last = OrbitAt{orbit.start, request.beta[n]};
         return true;
     }
 
@@ -227,11 +229,10 @@ private:
     AnswerOrNone decided(std::size_t n) {
         Question question;
         question.asked = Asked::amplitude;
-        if (map.masses.size() == 1) question.mass = map.masses.front();
-        if (map.mu == 1 || map.start == MapStart::rest || map.beta[n] == 0)
-            return decide(map.prepared, {r, map.beta[n], nullptr, &effort}, question);
-        return decide_sliding(with_effort(at_point(map.prepared.source, r, map.beta[n]), &effort), question,
-                              map.prepared.bounded);
+        if (request.masses.size() == 1) question.mass = request.masses.front();
+        if (mu == 1 || request.start == MapStart::rest || request.beta[n] == 0)
+            return decide(prepared, {r, request.beta[n], nullptr, &effort}, question);
+        return decide_sliding(with_effort(at_point(prepared.source, r, request.beta[n]), &effort), question, prepared.bounded);
     }
 
     // Writes an answer; one without the amplitude of a mass, or 6 certain digits of it, is none.
@@ -239,14 +240,17 @@ private:
         points[n] = map_point(answer);
         const Solution& s = answer.solution;
         if (answer.is_answered() && (s.masses.empty() || !s.digits_reached)) points[n].status = PointStatus::failed;
-        for (std::size_t m = 0; m < map.masses.size() && has_numbers(points[n].status); ++m) {
-            const Certified& X = s.amplitude(map.masses[m]); // within its error of zero, if the mass does not move
-            amplitudes[n * map.masses.size() + m] = X.error < X.value ? X.value : 0;
+        for (std::size_t m = 0; m < request.masses.size() && has_numbers(points[n].status); ++m) {
+            const Certified& X = s.amplitude(request.masses[m]); // within its error of zero, if the mass does not move
+            amplitudes[n * request.masses.size() + m] = X.error < X.value ? X.value : 0;
         }
         return points[n].status;
     }
 
-    const MapSystem& map;
+    const PreparedSystem& prepared;
+    const MapRequest& request;
+    const ContactSystem& system = *prepared.moving; // sliding and stuck
+    const double mu = prepared.scene().mu;
     double r;
     Effort& effort;                  // of the point
     std::optional<SearchedSums> at_; // evaluated when it is first needed
@@ -275,20 +279,20 @@ MapPoint map_point(const AnswerOrNone& answer) {
             static_cast<std::int32_t>(s.stops.size()), s.periods};
 }
 
-bool answers_together(const MapSystem& map) {
-    if (!map.prepared.scene().system.load_phases.empty()) return false; // the arrays have one row of the load
-    return !map.system().basis.coupled() && map.masses.size() == 1 && map.masses.front() == map.system().contact &&
-           (map.mu == 1 || map.start == MapStart::sliding);
+bool answers_together(const PreparedSystem& system, const MapRequest& request) {
+    if (!system.scene().system.load_phases.empty()) return false; // the arrays have one row of the load
+    return !system.moving->basis.coupled() && request.masses.size() == 1 && request.masses.front() == system.moving->contact &&
+           (system.scene().mu == 1 || request.start == MapStart::sliding);
 }
 
-void compute_column(const MapSystem& map, double r, const std::optional<ContactColumn>& arrays, const std::atomic<bool>& stop,
-                    std::span<MapPoint> points, std::span<double> amplitudes) {
-    const std::size_t masses = map.masses.size(), modes = map.system().basis.r_n.size();
+void compute_column(const PreparedSystem& system, const MapRequest& request, double r, const std::optional<ContactColumn>& arrays,
+                    const std::atomic<bool>& stop, std::span<MapPoint> points, std::span<double> amplitudes) {
+    const std::size_t masses = request.masses.size(), modes = system.moving->basis.r_n.size();
     const auto stopped = [&stop] { return stop.load(std::memory_order_relaxed); };
     std::optional<MapColumn> column;
-    QuestionEffort effort(modes, map.effort, stopped);
+    QuestionEffort effort(modes, request.effort, stopped);
     const PointStatus prepared = status_of([&] {
-        column.emplace(map, r, arrays, points, amplitudes, effort);
+        column.emplace(system, request, r, arrays, points, amplitudes, effort);
         return true;
     });
     for (std::size_t n = 0; n < points.size() && !stop; ++n) {

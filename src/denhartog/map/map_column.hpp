@@ -13,24 +13,11 @@
 
 namespace denhartog {
 
-/// @brief What the columns of a map share.
-struct MapSystem {
-    PreparedSystem prepared;         ///< the system, for every regime
-    double mu;                       ///< static over kinetic friction
-    MapStart start;                  ///< which motion, where there are several
-    const std::vector<double>& beta; ///< friction ratios
-    const std::vector<Mass>& masses; ///< masses whose amplitudes are wanted
-    std::optional<long> effort{};    ///< operations allowed a point
-
-    /// @brief The system as the exact solver needs it, sliding and stuck.
-    [[nodiscard]] const ContactSystem& system() const { return *prepared.moving; }
-};
-
-/// @brief Whether the contact alone is asked for, and no point but one of stick-slip needs a motion to be followed. The closed
+/// @brief True if the contact alone is asked for, and no point but one of stick-slip needs a motion to be followed. The closed
 /// form and rest then answer many points of a column together.
-[[nodiscard]] bool answers_together(const MapSystem& map);
+[[nodiscard]] bool answers_together(const PreparedSystem& system, const MapRequest& request);
 
-/// @brief What a column has of its frequency ratio, with bounds where it was evaluated; what the arrays tell has none.
+/// @brief Sums and boundary at the frequency ratio of a column, with bounds if it was evaluated; those of the arrays have none.
 struct ContactColumn {
     Complex<Bounded<double>> V_dj;            ///< complex response function of the mass in contact, Eq. (33)
     Bounded<double> U_dj;                     ///< first damping function, Eq. (34)
@@ -38,11 +25,11 @@ struct ContactColumn {
     RegimeBoundary<Bounded<double>> boundary; ///< where the regimes part
 };
 
-/// @brief Computes a column. `arrays` is what the arrays tell of its frequency ratio, if its limits part the friction ratios for
+/// @brief Computes a column of a map of a system that is prepared for every regime. `arrays` is what the arrays tell of its frequency ratio, if its limits part the friction ratios for
 /// certain; else it is evaluated here. Once `stop` is set, the rest of the column is left undone. Amplitudes were filled with NaN
 /// before.
-void compute_column(const MapSystem& map, double r, const std::optional<ContactColumn>& arrays, const std::atomic<bool>& stop,
-                    std::span<MapPoint> points, std::span<double> amplitudes);
+void compute_column(const PreparedSystem& system, const MapRequest& request, double r, const std::optional<ContactColumn>& arrays,
+                    const std::atomic<bool>& stop, std::span<MapPoint> points, std::span<double> amplitudes);
 
 /// @brief The point of a map that an answer makes; one without numbers where there is none.
 [[nodiscard]] MapPoint map_point(const AnswerOrNone& answer);

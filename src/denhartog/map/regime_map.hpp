@@ -1,5 +1,6 @@
 /// @file
-/// @brief The regime, the amplitudes and the stops per period over a grid of (r, beta), in double as far as that is certain.
+/// @brief The regime, the amplitudes and the stops per period over a grid of (r, beta), in double as far as that is certain; in ratios,
+/// or in the units of a scene.
 ///
 /// A column of the map belongs to one frequency ratio: one evaluation of the modes and one boundary serve all its friction
 /// ratios. If the contact slides throughout, the closed form answers; if it rests, the response with the contact held does. If it
@@ -20,13 +21,13 @@
 
 namespace denhartog {
 
-/// @brief Which motion a map shows if there can be more than one, which is so at mu > 1.
+/// @brief The motion that a map shows if there can be more than one, which is so at mu > 1.
 enum class MapStart : std::uint8_t {
     rest,   ///< the motion that the start from rest leads to, as in `solve`
     sliding ///< the sliding motion as long as it exists, and beyond it the motion that is met as beta rises
 };
 
-/// @brief Whether a point of a map has an answer.
+/// @brief The answer that a point of a map has, or why it has none.
 enum class PointStatus : std::int8_t {
     answered = 0,      ///< the point has all numbers
     on_boundary = 1,   ///< it has all numbers; beta equals a boundary to rounding, and the neighbouring regime is possible
@@ -38,7 +39,7 @@ enum class PointStatus : std::int8_t {
 /// @brief Name of a status, as files write it. @param status a status @return e.g. `not_converged`
 [[nodiscard]] std::string name(PointStatus status);
 
-/// @brief Whether a point has a regime and amplitudes. @param status of the point @return true if so
+/// @brief Tells if a point has a regime and amplitudes. @param status of the point @return true if so
 [[nodiscard]] inline bool has_numbers(PointStatus status) {
     return status == PointStatus::answered || status == PointStatus::on_boundary;
 }
@@ -51,7 +52,7 @@ struct MapPoint {
     std::int32_t periods = 1;                 ///< period of the motion, in periods of the force
 };
 
-/// @brief What you ask of a map.
+/// @brief The question to a map.
 struct MapRequest {
     std::vector<double> r;           ///< frequency ratios, Eq. (10), positive; one column each
     std::vector<double> beta;        ///< friction ratios, Eq. (11), zero or positive; ascending values are faster
@@ -73,12 +74,6 @@ struct RegimeMap {
     bool complete = false; ///< whether all points were computed; false if the map was stopped
 };
 
-/// @brief Checks the size of a map.
-/// @param columns     number of frequency ratios
-/// @param amplitudes  number of amplitudes in a column
-/// @throws            InputError if their product is too large
-void check_size_of_map(std::size_t columns, std::size_t amplitudes);
-
 /// @brief Computes a map.
 /// @param scene    system and mu; its r and beta are not used
 /// @param request  grid, masses, threads
@@ -89,18 +84,6 @@ void check_size_of_map(std::size_t columns, std::size_t amplitudes);
 ///                 base nor wall moves; or if these or phases are, and not the motion from rest is meant
 [[nodiscard]] RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, const std::atomic<bool>& stop,
                                    const std::function<void(std::size_t done)>& done = {});
-
-/// @brief A map of one frequency ratio, the m-th of a request.
-using ColumnOfMap = std::function<RegimeMap(std::size_t m, MapRequest one)>;
-
-/// @brief A map whose columns have a scene each, because the load or its unit changes with the frequency.
-/// @param request    grid, masses, threads
-/// @param column_at  the map of one column
-/// @param done       as of `regime_map`
-/// @return           the map
-/// @throws           InputError if it is too large, or what `column_at` throws
-[[nodiscard]] RegimeMap map_by_columns(const MapRequest& request, const ColumnOfMap& column_at,
-                                       const std::function<void(std::size_t done)>& done);
 
 /// @brief The four boundaries at one frequency ratio, for curves over r. They are those of `Limits`, in double.
 struct BoundaryPoint {
@@ -117,5 +100,49 @@ struct BoundaryPoint {
 /// @return       one point for each frequency ratio
 /// @throws       InputError if the scene or a frequency ratio breaks a rule
 [[nodiscard]] std::vector<BoundaryPoint> boundary_curves(const Scene<double>& scene, const std::vector<double>& r);
+
+/// @brief Frequencies of a map in the units of its scene, with the force at each.
+struct FrequenciesInUnits {
+    std::vector<double> r;     ///< frequency ratios, Eq. (10)
+    std::vector<double> force; ///< P; it grows with the frequency if the base moves with the wall, or if an unbalance loads
+};
+
+/// @brief The quantity that varies in the rows of a map in units.
+enum class RowsOf : std::uint8_t {
+    friction, ///< the friction force
+    force,    ///< the amplitude of the load, with the friction of the scene
+    unbalance ///< the unbalance that makes the load, with the friction of the scene
+};
+
+/// @brief Finds the frequency ratios and the forces at frequencies.
+/// @param scene     a scene of masses, stiffnesses and a force
+/// @param quantity  `frequency`, in radians a unit of time, or `frequency_hz`, in periods
+/// @param values    the frequencies
+/// @return          one ratio and one force for each
+/// @throws          InputError if the scene lacks units or force, or a frequency is not positive
+[[nodiscard]] FrequenciesInUnits frequencies_in_units(const Scene<double>& scene, const std::string& quantity,
+                                                      const std::vector<double>& values);
+
+/// @brief Computes a map with amplitudes in the scene's unit of length; a point with one beyond the range of a double has `failed`.
+/// @param scene        the scene, in units
+/// @param frequencies  those of `frequencies_in_units`
+/// @param of           the quantity that varies in its rows
+/// @param rows         the values of that, in the units of the scene
+/// @param request      masses, start, threads; its r and beta are not used
+/// @param stop         as of `regime_map`
+/// @param done         as of `regime_map`
+/// @return             the map
+/// @throws             InputError if a friction force is negative, a level of the load is not positive, or the scene has no such
+///                     load or no friction; or what `regime_map` throws
+[[nodiscard]] RegimeMap map_in_units(const Scene<double>& scene, const FrequenciesInUnits& frequencies, RowsOf of,
+                                     const std::vector<double>& rows, MapRequest request, const std::atomic<bool>& stop,
+                                     const std::function<void(std::size_t done)>& done);
+
+/// @brief Computes boundary curves as friction forces.
+/// @param scene        the scene, in units
+/// @param frequencies  those of `frequencies_in_units`
+/// @return             one point for each frequency
+/// @throws             InputError if the scene breaks a rule
+[[nodiscard]] std::vector<BoundaryPoint> curves_in_units(const Scene<double>& scene, const FrequenciesInUnits& frequencies);
 
 } // namespace denhartog

@@ -14,14 +14,14 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// What the rounding of a diagonal entry of K took, the sum of two springs of a chain.
+// The rest that rounding took of a diagonal entry of K, the sum of two springs of a chain.
 double rest_of_stiffness(const System<double>& s, const Matrix<double>& K, std::size_t k) {
     if (s.stiffness_matrix.size() > 0 || k + 1 >= s.stiffness_ratios.size()) return 0.0;
     const auto i = static_cast<Eigen::Index>(k);
     return evaluation::sum_error(s.stiffness_ratios[k], s.stiffness_ratios[k + 1], K(i, i));
 }
 
-// Appends xyz to terms of a sum, with what the roundings of the products took.
+// Appends xyz to terms of a sum, with the rests that the roundings of the products took.
 void add_product(std::vector<double>& terms, double x, double y, double z) {
     const double xy = x * y;
     for (const double part : {xy, evaluation::product_error(x, y, xy)}) {
@@ -31,7 +31,7 @@ void add_product(std::vector<double>& terms, double x, double y, double z) {
     }
 }
 
-// O^T A O, symmetric to the last bit. `rests` are what the roundings of A's diagonal took, N values.
+// O^T A O, symmetric to the last bit. `rests` are those that rounding took of A's diagonal, N values.
 Matrix<double> with_contact(const Contact& held, const Matrix<double>& A, const std::vector<double>& rests) {
     if (!held.has_own_row()) return A;
     const auto a = static_cast<Eigen::Index>(held.a), N = A.rows();

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Where contact and load act: the displacement of the contact is \f$ \mathbf{w}^T\mathbf{x} \f$, and the force on the
+/// @brief Vectors of contact and load: the displacement of the contact is \f$ \mathbf{w}^T\mathbf{x} \f$, and the force on the
 /// masses \f$ \mathrm{Re}\{\mathbf{p}\,e^{\mathrm{i}\tau}\} \f$.
 ///
 /// In the paper w and p are unit vectors. Between two masses the displacement of the contact is \f$ x_j - x_k \f$; w may be any
@@ -144,7 +144,7 @@ struct Contact {
     [[nodiscard]] double of(const Values& x) const {
         return w_a * (x[a] - held_part(x));
     }
-    /// @brief The same of a matrix with a row a mass.
+    /// @brief The contact's row of a matrix with a row a mass.
     [[nodiscard]] Matrix<double> row_of(const Matrix<double>& A) const {
         Matrix<double> row = A.row(static_cast<Eigen::Index>(a));
         if (!others.empty()) row -= held_row(A);
@@ -152,11 +152,11 @@ struct Contact {
     }
     /// @brief Makes the contact's part of a matrix with a row a mass zero, by the row of x_a.
     void hold(Matrix<double>& A) const { A.row(static_cast<Eigen::Index>(a)) = held_row(A); }
-    /// @brief The same of one number a mass.
+    /// @brief Makes the contact's part of one number a mass zero, by that of mass a.
     void hold(double* v) const { v[a] = held_part(v); }
-    /// @brief What mass a has of a number that the contact has, or the contact of a force on mass a.
+    /// @brief The share of mass a in a number that the contact has, or of the contact in a force on mass a.
     [[nodiscard]] double over(double x) const { return x / w_a; }
-    /// @brief Whether the displacement of the contact is not that of one mass, and has a row of its own.
+    /// @brief True if the displacement of the contact is not that of one mass, and has a row of its own.
     [[nodiscard]] bool has_own_row() const { return w_a != 1 || !others.empty(); }
     /// @brief Puts the contact's part of one number a mass behind them, where it has a row of its own.
     void append(std::vector<double>& x) const {

@@ -1,3 +1,4 @@
+// A state carried in time by the exponentials of its system. Read `CoupledMotion::at` and `series_after` first, then `leap`.
 #include "denhartog/model/coupled_motion.hpp"
 
 #include <cmath>
@@ -83,7 +84,7 @@ void CoupledMotion::spend_products(Eigen::Index count) const {
 }
 
 // Forms a term of a series from the one before, a factor times its product with the matrix that has the given entries in the
-// places of A's, and adds it. Whether the sum changes.
+// places of A's, and adds it. True if the sum changes.
 bool CoupledMotion::add_term(const std::vector<double>& entries, double factor, const double* before, double* term,
                              double* sum) const {
     bool changes = false;
@@ -141,7 +142,7 @@ std::optional<std::uint64_t> CoupledMotion::steps_in(double t) const {
     return static_cast<std::uint64_t>(steps);
 }
 
-// What is left of a time after n steps, as a part of a step.
+// The rest of a time after n steps, as a part of a step.
 double CoupledMotion::part_after(std::uint64_t n, double t) const { return (t - static_cast<double>(n) / rate_) * rate_; }
 
 template <class Numbers>

@@ -28,7 +28,7 @@ struct PowerSeries {
 /// @brief The motion of a linear system.
 class CoupledMotion {
 public:
-    /// @brief What is asked most often.
+    /// @brief The questions that are asked most often.
     enum class Asked : std::uint8_t {
         instants_of_one_start, ///< many instants of one start
         many_starts            ///< a few instants of many starts

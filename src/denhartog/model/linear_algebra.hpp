@@ -40,7 +40,7 @@ struct SymmetricEigenproblem {
 /// @brief \f$ \|A\|_\infty \f$, the largest sum of the sizes of a row's entries.
 [[nodiscard]] inline double largest_row_sum(const Matrix<double>& A) { return A.cwiseAbs().rowwise().sum().maxCoeff(); }
 
-/// @brief Whether a matrix has nothing beside its diagonal.
+/// @brief True if a matrix has nothing beside its diagonal.
 [[nodiscard]] inline bool is_diagonal(const Matrix<double>& A) {
     for (Eigen::Index i = 0; i < A.rows(); ++i)
         for (Eigen::Index k = 0; k < A.cols(); ++k)
@@ -67,7 +67,7 @@ public:
     [[nodiscard]] Matrix<double> inverse() const;
     /// @brief An estimate of the reciprocal condition number, from 0 to 1.
     [[nodiscard]] double reciprocal_condition() const;
-    /// @brief Whether no pivot is rounding of the others.
+    /// @brief True if no pivot is rounding of the others.
     [[nodiscard]] bool is_regular() const;
 
 private:

@@ -1,4 +1,4 @@
-// How does the undamped system vibrate, and how is it damped? `modal_basis` is (13)-(19): its shapes and frequencies come from
+// Free vibrations of the undamped system, and their damping. `modal_basis` is (13)-(19): its shapes and frequencies come from
 // `natural_modes`, its damping ratios are given or, by `set_modal_damping`, those of a damping matrix.
 #include "denhartog/model/modal_basis.hpp"
 
@@ -48,13 +48,6 @@ std::vector<double> lumped_masses(const System<double>& s) {
     return gamma;
 }
 
-Matrix<double> mass_factor(const System<double>& s, const std::vector<double>& gamma) {
-    if (gamma.empty()) return factor_of_masses(s.mass_matrix);
-    Matrix<double> L = Matrix<double>::Zero(static_cast<Eigen::Index>(gamma.size()), static_cast<Eigen::Index>(gamma.size()));
-    for (std::size_t i = 0; i < gamma.size(); ++i) L(i, i) = sqrt(gamma[i]);
-    return L;
-}
-
 void require_finite(const ModalBasis<double>& basis) {
     using std::isfinite;
     for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
@@ -64,7 +57,7 @@ void require_finite(const ModalBasis<double>& basis) {
     }
 }
 
-// How far A B is from B A, over the sizes of both.
+// Distance of A B from B A, over the sizes of both.
 double distance_from_commuting(const Matrix<double>& A, const Matrix<double>& B) {
     const Matrix<double> AB = product(A, B);
     const double sizes = A.norm() * B.norm(), distance = Matrix<double>(AB - AB.transpose()).norm();
@@ -121,7 +114,13 @@ void set_modal_damping(const Matrix<double>& L, const Matrix<double>& K, const M
 
 } // namespace
 
-Matrix<double> mass_factor(const System<double>& s) { return mass_factor(s, lumped_masses(s)); }
+Matrix<double> mass_factor(const System<double>& s) {
+    const std::vector<double> gamma = lumped_masses(s);
+    if (gamma.empty()) return factor_of_masses(s.mass_matrix);
+    Matrix<double> L = Matrix<double>::Zero(static_cast<Eigen::Index>(gamma.size()), static_cast<Eigen::Index>(gamma.size()));
+    for (std::size_t i = 0; i < gamma.size(); ++i) L(i, i) = sqrt(gamma[i]);
+    return L;
+}
 
 ModalBasis<double> modal_basis(const System<double>& s, Effort* effort) {
     check(s);
@@ -135,13 +134,13 @@ ModalBasis<double> modal_basis(const System<double>& s, Effort* effort) {
         const double k = lumped ? s.stiffness_ratios[0] : s.stiffness_matrix(0, 0);
         basis = {{sqrt(k / m)}, Matrix<double>::Constant(1, 1, 1 / sqrt(m)), {}};
     } else {
-        NaturalModes modes = lumped ? chain_modes(gamma, s.stiffness_ratios, effort)
-                                    : general_modes(mass_factor(s, gamma), stiffness_matrix(s), effort);
+        NaturalModes modes =
+            lumped ? chain_modes(gamma, s.stiffness_ratios, effort) : general_modes(mass_factor(s), stiffness_matrix(s), effort);
         ++work_counted.eigen_solves;
         basis = {std::move(modes.r_n), std::move(modes.phi), {}};
     }
     if (s.damping_matrix.size() > 0)
-        set_modal_damping(mass_factor(s, gamma), stiffness_matrix(s), s.damping_matrix, s.damping_tolerance,
+        set_modal_damping(mass_factor(s), stiffness_matrix(s), s.damping_matrix, s.damping_tolerance,
                           lumped ? FrequencyErrors::each : FrequencyErrors::highest, basis);
     else
         basis.zeta = s.damping_ratios;
@@ -236,13 +235,14 @@ void turn_coinciding_modes(const Matrix<double>& C, double tolerance, const std:
     }
 }
 
-double largest_coupling(const Matrix<double>& D, double rounding) {
+double largest_coupling(const Matrix<double>& D, std::optional<double> rounding) {
+    if (D.size() == 0) return 0;
+    const double least = rounding.value_or(rounding_of_modes(static_cast<std::size_t>(D.rows())) * D.cwiseAbs().maxCoeff());
     double largest(0);
     for (Eigen::Index i = 0; i < D.rows(); ++i)
         for (Eigen::Index k = 0; k < i; ++k) {
             if (D(i, k) == 0) continue;
-            const double product = std::max(D(i, i) * D(k, k), rounding * rounding);
-            largest = std::max(largest, abs(D(i, k)) / sqrt(product));
+            largest = std::max(largest, abs(D(i, k)) / sqrt(std::max(D(i, i) * D(k, k), least * least)));
         }
     return largest;
 }

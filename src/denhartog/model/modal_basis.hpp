@@ -6,6 +6,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "denhartog/model/contact_and_load.hpp"
@@ -29,12 +30,12 @@ struct ModalBasis {
                                  ///< K and C with the square root of M divided out on both sides; 0 without one
     bool couples{}; ///< whether D couples two modes by more than rounding tells: they then have no functions of their own
 
-    /// @brief Whether a damping matrix counts: the modes then are not taken to move by themselves, whatever it does to them.
+    /// @brief True if a damping matrix counts: the modes then are not taken to move by themselves, even if it does not couple them.
     [[nodiscard]] bool coupled() const { return D.size() > 0; }
 };
 
-/// @brief Whether the damping matrix that was given is the one that counts, and not the damping ratios nearest to it. It is not
-/// where damping was given by ratios, or by a matrix within `damping_tolerance` of having them.
+/// @brief True if the damping matrix that was given counts, and not the damping ratios nearest to it: damping was given neither by
+/// ratios, nor by a matrix within `damping_tolerance` of having them.
 template <class T, class Number>
 [[nodiscard]] bool damping_matrix_counts(const System<T>& s, const ModalBasis<Number>& basis) {
     return s.damping_matrix.size() > 0 && (s.damping_tolerance == 0 || basis.coupled());
@@ -44,8 +45,8 @@ template <class T, class Number>
 /// PrecisionError where rounding leaves the matrix indefinite.
 [[nodiscard]] Matrix<double> mass_factor(const System<double>& s);
 
-/// @brief Whether every motion is damped: with mu = 1 two motions under the same force then come to the same velocities. Modes
-/// that are coupled are damped where the damping matrix is positive definite.
+/// @brief True if every motion is damped: with mu = 1 two motions under the same force then come to the same velocities. Modes
+/// that are coupled are damped if the damping matrix is positive definite.
 template <class T>
 [[nodiscard]] bool every_motion_is_damped(const ModalBasis<T>& basis);
 
@@ -71,37 +72,31 @@ template <class T>
 /// damping is given by ratios. @eq{7,8,19}
 [[nodiscard]] NonDimensionalMatrices non_dimensional_matrices(const System<double>& s, const ModalBasis<double>& basis, double r);
 
-/// @brief What the natural frequencies of an eigen-solver are good to.
+/// @brief Accuracy of the natural frequencies of an eigen-solver.
 enum class FrequencyErrors {
     each,   ///< units in the last place of each, as those of a chain are
     highest ///< squares good to units in the last place of the highest one
 };
 
-/// @brief What rounding makes of the entries of \f$ D = \phi^T C \phi \f$ between modes: the rounding of the shapes, and the angle by
-/// which the solver may turn two modes towards each other; zero on the diagonal. @eq{18}
+/// @brief Bounds of the rounding of the entries of \f$ D = \phi^T C \phi \f$ between modes: by that of the shapes, and by the angle
+/// through which the solver may turn two modes towards each other; zero on the diagonal. @eq{18}
 [[nodiscard]] Matrix<double> rounding_between_modes(const Matrix<double>& C, const Matrix<double>& D, const NaturalModes& modes,
                                                     FrequencyErrors errors);
 
-/// @brief Whether an entry of D between two modes is larger than rounding makes it, however small it is beside those of stiffer
+/// @brief True if an entry of D between two modes is larger than rounding makes it, however small it is beside those of stiffer
 /// modes. @eq{18}
 [[nodiscard]] bool couples_a_pair(const Matrix<double>& D, const Matrix<double>& rounding);
 
-/// @brief How much damping couples modes: the largest \f$ |D_{ik}| / \sqrt{D_{ii} D_{kk}} \f$ of \f$ D = \phi^T C \phi \f$. It is
-/// from 0 to 1. A product of two diagonal entries below the square of `rounding`, the error of the entries, counts as that.
-/// @eq{18}
-[[nodiscard]] double largest_coupling(const Matrix<double>& D, double rounding);
-
-/// @brief What rounding may make of natural frequencies, of the entries of D and of the distance from classical damping, beside the
+/// @brief Bound of the rounding of natural frequencies, of the entries of D and of the distance from classical damping, beside the
 /// largest of its kind: some units in the last place for each mode.
 [[nodiscard]] inline double rounding_of_modes(std::size_t N) {
     return 8 * static_cast<int>(N) * std::numeric_limits<double>::epsilon();
 }
 
-/// @brief The same of entries that are as good as rounding lets them be.
-[[nodiscard]] inline double largest_coupling(const Matrix<double>& D) {
-    if (D.size() == 0) return 0;
-    return largest_coupling(D, rounding_of_modes(static_cast<std::size_t>(D.rows())) * D.cwiseAbs().maxCoeff());
-}
+/// @brief The coupling of modes by damping, from 0 to 1: the largest \f$ |D_{ik}| / \sqrt{D_{ii} D_{kk}} \f$ of
+/// \f$ D = \phi^T C \phi \f$. A product of two diagonal entries below the square of `rounding`, the error of the entries, counts
+/// as that; by default it is `rounding_of_modes`. @eq{18}
+[[nodiscard]] double largest_coupling(const Matrix<double>& D, std::optional<double> rounding = std::nullopt);
 
 /// @brief Turns the shapes of modes whose natural frequencies coincide to those that diagonalise C among them.
 void turn_coinciding_modes(const Matrix<double>& C, double tolerance, const std::vector<double>& r_n, Matrix<double>& phi);

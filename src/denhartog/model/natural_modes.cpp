@@ -1,5 +1,6 @@
-// Which frequencies and shapes has the undamped system, (13)-(17)? `chain_modes` goes by the singular values of a bidiagonal
-// matrix, `general_modes` by a symmetric eigenproblem, or by `graded_modes` where the masses are very different.
+// Natural frequencies and shapes of the undamped system, (13)-(17). `chain_modes` goes by the singular values of a bidiagonal
+// matrix, `general_modes` by a symmetric eigenproblem, or by `graded_modes` if the masses are very different: the first and the
+// last keep the digits of each frequency, which a symmetric eigenproblem loses as soon as springs or masses differ by much.
 #include "denhartog/model/natural_modes.hpp"
 
 #include <algorithm>
@@ -118,7 +119,7 @@ struct DiagonalBlock {
     }
 };
 
-/// What the tests for convergence find in a block.
+/// Results of the tests for convergence in a block.
 struct Estimate {
     bool split = false;    ///< an entry was negligible and is zero now
     double smallest = 0.0; ///< lower estimate of the smallest singular value

@@ -27,7 +27,7 @@ struct NaturalModes {
 [[nodiscard]] NaturalModes chain_modes(const std::vector<double>& gamma, const std::vector<double>& kappa,
                                        const std::vector<Mass>& masses, Effort* effort = nullptr);
 
-/// @brief The same with the shapes at all masses. @eq{14,15}
+/// @brief Modes of a chain with the shapes at all masses. @eq{14,15}
 [[nodiscard]] NaturalModes chain_modes(const std::vector<double>& gamma, const std::vector<double>& kappa,
                                        Effort* effort = nullptr);
 
@@ -39,7 +39,7 @@ struct NaturalModes {
 /// @brief Ratio of the largest mass to the least from which modes are graded.
 inline constexpr double least_contrast_of_masses = 1024;
 
-/// @brief By how much the springs multiply relative errors of their entries on the way to those of squared natural frequencies:
+/// @brief The factor by which springs multiply relative errors of their entries on the way to those of squared natural frequencies:
 /// the trace of the inverse of K, its rows and columns scaled to a diagonal of ones. None where modes are not graded: L is not
 /// diagonal, the masses are not very different, or differ by less than the factor.
 [[nodiscard]] std::optional<double> condition_of_graded(const Matrix<double>& L, const Matrix<double>& K);

@@ -1,8 +1,11 @@
+// The system with the contact held. `stuck_configuration` takes row and column a out of the matrices; `set_modes` has the modes
+// of what is left.
 #include "denhartog/model/stuck_configuration.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <numeric>
+#include <utility>
 
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/modal_basis.hpp"
@@ -41,20 +44,18 @@ NaturalModes modes_of_two_chains(const System<double>& s, Effort* effort) {
     if (j < n)
         after = chain_modes(std::vector<double>(gamma.begin() + j + 1, gamma.end()),
                             std::vector<double>(kappa.begin() + j + 1, kappa.end()), effort);
-    NaturalModes both{std::vector<double>(static_cast<std::size_t>(n)), Matrix<double>::Zero(n, n)};
-    std::size_t b = 0, a = 0;
-    for (std::size_t i = 0; i < both.r_n.size(); ++i) {
-        const auto column = static_cast<Eigen::Index>(i);
-        const bool take_before = a == after.r_n.size() || (b < before.r_n.size() && before.r_n[b] <= after.r_n[a]);
-        if (take_before) {
-            both.r_n[i] = before.r_n[b];
-            both.phi.col(column).head(j) = before.phi.col(static_cast<Eigen::Index>(b++));
-        } else {
-            both.r_n[i] = after.r_n[a];
-            both.phi.col(column).tail(n - j) = after.phi.col(static_cast<Eigen::Index>(a++));
-        }
-    }
-    return both;
+    Matrix<double> shapes = Matrix<double>::Zero(n, n);
+    shapes.topLeftCorner(j, j) = before.phi;
+    shapes.bottomRightCorner(n - j, n - j) = after.phi;
+    std::vector<double> r_n = std::move(before.r_n);
+    r_n.insert(r_n.end(), after.r_n.begin(), after.r_n.end());
+    std::vector<Eigen::Index> order(r_n.size());
+    std::iota(order.begin(), order.end(), Eigen::Index(0));
+    std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
+        return r_n[static_cast<std::size_t>(a)] < r_n[static_cast<std::size_t>(b)];
+    });
+    std::sort(r_n.begin(), r_n.end());
+    return {std::move(r_n), shapes(Eigen::all, order)};
 }
 
 NaturalModes stuck_modes(const System<double>& s, const StuckConfiguration& stuck, Effort* effort) {
@@ -65,7 +66,7 @@ NaturalModes stuck_modes(const System<double>& s, const StuckConfiguration& stuc
     return general_modes(factor_of_masses(stuck.M), stuck.K, effort);
 }
 
-/// Whether D couples no modes; an entry below the rounding of the largest is no coupling.
+/// Tells if D couples no modes; an entry below the rounding of the largest is no coupling.
 void set_coupling(StuckConfiguration& stuck, FrequencyErrors errors, double tolerance) {
     const Matrix<double>& D = stuck.damping;
     const Matrix<double> between = rounding_between_modes(stuck.C, D, {stuck.r_n, stuck.phi}, errors);
@@ -75,7 +76,7 @@ void set_coupling(StuckConfiguration& stuck, FrequencyErrors errors, double tole
     stuck.left_out.diagonal().setZero();
 }
 
-/// Modes of the system with the contact held, and what damping makes of them.
+/// Modes of the system with the contact held, and their damping.
 void set_modes(const System<double>& s, StuckConfiguration& stuck, Effort* effort) {
     NaturalModes modes = stuck_modes(s, stuck, effort);
     const double tolerance = rounding_of_modes(stuck.masses.size() + 1);
@@ -88,7 +89,7 @@ void set_modes(const System<double>& s, StuckConfiguration& stuck, Effort* effor
     set_coupling(stuck, is_chain(s) && !contact_moves_apart(s) ? FrequencyErrors::each : FrequencyErrors::highest, tolerance);
 }
 
-/// The same from elsewhere.
+/// Takes modes and damping that more digits have found.
 void set_modes(const RoundedModes& held, StuckConfiguration& stuck) {
     stuck.r_n = held.r_n;
     stuck.phi = held.phi;

@@ -14,7 +14,7 @@
 
 namespace denhartog {
 
-/// @brief Modes of the system with the contact held, and what of its motion loads the contact.
+/// @brief Modes of the system with the contact held, and the parts of its motion that load the contact.
 ///
 /// Units: masses m_1, stiffnesses k_1, damping sqrt(k_1 m_1). The arrays over masses are in the order of `masses`.
 struct StuckConfiguration {
@@ -39,7 +39,7 @@ struct StuckConfiguration {
     Matrix<double> left_out{};         ///< bounds of the entries of `damping` between modes where they do; else empty
 };
 
-/// @brief What more digits have found of a system, rounded once, beside the modes while the contact slides.
+/// @brief Matrices and modes that more digits have found, rounded once, beside the modes while the contact slides.
 struct RoundedModes {
     Matrix<double> momentum; ///< phi^T M in units of m_1, of the modes while the contact slides, mode by mass
     Matrix<double> C;        ///< damping matrix of the whole system in units of sqrt(k_1 m_1), N x N
@@ -53,7 +53,7 @@ struct RoundedModes {
     return stuck.load.empty() ? Complex<double>{k == load ? 1.0 : 0.0, 0} : stuck.load[k.index];
 }
 
-/// @brief What a load brings to each stuck mode, phi^T p.
+/// @brief The load on each stuck mode, phi^T p.
 [[nodiscard]] inline std::vector<Complex<double>> load_on_stuck_modes(const StuckConfiguration& stuck, Mass load) {
     std::vector<Complex<double>> loads(stuck.masses.size(), {0, 0});
     for (Eigen::Index k = 0; k < stuck.shapes.rows(); ++k) {
@@ -82,8 +82,8 @@ struct RoundedModes {
 }
 
 /// @brief The stuck configuration of a system; one more eigenproblem (15), none where N is 1 or 2. `held` is what more digits
-/// have found, and spares the eigenproblem, which is paid from a budget; both may be null. There are no masses where N = 1. InputError where `check` throws;
-/// PrecisionError where the eigenproblem is not solved.
+/// have found, and spares the eigenproblem, which is paid from a budget; both may be null. There are no masses if N = 1.
+/// InputError if `check` throws; PrecisionError if the eigenproblem is not solved.
 [[nodiscard]] StuckConfiguration stuck_configuration(const System<double>& s, const ModalBasis<double>& basis,
                                                      const RoundedModes* held = nullptr, Effort* effort = nullptr);
 

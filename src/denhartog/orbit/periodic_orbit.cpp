@@ -49,6 +49,26 @@ struct RecentStates {
     }
 };
 
+// A state of a motion with which later ones are compared. The motion may repeat itself after more half-periods than are looked for.
+struct MarkedState {
+    State z{};
+    int at = 0;     // half-periods before it
+    int length = 0; // half-periods after which the motion came back to it; 0 if it did not yet
+
+    // Takes the last state, after `done` half-periods; with time a later one is marked. True if the motion came back twice, after the
+    // same time, to 1e-12 of its size, while it is 1e-6 from repeating itself sooner: it then comes to no orbit of fewer half-periods.
+    bool take(const OrbitMap& map, const RecentStates& recent, int done) {
+        const State& now = recent.states.back();
+        const double size = map.norm(now);
+        if (at > 0 && map.norm(difference(now, z)) <= 1e-12 * size) {
+            if (length > 0 && done - at == 2 * length) return recent.recurrence(map, recent.lengths(map).back()) > 1e-6 * size;
+            if (length == 0) length = done - at;
+        }
+        if (done - at >= std::max(64, at / 2)) *this = {now, done};
+        return false;
+    }
+};
+
 // A fixed point of h half-periods, with what is known of its neighbourhood, and a record of how a motion approaches it. A motion that
 // only passes by comes nearer for some periods too.
 struct OrbitCandidate {
@@ -129,6 +149,8 @@ private:
                 if (held_ && rests_for_ever(before, done)) return;
                 recent_.take(z);
                 if (is_approached(z)) return;
+                if (search_.converging_only && !no_expansion_ && search_.follow_start && marked_.take(map_, recent_, done + 1))
+                    return give_up(done + 1, false);
             }
             if (no_expansion_ ? settle(z, done) : search_.follow_start ? find_attractor(z, done) : find_orbit(z)) return;
             if (done >= (neutral_ ? std::min(most, half_periods_to_arrive) : most) || is_restless()) return give_up(done, false);
@@ -311,7 +333,7 @@ private:
             why += {Why::another_orbit, candidate_.h, candidate_.stable, candidate_.largest_multiplier,
                     map_.norm(difference(recent_.states.back(), candidate_.z)) / size};
         orbit_.reason = why;
-        if (candidate_.h == 0 || effort.exhausted() || !answer_by_candidate()) return;
+        if (search_.converging_only || candidate_.h == 0 || effort.exhausted() || !answer_by_candidate()) return;
         orbit_.status = OrbitStatus::not_from_start; // which is certain, though not known to be that of the start
         orbit_.reason = std::move(why);
     }
@@ -327,6 +349,7 @@ private:
     PeriodicOrbit orbit_;
     std::optional<LastingRest> rest_;
     RecentStates recent_;
+    MarkedState marked_;
     double change_ = -1; // of the last half-period; negative before the first
     int rises_ = 0;      // half-periods that changed more than the one before
     State best_;         // nearest to a fixed point so far, if there is one only

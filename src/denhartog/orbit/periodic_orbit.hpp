@@ -31,9 +31,10 @@ struct OrbitSearch {
     const State* guess = nullptr; ///< a state near which an orbit of half a period is looked for first; null: none
     int most_periods = 20000; ///< periods of propagation after which the search gives up; with mu > 1 no more than 30 decay times
     bool follow_start = true; ///< make sure that the motion from the start tends to the orbit, not another
-    bool contact_only = false;  ///< leave `masses` empty: the maxima of the masses that are not in contact cost most
-    bool with_stability = true; ///< compute Floquet multipliers and the verdict on stability
-    Effort* effort = nullptr;   ///< the budget of the question, of which the search has its share; null: `default_effort`
+    bool converging_only = false; ///< give up once the motion from the start is seen to come to no orbit; no other is wanted
+    bool contact_only = false;    ///< leave `masses` empty: the maxima of the masses that are not in contact cost most
+    bool with_stability = true;   ///< compute Floquet multipliers and the verdict on stability
+    Effort* effort = nullptr;     ///< the budget of the question, of which the search has its share; null: `default_effort`
 };
 
 /// @brief A steady motion.

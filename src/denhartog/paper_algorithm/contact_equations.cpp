@@ -10,7 +10,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/point_rules.hpp"
-#include "denhartog/sliding/load_of_base.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
 
 namespace denhartog {
 namespace {

@@ -1,4 +1,4 @@
-// Up to which friction ratio does the contact slide throughout, and from which on does it never move? `regime_boundary_at` is
+// The friction ratios below which the contact slides throughout, and from which on it never moves. `regime_boundary_at` is
 // (69) and (88) with the largest demand (57) known, `boundary_at` has the other limits (56), (67) besides, and `boundary` finds
 // the largest demands first, by `instants_of_maxima.cpp`, where `regime_at` stands too.
 #include "denhartog/sliding/boundary.hpp"

@@ -1,5 +1,6 @@
 /// @file
-/// @brief The modal basis with bounds of its errors, and the functions of its modes with theirs.
+/// @brief The modal basis with bounds of its errors, the functions of its modes with theirs, and the load of a base or a wall that moves
+/// alone.
 ///
 /// The bounds of a basis come from what the eigen-solvers are trusted with: an error of each natural frequency of 8 N eps of
 /// itself on a chain and, times what the springs multiply, of masses of very different size; else of its square of 8 N eps of the
@@ -7,6 +8,12 @@
 /// 8 N eps over the relative distance of its frequency from the next one, which moves a light mass far.
 /// They cost no eigen-solve. Every number of a scene is taken to be off by a unit in its last place, as a decimal fraction or a
 /// quotient is.
+///
+/// With the absolute displacements \f$ \mathbf x \f$ of the masses and a base that moves by \f$ X\cos\tau \f$ springs and dampers
+/// are strained by \f$ \mathbf x - \mathbf 1X\cos\tau \f$: the base loads the masses by
+/// \f$ (\mathbf K + \mathrm ir\mathbf C)\mathbf 1 \f$ in units of \f$ P = k_1X \f$. In the frame of a wall that moves by
+/// \f$ X\cos\tau \f$ the contact rubs against a wall at rest, the base moves by \f$ -X\cos\tau \f$, and inertia adds
+/// \f$ r^2\mathbf M\mathbf 1 \f$.
 #pragma once
 
 #include <algorithm>
@@ -32,6 +39,11 @@ namespace denhartog {
 /// @brief Modes with bounds, their shapes at a few masses alone, a row each, see `modal_basis_at`: one eigen-solve. @eq{14,15}
 [[nodiscard]] ModalBasis<Bounded<double>> bounded_basis_at(const System<double>& system, const std::vector<Mass>& masses,
                                                            Effort* effort = nullptr);
+
+/// @brief The system with a force and a phase of each mass, the load that its base or wall makes at a frequency ratio, with bounds
+/// for rounding and the errors of the modes; the same system if the load does not depend on the frequency. InputError if `check`
+/// throws; DomainError if the load vanishes; PrecisionError as `modal_basis`. @eq{6,7,19}
+[[nodiscard]] System<double> with_load_at(const System<double>& system, double r);
 
 /// @brief Modes and sums without their bounds.
 [[nodiscard]] ModeSums<double> values_of(const ModeSums<Bounded<double>>& sums);
@@ -71,12 +83,12 @@ template <class T>
     return Bounded<double>::rounded(value.x, value.e + value.e / 2, 2);
 }
 
-/// @brief Whether the load leaves the contact unmoved without friction: \f$ |V_{dj}| \f$ is below the rounding of its own terms.
+/// @brief True if the load leaves the contact unmoved without friction: \f$ |V_{dj}| \f$ is below the rounding of its own terms.
 [[nodiscard]] bool contact_is_unmoved(const ModeSums<double>& sums);
-/// @brief The same by the bound of \f$ V_{dj} \f$.
+/// @brief True if \f$ V_{dj} \f$ is within its bound of zero.
 [[nodiscard]] bool contact_is_unmoved(const ModeSums<Bounded<double>>& sums);
 
-/// @brief Whether the system resonates without damping while the contact is held: Y_jj is below the rounding of its own terms.
+/// @brief True if the system resonates without damping while the contact is held: Y_jj is below the rounding of its own terms.
 template <class T>
 [[nodiscard]] bool stuck_system_resonates(const ModeSums<T>& sums);
 
@@ -85,12 +97,12 @@ template <class T>
 [[nodiscard]] T zero_for(const T&) {
     return T(0);
 }
-/// @brief The same with what the number may be for its bound.
+/// @brief Zero with a bound that is the largest size of the number.
 [[nodiscard]] inline Bounded<double> zero_for(const Bounded<double>& x) { return {0.0, x.most()}; }
 
 /// @brief An instant that rounding may have put a little outside the half-period, in it.
 [[nodiscard]] inline double in_half_period(double tau) { return std::clamp(tau, 0.0, pi<double>()); }
-/// @brief The same with a bound.
+/// @brief An instant in the half-period, with a bound of what moving it there changes.
 [[nodiscard]] inline Bounded<double> in_half_period(const Bounded<double>& tau) {
     const double inside = in_half_period(tau.x);
     return {inside, tau.e + std::abs(tau.x - inside)};

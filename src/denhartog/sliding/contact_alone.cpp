@@ -1,6 +1,7 @@
-// How does the contact alone move? For a single question `contact_solution` has (38), (39), and (69) with an upper bound of the
-// demand (57) in place of its maximum; without an answer here a point is solved in full. For maps `contact_sums` has (33)-(35), (64),
-// (65) over arrays of r, `contact_limits` the boundaries of them, and `contact_amplitudes` (38) over beta.
+// The motion of the contact alone. `add_mode` is the summation (33)-(35), (64), (65). For a single question `contact_solution` has
+// (38), (39), and (69) with an upper bound of the demand (57) in place of its maximum; without an answer here a point is solved in
+// full. For maps `contact_sums` has the sums over arrays of r, `contact_limits` the boundaries of them, and `contact_amplitudes`
+// (38) over beta.
 #include "denhartog/sliding/contact_alone.hpp"
 
 #include <algorithm>
@@ -27,8 +28,8 @@ using evaluation::run_with;
 using Number = Bounded<double>;
 using Functions = std::vector<evaluation::ModeFunctions<Number>>; // (23), (28), (29) of every mode
 
-std::vector<ContactMode> weighted_modes(const ModalBasis<Number>& basis, Mass contact, Mass load) {
-    std::vector<ContactMode> modes;
+std::vector<ContactMode<Number>> weighted_modes(const ModalBasis<Number>& basis, Mass contact, Mass load) {
+    std::vector<ContactMode<Number>> modes;
     for (std::size_t i = 0; i < basis.r_n.size(); ++i)
         modes.push_back(
             {basis.r_n[i], basis.zeta[i],
@@ -36,31 +37,26 @@ std::vector<ContactMode> weighted_modes(const ModalBasis<Number>& basis, Mass co
     return modes;
 }
 
-// A sum over modes with the errors of its terms, and of its rounding at the end: what that of every term would be in all.
-struct Sum {
-    double x = 0, e = 0, size = 0;
+// Adds the terms of a mode to (33)-(35), and to (64) without 1 / r^2.
+template <class T, class Sums>
+[[gnu::always_inline]] inline void add_mode(const evaluation::ArrayWeights<T>& m, const T& R,
+                                            const evaluation::ModeFunctions<T>& f, const Sums& s) {
+    s.V_re += m.load * f.v.re;
+    s.V_im += m.load * f.v.im;
+    s.U += m.contact * f.u;
+    s.G += m.contact * f.g;
+    s.H += evaluation::term_of_H(m, R, f.u, f.g);
+}
 
-    void add(const Number& weight, const Number& term) {
-        const double each = weight.x * term.x;
-        x += each;
-        e += weight.most() * term.e + weight.e * std::abs(term.x);
-        size += std::abs(each);
-    }
-    [[nodiscard]] Number bounded(std::size_t N) const {
-        return Number::of(x, e, static_cast<double>(N + 2) * unit_of<double>() * size);
-    }
-};
-
-// The sums over modes that the contact needs.
-struct SumsAtContact {
-    Complex<Number> V;
-    Number U, G;
-    double demand; // what the largest (57) does not exceed
-    double least;  // what it is not below: its value at the start
-};
+// The factors 1 / r^2 of (64) and, from the squares of the shapes at the contact, of (65).
+template <class T, class Sums>
+[[gnu::always_inline]] inline void divide_by_square(const T& r, const T& squares, const Sums& s) {
+    s.H = s.H / r / r;
+    s.sum_of_squares = squares / r / r;
+}
 
 // (57) is largest for tau -> 0, see `excess_at_the_end`.
-bool is_largest_at_start(const Number& R, const ContactMode& m, const evaluation::ModeFunctions<Number>& f) {
+bool is_largest_at_start(const Number& R, const ContactMode<Number>& m, const evaluation::ModeFunctions<Number>& f) {
     if (!(m.zeta.most() < 1)) return false;
     const Number excess = evaluation::excess_at_the_end(m.weights.two_zeta, R, f.u, f.g);
     const Number room = 4 * R * R - (1 - m.zeta) * (1 + m.zeta);
@@ -79,73 +75,67 @@ double largest_demand(const Number& R, const Number& zeta, const evaluation::Mod
 Functions functions_at(const ContactModes& all, const Number& r) {
     Functions functions;
     functions.reserve(all.modes.size());
-    for (const ContactMode& m : all.modes) functions.push_back(bounded_mode_functions(Number(r / m.r_n), m.zeta));
+    for (const ContactMode<Number>& m : all.modes) functions.push_back(bounded_mode_functions(Number(r / m.r_n), m.zeta));
     work_counted.mode_evaluations += static_cast<long>(all.modes.size());
     return functions;
 }
 
-SumsAtContact sums_at_contact(const ContactModes& all, const Number& r, const Functions& functions) {
-    const std::size_t N = all.modes.size();
-    Sum V_re, V_im, U, G, demand, at_start;
-    double others = 0;
-    for (std::size_t i = 0; i < N; ++i) {
-        const ContactMode& m = all.modes[i];
+SumsAtContact<Number> sums_at_contact(const ContactModes& all, const Number& r, const Functions& functions) {
+    SumsAtContact<Number> s{};
+    const SumsAtContact<Number&> sums{s.V_re, s.V_im, s.U, s.G, s.H, s.sum_of_squares};
+    Number squares(0);
+    for (std::size_t i = 0; i < all.modes.size(); ++i) {
+        add_mode(all.modes[i].weights, Number(r / all.modes[i].r_n), functions[i], sums);
+        squares += all.modes[i].weights.square;
+    }
+    divide_by_square(r, squares, sums);
+    return s;
+}
+
+// A bound of what the largest demand is above that at the start, by the modes whose (57) may be largest elsewhere.
+double demand_above_start(const ContactModes& all, const Number& r, const Functions& functions) {
+    Number above(0);
+    for (std::size_t i = 0; i < all.modes.size(); ++i) {
+        const ContactMode<Number>& m = all.modes[i];
         const evaluation::ModeFunctions<Number>& f = functions[i];
         const Number R = r / m.r_n;
-        V_re.add(m.weights.load, f.v.re);
-        V_im.add(m.weights.load, f.v.im);
-        U.add(m.weights.contact, f.u);
-        G.add(m.weights.contact, f.g);
-        const Number start = paper::s_d_at_zero(R, m.zeta, f.u, f.g);
-        at_start.add(m.weights.square, start);
-        if (is_largest_at_start(R, m, f))
-            demand.add(m.weights.square, start);
-        else
-            others += m.weights.square.most() * largest_demand(R, m.zeta, f);
+        if (is_largest_at_start(R, m, f)) continue;
+        above += m.weights.square * (Number(largest_demand(R, m.zeta, f)) - paper::s_d_at_zero(R, m.zeta, f.u, f.g));
     }
-    const Number left = Number::of(others, 0.0, static_cast<double>(N) * unit_of<double>() * others);
-    const Number known = (demand.bounded(N) + left) / (r * r);
-    return {
-        {V_re.bounded(N), V_im.bounded(N)}, U.bounded(N), G.bounded(N), known.most(), (at_start.bounded(N) / (r * r)).least()};
+    return Number(above / (r * r)).most();
 }
 
-// The largest demand by a search, with its bound; twice that, because the instant found is not followed.
-std::optional<double> demand_by_search(const ContactModes& all, const Number& r, const Functions& functions) {
-    const auto demand = [&] {
-        const ModeSums<Number> sums = mode_sums(*all.basis, all.contact, all.load, r, functions);
-        const Number largest = sliding_demand(sums, Number(instant_of_largest_demand(values_of(sums))));
-        const Number held = paper::static_friction_demand(sums.H_j, Number(1), sums.sum_of_squares);
-        return std::max(largest.x + 2 * largest.e, held.x + 2 * held.e);
+// (69) with the largest demand, which may be searched for; none if it is not settled.
+std::optional<Number> limit_by_search(const ContactModes& all, const Number& r, const Functions& functions) {
+    const auto limit = [&] {
+        return regime_boundary(mode_sums(*all.basis, all.contact, all.load, r, functions), Number(1)).exact;
     };
-    return tried(demand).value;
+    return tried(limit).value;
 }
 
-// None if the bound of (57) leaves open whether the contact slides.
-std::optional<ContactSolution> solution_from(const SumsAtContact& s, const Number& beta) {
-    const Number limit = paper::friction_ratio_limit(s.V, s.U, Number(s.demand));
+// None if it is not certain that beta is below the limit (69), which may be too small.
+std::optional<ContactSolution> solution_below(const Number& limit, const SumsAtContact<Number>& s, const Number& beta) {
     const double slides_below = limit.x - limit.e;
     if (!(beta.most() < slides_below)) return std::nullopt;
-    const Number X_j = evaluation::displacement_transmissibility_of_contact(s.V, s.U, s.G, beta);
+    const Complex<Number> V_dj{s.V_re, s.V_im};
+    const Number X_j = evaluation::displacement_transmissibility_of_contact(V_dj, s.U, s.G, beta);
     if (!(X_j.x > 0)) return std::nullopt;
-    return ContactSolution{X_j, wrapped(evaluation::phase_of_contact(s.V, s.U, beta)), Number(slides_below)};
+    return ContactSolution{X_j, wrapped(evaluation::phase_of_contact(V_dj, s.U, beta)), Number(slides_below)};
 }
 
 constexpr std::size_t block = 256;
 
 evaluation::Vectors widest() { return evaluation::supported_vectors().back(); }
 
-/// Functions of one mode over a block.
+// Functions of one mode over a block.
 struct ModeBlock {
     std::array<double, block> R, v_re, v_im, u, g;
 };
 
-/// A mode, with its weights, the same at every r.
-struct WeightedMode {
-    double r_n;                               ///< natural frequency ratio
-    double zeta;                              ///< damping ratio
-    evaluation::ArrayWeights<double> weights; ///< in the sums
-    evaluation::ArrayWeights<double> sizes;   ///< in the sizes of their terms
-    double sharpness; ///< what the error of R makes of (23), (28), (29): a size of the function grows by so many of its square
+// A mode without its bounds.
+struct WeightedMode : ContactMode<double> {
+    evaluation::ArrayWeights<double> sizes; // in the sizes of the terms
+    double sharpness;                       // by the error of R a size of (23), (28), (29) grows by so many of its square
 };
 
 // The weight that a term counts with in the sizes, the error of its own among them.
@@ -154,11 +144,9 @@ double size_of_weight(const Bounded<double>& weight) { return std::abs(weight.x)
 // Of v an error of R makes at most 2 R^2 |v|^2 of its relative size, of u and g about as much; R^2 is below 9/4 or |v| below 1.
 double sharpness_of(const Bounded<double>& r_n) { return 5 * r_n.e / r_n.x / error_of_size(); }
 
-WeightedMode without_bounds(const ContactMode& m) {
+WeightedMode without_bounds(const ContactMode<Number>& m) {
     const evaluation::ArrayWeights<Number>& w = m.weights;
-    return {m.r_n.x,
-            m.zeta.x,
-            {w.load.x, w.contact.x, w.square.x, w.two_zeta.x},
+    return {{m.r_n.x, m.zeta.x, {w.load.x, w.contact.x, w.square.x, w.two_zeta.x}},
             {size_of_weight(w.load), size_of_weight(w.contact), size_of_weight(w.square), w.two_zeta.x},
             sharpness_of(m.r_n)};
 }
@@ -167,7 +155,11 @@ WeightedMode without_bounds(const ContactMode& m) {
 
 using SumsOfBlock = SumsOverRatios<std::array<double, block>>;
 
-/// Adds the terms of a mode.
+[[gnu::always_inline]] inline SumsAtContact<double&> entry(SumsOfBlock& s, std::size_t i) {
+    return {s.V_re[i], s.V_im[i], s.U[i], s.G[i], s.H[i], s.sum_of_squares[i]};
+}
+
+// Adds the terms of a mode over a block, and their sizes.
 [[gnu::always_inline]] inline void add(const WeightedMode& mode, const ModeBlock& of, SumsOfBlock& s, std::size_t n) {
     const evaluation::ArrayWeights<double> m = mode.weights, size = mode.sizes;
     const double zeta = mode.zeta, sharpness = mode.sharpness;
@@ -176,13 +168,9 @@ using SumsOfBlock = SumsOverRatios<std::array<double, block>>;
         const double R = of.R[i], v_re = of.v_re[i], v_im = of.v_im[i], u = of.u[i], g = of.g[i];
         const double modulus = absolute(v_re) + absolute(v_im), size_of_v = modulus * (1 + sharpness * modulus);
         const double size_of_u = absolute(u) + 1, grown = 1 + sharpness * size_of_u;
-        s.V_re[i] += m.load * v_re;
-        s.V_im[i] += m.load * v_im;
+        add_mode(m, R, evaluation::ModeFunctions<double>{{v_re, v_im}, u, g}, entry(s, i));
         s.Y_re[i] += m.contact * v_re;
         s.Y_im[i] += m.contact * v_im;
-        s.U[i] += m.contact * u;
-        s.G[i] += m.contact * g;
-        s.H[i] += evaluation::term_of_H(m, R, u, g);
         s.size_of_V[i] += size.load * size_of_v;
         s.size_of_Y[i] += size.contact * size_of_v;
         s.size_of_U[i] += size.contact * size_of_u * grown;
@@ -192,20 +180,19 @@ using SumsOfBlock = SumsOverRatios<std::array<double, block>>;
     }
 }
 
-/// The sums by themselves, of a block or of all frequency ratios.
+// The sums by themselves, of a block or of all frequency ratios.
 auto all_of(auto& s) {
     return std::array{&s.V_re, &s.V_im,      &s.U,         &s.G,         &s.H,         &s.sum_of_squares, &s.Y_re,
                       &s.Y_im, &s.size_of_V, &s.size_of_Y, &s.size_of_U, &s.size_of_H, &s.certainty};
 }
 
-/// The factors 1 / r^2; nothing where a sum has no number, or a mode has none.
-void finish(const double* r, double sum_of_squares, SumsOfBlock& s, std::uint8_t* without_numbers, std::size_t n) {
+// The factors 1 / r^2; zeros if a sum has no number, or a mode has none.
+void finish(const double* r, double squares, SumsOfBlock& s, std::uint8_t* without_numbers, std::size_t n) {
     std::array<double, block> zero_if_finite;
 #pragma GCC ivdep
     for (std::size_t i = 0; i < n; ++i) {
-        s.H[i] = s.H[i] / r[i] / r[i];
+        divide_by_square(r[i], squares, entry(s, i));
         s.size_of_H[i] = s.size_of_H[i] / r[i] / r[i];
-        s.sum_of_squares[i] = sum_of_squares / r[i] / r[i];
         zero_if_finite[i] = s.V_re[i] * 0 + s.V_im[i] * 0 + s.Y_re[i] * 0 + s.Y_im[i] * 0 + s.U[i] * 0 + s.G[i] * 0 + s.H[i] * 0 +
                             s.sum_of_squares[i] * 0 + s.size_of_V[i] * 0 + s.size_of_Y[i] * 0 + s.size_of_U[i] * 0 +
                             s.size_of_H[i] * 0;
@@ -226,16 +213,16 @@ void compute(const std::vector<WeightedMode>& modes, std::span<const double> r, 
     const bool known = std::ranges::all_of(modes, [](const WeightedMode& m) { return m.sharpness <= 1; });
     s.certainty.fill(known ? std::numeric_limits<double>::max() : 0.0);
     const auto part = [n](std::array<double, block>& a) { return std::span<double>(a.data(), n); };
-    double sum_of_squares = 0;
+    double squares = 0;
     for (const WeightedMode& m : modes) {
         for (std::size_t i = 0; i < n; ++i) of.R[i] = r[start + i] / m.r_n;
         (void)evaluation::mode_functions(part(of.R), m.zeta,
                                          {part(of.v_re), part(of.v_im), part(of.u), part(of.g), without_numbers});
         run_with(
             widest(), [&]() __attribute__((always_inline)) { add(m, of, s, n); });
-        sum_of_squares += m.weights.square;
+        squares += m.weights.square;
     }
-    finish(r.data() + start, sum_of_squares, s, without_numbers.data(), n);
+    finish(r.data() + start, squares, s, without_numbers.data(), n);
     const auto from = all_of(s);
     const auto to = all_of(sums);
     for (std::size_t k = 0; k < from.size(); ++k)
@@ -281,7 +268,7 @@ bool is_near(const std::vector<double>& ascending, double limit) {
 } // namespace
 
 ContactModes contact_modes(std::shared_ptr<const ModalBasis<Number>> basis, Mass contact, Mass load) {
-    std::vector<ContactMode> modes = weighted_modes(*basis, contact, load);
+    std::vector<ContactMode<Number>> modes = weighted_modes(*basis, contact, load);
     return {std::move(basis), contact, load, std::move(modes)};
 }
 
@@ -289,14 +276,14 @@ std::optional<ContactSolution> contact_solution(const ContactModes& modes, const
     check_frequency_ratio(r.x);
     check_friction_ratio(beta.x);
     const Functions functions = functions_at(modes, r);
-    SumsAtContact s = sums_at_contact(modes, r, functions);
-    if (const std::optional<ContactSolution> found = solution_from(s, beta)) return found;
-    const Number highest = paper::friction_ratio_limit(s.V, s.U, Number(s.least));
-    if (!(beta.least() <= highest.most())) return std::nullopt; // at a pole it is no number
-    const std::optional<double> demand = demand_by_search(modes, r, functions);
-    if (!demand) return std::nullopt;
-    s.demand = *demand;
-    return solution_from(s, beta);
+    const SumsAtContact<Number> s = sums_at_contact(modes, r, functions);
+    const auto limit = [&](double S) { return paper::friction_ratio_limit(Complex<Number>{s.V_re, s.V_im}, s.U, Number(S)); };
+    const Number at_start = paper::static_friction_demand(s.H, Number(1), s.sum_of_squares); // (72)
+    const double most = (at_start.most() + demand_above_start(modes, r, functions)) * (1 + unit_of<double>());
+    if (const std::optional<ContactSolution> found = solution_below(limit(most), s, beta)) return found;
+    if (!(beta.least() <= limit(at_start.least()).most())) return std::nullopt; // at a pole it is no number
+    const std::optional<Number> searched = limit_by_search(modes, r, functions);
+    return searched ? solution_below(*searched, s, beta) : std::nullopt;
 }
 
 void contact_sums(const ModalBasis<Bounded<double>>& basis, Mass contact, Mass load, std::span<const double> r, unsigned threads,
@@ -310,7 +297,7 @@ void contact_sums(const ModalBasis<Bounded<double>>& basis, Mass contact, Mass l
     s.modes = N;
     s.without_numbers.resize(points);
     std::vector<WeightedMode> modes;
-    for (const ContactMode& m : weighted_modes(basis, contact, load)) modes.push_back(without_bounds(m));
+    for (const ContactMode<Number>& m : weighted_modes(basis, contact, load)) modes.push_back(without_bounds(m));
     parallel_for((points + block - 1) / block, threads, [&](std::size_t b) {
         compute(modes, r, s, b * block);
         return true;

@@ -1,5 +1,5 @@
-// What friction and load do to a system whose damping couples the modes: the motion with the symmetry (25) under a constant force
-// of one sign, in energy coordinates, and linear systems in place of the sums (33)-(35). Read `coupled_sums` at the end first,
+// Sliding of a system whose damping couples the modes: the motion with the symmetry (25) under a constant force of one sign, in
+// energy coordinates, and linear systems in place of the sums (33)-(35): there are no modes to sum over. Read `coupled_sums` at the end first,
 // then `CoupledFriction::set_coordinates` and `set_start`; `motion` is the brace of (41) at an instant.
 #include "denhartog/sliding/coupled_sums.hpp"
 

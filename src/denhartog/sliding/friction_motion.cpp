@@ -13,9 +13,9 @@ constexpr std::size_t most_remembered = std::size_t(1) << 22; // modes times ins
 FrictionMotions::FrictionMotions(const ModeSums<double>& sums, Effort* effort)
     : sums_(sums), effort_(effort), first(0), last(sums.R.size()) {
     c.reserve(last);
-    for (std::size_t i = first; i < last; ++i) {
-        // The bound of an overdamped mode does not come from two amplitudes, which are infinite at zeta = 1.
-        c.push_back(sums.zeta[i] >= 1 ? 0.0 : amplitude_of_brace(sums, i));
+    for (std::size_t i = first; i < last; ++i) { // |c_i|; the bound of an overdamped mode does not come from amplitudes
+        const double cosine = 1 + sums.g[i], sine = (cosine * sums.zeta[i] + sums.u[i] * sums.R[i]) / sums.w[i];
+        c.push_back(sums.zeta[i] >= 1 ? 0.0 : modulus(Complex<double>{cosine, sine}));
     }
 }
 

@@ -21,16 +21,6 @@
 
 namespace denhartog {
 
-/// @brief Braces of (40) of every mode and their derivatives at an instant. @eq{40}
-template <class T>
-[[nodiscard]] std::vector<evaluation::FrictionMotion<T>> friction_motions(const ModeSums<T>& s, const T& tau) {
-    std::vector<evaluation::FrictionMotion<T>> y;
-    y.reserve(s.R.size());
-    for (std::size_t i = 0; i < s.R.size(); ++i)
-        y.push_back(evaluation::friction_motion(tau, s.R[i], s.zeta[i], s.w[i], s.u[i], s.g[i]));
-    return y;
-}
-
 /// @brief A mass at instants of the half-period.
 template <class T>
 struct MassInMotion {
@@ -62,18 +52,21 @@ struct FrictionShare {
     evaluation::FrictionMotion<T> mass;               ///< then that of the mass, else zero
 };
 
-/// @brief Friction's share, at an instant in [0, pi], of the motion of a mass that is no mode's.
+/// @brief Friction's share of the motion of a mass, at an instant in [0, pi], if damping couples the modes; else zero.
 template <class T>
 [[nodiscard]] evaluation::FrictionMotion<T> share_of_no_mode(const ModeSums<T>& s, std::size_t k, const T& tau) {
     return s.coupled ? s.coupled->motion(k, tau) : evaluation::FrictionMotion<T>{T(0), T(0), T(0)};
 }
 
-/// @brief Friction's share of the motion of a mass at an instant in [0, pi].
+/// @brief Friction's share of the motion of a mass at an instant in [0, pi]. @eq{40}
 template <class T>
 [[nodiscard]] FrictionShare<T> friction_share(const ModeSums<T>& s, std::size_t k, const T& tau) {
     const SineCosine<T> at = sine_cosine(tau);
-    return {at.c, at.s, s.coupled ? std::vector<evaluation::FrictionMotion<T>>{} : friction_motions(s, tau),
-            share_of_no_mode(s, k, tau)};
+    FrictionShare<T> share{at.c, at.s, {}, share_of_no_mode(s, k, tau)};
+    share.modes.reserve(s.R.size());
+    for (std::size_t i = 0; i < s.R.size(); ++i)
+        share.modes.push_back(evaluation::friction_motion(tau, s.R[i], s.zeta[i], s.w[i], s.u[i], s.g[i]));
+    return share;
 }
 
 /// @brief Motion (46) of a mass with friction's share at an instant. @eq{46}

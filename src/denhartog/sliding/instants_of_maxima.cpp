@@ -1,4 +1,4 @@
-// When is the demand (57) largest, and when is each mass farthest out while the contact slides? Searches over the half-period find
+// Instants of the largest demand (57), and of each mass farthest out while the contact slides. Searches over the half-period find
 // the instants, on numbers without bounds; `with_maxima` then has the largest displacements with bounds of what the instants leave
 // open. Read `instants_of_demands`, `regime_at`, `instants_of_maxima` and `settle_maximum`, in this order.
 #include "denhartog/sliding/instants_of_maxima.hpp"
@@ -57,9 +57,14 @@ struct Demand {
             Z -= weights[n] * (2 * s.zeta[first + n] * R * now[n].double_prime + (1 - R) * (1 + R) * now[n].prime);
         }
         if (tau > 0 && tau < pi<double>()) return {N / S, N_prime * S - N * C, Z, Z * S};
-        double limit(0);
-        for (std::size_t n = 0; n < weights.size(); ++n) limit += weights[n] * s_d_of_mode(s, first + n, tau);
-        return {limit, 0.0, Z};
+        return {value(tau), 0.0, Z};
+    }
+
+    // F, the limits at 0 and pi included.
+    double value(double tau) const {
+        double sum(0);
+        for (std::size_t n = 0; n < weights.size(); ++n) sum += weights[n] * s_d_of_mode(s, first + n, tau);
+        return sum;
     }
 
     // A bound of how fast Z changes from an instant on.
@@ -110,18 +115,13 @@ double instant_of_largest(Curve curve, const Demanded& demanded) {
 }
 
 double instant_of_largest(FrictionMotions& y, std::size_t first, const std::vector<double>& weights) {
-    const ModeSums<double>& s = y.sums();
     const Demand demand{y, first, weights};
     Curve curve;
     curve.sample = [&](double tau) { return demand(tau); };
     curve.rate = [&](double a, double) { return demand.rate(a); };
     curve.cost = static_cast<long>(weights.size() + 2); // two for the search itself
     curve.question = y.effort();
-    return instant_of_largest(std::move(curve), [&](double tau) {
-        double sum(0);
-        for (std::size_t n = 0; n < weights.size(); ++n) sum += weights[n] * s_d_of_mode(s, first + n, tau);
-        return sum;
-    });
+    return instant_of_largest(std::move(curve), [&](double tau) { return demand.value(tau); });
 }
 
 double instant_of_largest_where_coupled(FrictionMotions& y) {
@@ -145,7 +145,7 @@ double instant_of_largest_where_coupled(FrictionMotions& y) {
     return instant_of_largest(std::move(curve), [&](double tau) { return coupled_demand(friction, s.contact, tau); });
 }
 
-// Whether (57) of a mode is certain to be largest for tau -> 0, by numbers in double and with a margin for their rounding.
+// True if (57) of a mode is certain to be largest for tau -> 0, by numbers in double and with a margin for their rounding.
 template <class T>
 bool mode_is_largest_at_start(const ModeSums<T>& s, std::size_t i) {
     const auto narrow = [](const T& x) { return static_cast<double>(ValueOf<T>::of(x)); };

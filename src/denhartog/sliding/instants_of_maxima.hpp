@@ -1,6 +1,6 @@
 /// @file
-/// @brief Instants at which the demand (57) is largest, and at which the masses are farthest out while the contact slides; what is
-/// certain of the largest values.
+/// @brief Instants at which the demand (57) is largest, and at which the masses are farthest out while the contact slides, with
+/// bounds of the largest values.
 #pragma once
 
 #include <algorithm>
@@ -10,15 +10,15 @@
 #include <vector>
 
 #include "denhartog/evaluation/mass.hpp"
+#include "denhartog/number/work_counted.hpp"
 #include "denhartog/scene/scene.hpp"
 #include "denhartog/search/largest.hpp"
-#include "denhartog/number/work_counted.hpp"
 #include "denhartog/sliding/friction_motion.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 
 namespace denhartog {
 
-/// @brief Whether (57) of every mode is certain to be largest for tau -> 0, by `evaluation::excess_at_the_end`: so is the sum.
+/// @brief True if (57) of every mode is certain to be largest for tau -> 0, by `evaluation::excess_at_the_end`: so is the sum.
 /// False says nothing. @eq{57,71}
 template <class T>
 [[nodiscard]] bool largest_at_start(const ModeSums<T>& sums);
@@ -28,7 +28,7 @@ template <class T>
 [[nodiscard]] double instant_of_largest_demand(const ModeSums<double>& sums, Effort* effort = nullptr);
 
 /// @brief N + 1 instants in [0, pi]: where the sum over the modes of (57)'s expression is largest, and where that of each mode
-/// is; 0 stands for the limit. What `y` remembers serves the next search. PrecisionError if a maximum is not settled. @eq{56,57}
+/// is; 0 stands for the limit. Instants that `y` remembers serve the next search. PrecisionError if a maximum is not settled. @eq{56,57}
 [[nodiscard]] std::vector<double> instants_of_demands(FrictionMotions& y);
 
 /// @brief Number of searches for the largest demand since the program started; tests gate on it.
@@ -38,8 +38,8 @@ template <class T>
 /// `largest_at_start` does not decide it. PrecisionError if the maximum is not settled. @eq{54,57,58,67,69,71,72}
 [[nodiscard]] RegimeBoundary<Bounded<double>> regime_boundary(const ModeSums<Bounded<double>>& sums, const Bounded<double>& mu);
 
-/// @brief By how many radians the phase of a displacement may differ from that of its maximum; zero if no other instant can be
-/// that of the maximum. The places are where the displacement may be the largest, in the order of time, and no two touch. At b,
+/// @brief The angle in radians by which the phase of a displacement may differ from that of its maximum; zero if no other instant
+/// can be that of the maximum. The places are where the displacement may be the largest, in the order of time, and no two touch. At b,
 /// the end of the stretch, the motion goes on as at a, or mirrored.
 template <class Sign>
 [[nodiscard]] double spread_of_phases(const std::vector<Place>& places, double a, double b, double instant,
@@ -77,7 +77,7 @@ struct InstantsOfMaxima {
 
 /// @brief The instants of the largest displacements, guaranteed by `global_maximum`. `only` is the one mass whose maximum
 /// is wanted besides that of the contact, none for all. `errors` bound what the sums make of the displacements, or are empty.
-/// What `y` remembers serves the next search. @eq{46}
+/// Instants that `y` remembers serve the next search. @eq{46}
 [[nodiscard]] InstantsOfMaxima instants_of_maxima(FrictionMotions& y, double beta, std::optional<Mass> only = std::nullopt,
                                                   const std::vector<double>& errors = {});
 

@@ -45,14 +45,6 @@ struct ModeSums {
     std::optional<Mass> load_im{};                    ///< the row of the load's imaginary part; none if forces are in phase
 };
 
-/// @brief \f$ |c_i| \f$ of a mode with \f$ \zeta_i < 1 \f$, whose brace in (40) is \f$ 1 - \mathrm{Re}\{c_ie^{\rho_i\tau}\} \f$.
-/// @eq{40}
-template <class T>
-[[nodiscard]] T amplitude_of_brace(const ModeSums<T>& s, std::size_t i) {
-    const T cosine = 1 + s.g[i], sine = (cosine * s.zeta[i] + s.u[i] * s.R[i]) / s.w[i];
-    return modulus(Complex<T>{cosine, sine});
-}
-
 /// @brief Checks that each mode moves by itself; InputError if damping couples the modes.
 template <class T>
 void check_uncoupled(const ModalBasis<T>& basis) {
@@ -68,7 +60,7 @@ void check_uncoupled(const ModalBasis<T>& basis) {
 template <class T>
 [[nodiscard]] ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, const LoadRows& load, const T& r);
 
-/// @brief The same of modes that were evaluated before, with (23), (28), (29) of every mode at r.
+/// @brief Sums over modes whose (23), (28), (29) at r were evaluated before.
 template <class T>
 [[nodiscard]] ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, const LoadRows& load, const T& r,
                                     const std::vector<evaluation::ModeFunctions<T>>& functions);

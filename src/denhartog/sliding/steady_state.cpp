@@ -1,4 +1,4 @@
-// How do the masses move as long as the contact slides? `steady_state_without_maxima` is (38), (39), (44), (45), (52), (53);
+// Motion of the masses as long as the contact slides. `steady_state_without_maxima` is (38), (39), (44), (45), (52), (53);
 // `set_maximum` adds amplitude and phase (47) of a mass whose largest displacement is known, and `motions` is (46) at any instants.
 #include "denhartog/sliding/steady_state.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
-#include "denhartog/sliding/load_of_base.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
 #include "tests/conformance/generator/route.hpp"
 
 namespace denhartog::conformance::generator {
