@@ -7,6 +7,7 @@
 #include <span>
 
 #include "denhartog/map/regime_map.hpp"
+#include "denhartog/number/tried.hpp"
 #include "denhartog/sliding/boundary.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/motion_record.hpp"
@@ -45,6 +46,6 @@ void compute_column(const MapSystem& map, double r, const std::optional<ContactC
                     std::span<MapPoint> points, std::span<double> amplitudes);
 
 /// @brief The point of a map that an answer makes; one without numbers where there is none.
-[[nodiscard]] MapPoint map_point(const AnswerOrNone& answer);
+[[nodiscard]] MapPoint map_point(const Tried<Solution>& answer);
 
 } // namespace denhartog
