@@ -63,7 +63,7 @@ std::size_t columns(const std::string& line) {
 Work work_of_solve(const ChartScene& scene, int digits) {
     const Question question = question_of_chart(scene.system, digits);
     const long before = eigen_solves();
-    const PreparedSystem prepared = prepare(scene.system, question);
+    const PreparedSystem prepared = prepare(scene_source(Scene<double>{scene.system, 1, {}, {}, {}, {}}), question);
     Work sum{eigen_solves() - before, 0, 0};
     for (const ChartPoint& point : scene.points) {
         const Work work = solve(prepared, point.r, point.beta, question).work;

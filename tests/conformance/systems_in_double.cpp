@@ -7,7 +7,6 @@
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/sliding/bounded_modes.hpp"
 #include "denhartog/sliding/coupled_sums.hpp"
-#include "denhartog/sliding/load_of_base.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "denhartog/answer/printed.hpp"
+#include "denhartog/answer/reference_point.hpp"
 #include "denhartog/number/ball_matrix.hpp"
 #include "tests/catch.hpp"
 #include "tests/reference/proofs.hpp"

@@ -167,7 +167,8 @@ Table solve_work_table(const std::vector<ChartGround>& grounds) {
             std::map<std::string, int> models;
             const Question question = question_of_chart(ground.scene.system, wanted);
             const long before = eigen_solves();
-            const PreparedSystem prepared = prepare(ground.scene.system, question);
+            const PreparedSystem prepared =
+                prepare(scene_source(Scene<double>{ground.scene.system, 1, {}, {}, {}, {}}), question);
             Work sum{eigen_solves() - before, 0, 0};
             for (const ChartPoint& point : ground.scene.points) {
                 try {

@@ -31,7 +31,7 @@ std::vector<double> even(double from, double to, int parts) {
 AmplitudeSearch search_of(const std::function<double(double)>& f, int parts = 10, double error = 1e-13) {
     return {even(0, 1, parts), [=](double x) -> Tried<Certified> {
                 const double value = f(x);
-                if (std::isnan(value)) return {std::nullopt, false, Why::not_periodic};
+                if (std::isnan(value)) return {Outcome::not_converged, Why::not_periodic};
                 return {Certified{value, error}};
             }};
 }

@@ -75,7 +75,7 @@ TEST_CASE("what friction damps is told at each point of a system that is prepare
     Question question;
     question.asked = Asked::amplitude;
     question.mass = Mass{0};
-    const PreparedSystem prepared = prepare(undamped(0.7, 0.05).system, question);
+    const PreparedSystem prepared = prepare(scene_source(undamped(0.7, 0.05)), question);
     REQUIRE(prepared.contact); // the contact alone, whose modes know no point
     const Solution kept = solve(prepared, 0.5, 0.2, question);
     REQUIRE(kept.kept_mode);

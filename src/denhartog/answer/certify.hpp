@@ -1,5 +1,5 @@
 /// @file
-/// @brief Whether an answer in double has its digits: numbers carry a bound of their error, `Bounded<double>`. No error is
+/// @brief The digits of an answer in double: numbers carry a bound of their error, `Bounded<double>`. No error is
 /// measured by computing twice. Where the bounds do not leave the digits asked for, the reference answers. And the motion as it
 /// is seen from the ground, where base and wall, or the wall alone, move by \f$ b\cos\tau \f$: absolute displacements are the
 /// relative ones and that.
@@ -23,14 +23,14 @@ struct Aim {
     double tolerance; ///< ten to the minus that
 };
 
-/// @brief What a number of digits aims at, or `digits_by_default` where none is given; InputError where they are not from 1 to
+/// @brief The aim of a number of digits, or of `digits_by_default` where none is given; InputError where they are not from 1 to
 /// `most_digits`.
 [[nodiscard]] Aim aim_of(std::optional<int> digits);
 
 /// @brief The relative error that leaves so many digits: ten to the minus that.
 [[nodiscard]] double tolerance_of(int digits);
 
-/// @brief How many digits a relative error leaves, from 0 to 17.
+/// @brief The number of digits that a relative error leaves, from 0 to 17.
 [[nodiscard]] int digits_of(double error);
 
 /// @brief An error as a double, infinite where it is no number.
@@ -48,7 +48,7 @@ template <class T>
 /// @brief The most digits that double is asked for.
 inline constexpr int most_digits_in_double = 14;
 
-/// @brief What double came to.
+/// @brief The result of double, as far as digits need it.
 struct Attempted {
     double relative;              ///< largest error of what must have the digits, relative as they count
     bool decided = true;          ///< whether its regime is certain
@@ -58,17 +58,17 @@ struct Attempted {
 /// @brief Counts a question for which double did not have the digits, for `precision_steps`.
 void count_precision_step();
 
-/// @brief What is said of an attempt.
+/// @brief The reasons that an attempt gives.
 [[nodiscard]] Reasons verdict(const Attempted& attempted, const Aim& aim);
 
-/// @brief Whether a mass does not move, as far as numbers tell: its amplitude is no larger than its error, and that is next to
-/// nothing of the largest amplitude.
+/// @brief True of a mass that does not move, as far as numbers tell: its amplitude is no larger than its error, and that is next
+/// to nothing of the largest amplitude.
 [[nodiscard]] inline bool does_not_move(double amplitude, double error, double largest) {
     constexpr double units = 1024;
     return amplitude <= error && error <= largest * units * unit_of<double>();
 }
 
-/// @brief Takes what a contact that does not move as one mass does out of the lists over masses, where it comes last.
+/// @brief Takes the motion of a contact that does not move as one mass out of the lists over masses, where it comes last.
 void take_contact_between(const System<double>& system, Solution& s);
 
 /// @brief Leaves of the masses in their order the one that was asked about, if it was one.
@@ -101,7 +101,7 @@ template <class T>
     return motion == BaseMotion::with_wall ? T(T(1) / (r * r)) : T(1);
 }
 
-/// @brief How far the frame of the displacements moves, b; zero where they are absolute.
+/// @brief The amplitude of the frame of the displacements, b; zero where they are absolute.
 [[nodiscard]] inline Bounded<double> amplitude_of_frame(const Scene<double>& scene) {
     const BaseMotion motion = scene.system.base_motion;
     if (motion == BaseMotion::none || motion == BaseMotion::alone) return Bounded<double>(0);

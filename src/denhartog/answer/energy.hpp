@@ -1,5 +1,5 @@
 /// @file
-/// @brief What a steady motion dissipates in a period of the force, and the forces that it hands to wall and base.
+/// @brief The energies that a steady motion dissipates in a period of the force, and the forces that it hands to wall and base.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace denhartog {
 
-/// @brief Friction as the dashpot that dissipates as much, and what textbooks make of it.
+/// @brief Friction as the dashpot that dissipates as much, and as textbooks have it.
 struct EquivalentDamping {
     Certified
         coefficient; ///< \f$ c = W/(\pi\omega X^2) \f$ with the energy W and the amplitude X of the contact; units of sqrt(k_1 m_1)

@@ -1,4 +1,4 @@
-// What is the motion from a start? In double over many periods, `exact_cycles` and `motion_history`, both by `last_part`; and
+// The motion from a start: in double over many periods, `exact_cycles` and `motion_history`, both by `last_part`; and
 // proved, after the load is taken away, until the contact rests, `free_decay`.
 #include "denhartog/answer/from_a_start.hpp"
 
@@ -17,7 +17,6 @@
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #if DENHARTOG_REFERENCE
-#include "denhartog/answer/printed.hpp"
 #include "denhartog/answer/reference_point.hpp"
 #include "denhartog/reference/free_decay.hpp"
 #endif
@@ -45,12 +44,12 @@ void require_digits_of_contact(const ContactSystem& s) {
 ContactSystem system_of(const SceneSource& source) {
     constexpr double most = 1e-9;
     Tried<ContactSystem> system = tried([&] { return contact_system(source->in_double().system); });
-    if (system.value && std::ranges::all_of(system.value->detuned, [](double part) { return part <= most; }))
+    if (system.is_answered() && std::ranges::all_of(system.value->detuned, [](double part) { return part <= most; }))
         return *std::move(system.value);
-    return moving_by_reference(source, Why::frequency_without_digits);
+    return std::move(moving_by_reference(source, Why::frequency_without_digits).required());
 }
 
-// What moves, with the constant forces. Nothing bounds the errors of its motion.
+// The system that moves, with the constant forces. Nothing bounds the errors of its motion.
 ContactSystem moving_system(const SceneSource& source) {
     ContactSystem system = system_of(source);
     require_digits_of_contact(system);
@@ -193,7 +192,7 @@ BallMatrix static_displacements(const SceneSource& source, const BallMatrix& K) 
 
 Certified as_number(const Ball& x) { return printed(x, most_digits_of_a_double); }
 
-// Whether numbers have their digits beside the largest of them.
+// True of numbers that have their digits beside the largest of them.
 bool are_certain(const std::vector<Ball>& x) {
     Ball largest(0), error(0);
     for (const Ball& each : x) {
@@ -220,14 +219,14 @@ std::vector<Certified> place_of_rest(const SceneSource& source) {
     const Scene<double>& scene = source->in_double();
     std::vector<Certified> places;
     if (scene.static_load.empty()) return places;
-    with_enough_bits(source, first_bits_of_motion, most_bits_of_motion, [&](const SceneSource& paid, slong, bool last) {
+    require(with_enough_bits(source, first_bits_of_motion, most_bits_of_motion, [&](const SceneSource& paid, slong, bool last) {
         const BallMatrix x = static_displacements(paid, scene_as_given(paid).K);
         std::vector<Ball> all;
         for (slong k = 0; k < x.rows(); ++k) all.push_back(x(k));
         places.clear();
         for (const Ball& each : all) places.push_back(as_number(each));
         return last || are_certain(all);
-    });
+    }));
     return places;
 }
 
@@ -240,7 +239,7 @@ FreeDecay free_decay(const SceneSource& source, const State& start, const std::o
     as_cycles.start = start;
     check(as_cycles, number_of_masses(scene.system));
     FreeDecay out;
-    with_enough_bits(source, first_bits_of_motion, most_bits_of_motion, [&](const SceneSource& paid, slong, bool last) {
+    require(with_enough_bits(source, first_bits_of_motion, most_bits_of_motion, [&](const SceneSource& paid, slong, bool last) {
         const SceneInBalls s = damped_scene_in_balls(paid);
         const BallMatrix at_rest = static_displacements(paid, s.K);
         BallMatrix y(s.N(), 1), y_prime(s.N(), 1);
@@ -262,7 +261,7 @@ FreeDecay free_decay(const SceneSource& source, const State& start, const std::o
             out.stops.push_back({as_number(stop.start), as_number(stop.end), as_number(stop.x)});
         for (const Ball& x : motion.x) out.masses.push_back(as_number(x));
         return true;
-    });
+    }));
     return out;
 }
 

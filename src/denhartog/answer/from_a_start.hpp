@@ -22,14 +22,14 @@ namespace denhartog {
 /// The phase is the instant of the largest |x_k|, half a period on where x_k is negative there. @eq{6,74,75}
 [[nodiscard]] PaperMotion exact_cycles(const SceneSource& source, const PaperSettings& settings);
 
-/// @brief What is wanted of the history of a motion.
+/// @brief The part of the history of a motion that is wanted.
 struct HistorySettings {
     int cycles = 200;                 ///< periods over which the motion is followed, from tau = 0; from 1 to 1000000
-    std::optional<int> last{};        ///< how many of these the history has, at the end; none is all of them
+    std::optional<int> last{};        ///< the number of these that the history has, at the end; none is all of them
     State start{};                    ///< displacements and velocities at tau = 0, where the force is largest
     int samples = 0;                  ///< instants in a period at which the state is wanted, equally spaced; none where 0
     bool without_load = false;        ///< whether the harmonic load is taken away, so that P is no more than a unit
-    double period = 2 * pi<double>(); ///< what counts as a period; that of the force. Radians
+    double period = 2 * pi<double>(); ///< the length of a period; that of the force. Radians
 };
 
 /// @brief A stop in the history of a motion.
@@ -72,7 +72,7 @@ struct DecayTurn {
     Certified x;   ///< displacement of the contact, in units of P / k_1
 };
 
-/// @brief How a motion without a load comes to rest. Every number is proved.
+/// @brief The way of a motion without a load to rest. Every number is proved.
 struct FreeDecay {
     bool at_rest = false;          ///< whether the contact rests for good; if not, `rest_from` to `on_limit` say nothing
     std::vector<DecayTurn> turns;  ///< ends of the half-cycles, in order; at the last one the contact rests for good
@@ -80,10 +80,10 @@ struct FreeDecay {
     Certified rest_from;           ///< tau from which the contact rests for good
     Certified rest_at;             ///< displacement of the contact at rest, in units of P / k_1
     std::vector<Certified> masses; ///< places of rest of all masses with the contact there, in units of P / k_1
-    /// Whether the other masses come to rest at these places. True: every free motion of theirs is damped, and they tend to them.
-    /// False: nothing damps them, and they move about them for ever. Empty: neither is proved, or there are no other masses.
+    /// True where the other masses come to rest at these places, since every free motion of theirs is damped; false where nothing
+    /// damps them, and they move about the places for ever; empty where neither is proved, or there are no other masses.
     std::optional<bool> others_come_to_rest;
-    /// Whether the springs pull on the contact at rest with static friction, to some hundred digits. If the two are equal, (74)
+    /// True where the springs pull on the resting contact with static friction, to some hundred digits. If the two are equal, (74)
     /// lets it stick, as this says.
     bool on_limit = false;
 };

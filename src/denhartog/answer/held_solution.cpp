@@ -106,7 +106,7 @@ Bounded<double> compliance_of(const StuckConfiguration& stuck) {
 
 // A number that is written as a double has to be one.
 void require_in_range(double number, int what) {
-    if (!std::isfinite(number)) throw PrecisionError({Why::out_of_double, what});
+    if (!std::isfinite(number)) throw PrecisionError({Why::out_of_double, what}, Outcome::out_of_range);
 }
 
 // (88) as printed: modes of the masses on the load's side of the contact, damping read from the diagonal.

@@ -1,7 +1,7 @@
 /// @file
 /// @brief The models that answer in double, every number with its bound: the closed form where the contact slides throughout, the
-/// stuck response where it rests for ever, and the periodic orbit that the exact solver finds; and the motions that other starts
-/// lead to.
+/// stuck response where it rests for ever, and the periodic orbit of the exact solver; whether the motion is the only one,
+/// and the motions that other starts lead to.
 #pragma once
 
 #include <algorithm>
@@ -42,7 +42,7 @@ public:
     SearchedSums& operator=(const SearchedSums&) = delete;
     /// @brief The sums.
     [[nodiscard]] const ModeSums<Bounded<double>>& sums() const { return sums_; }
-    /// @brief The same without bounds.
+    /// @brief The sums without bounds.
     [[nodiscard]] const ModeSums<double>& values() { return values_ ? *values_ : values_.emplace(values_of(sums_)); }
     /// @brief Friction's share of the motion.
     [[nodiscard]] FrictionMotions& motions();
@@ -61,15 +61,15 @@ private:
     std::optional<FrictionMotions> motions_{};
 };
 
-/// @brief Whether the load excites a mode, beyond the bounds of its shape.
+/// @brief True of a mode that the load excites, beyond the bounds of its shape.
 [[nodiscard]] bool is_excited(const ModalBasis<Bounded<double>>& basis, const System<double>& system, std::size_t mode);
 
-/// @brief What is known of a point.
+/// @brief The knowledge of a point.
 struct SlidingPoint {
     Boundary<Bounded<double>> boundary;                ///< the boundary there
     std::optional<RegimeAtPoint> regime;               ///< the regime; none without a friction ratio
     std::optional<SteadyState<Bounded<double>>> state; ///< the steady state, in the sliding regime and where it was asked for
-    std::vector<MassFromGround> from_ground{};         ///< the same as it is seen from the ground, where base or wall move
+    std::vector<MassFromGround> from_ground{};         ///< the masses as seen from the ground, where base or wall move
     Attempted attempted{0};                            ///< the largest error, and whether the regime is certain
 };
 
@@ -79,7 +79,7 @@ struct SlidingPoint {
 [[nodiscard]] SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Bounded<double>>& basis,
                                          const Question& question, Effort* effort = nullptr);
 
-/// @brief The same as an answer; `modes` are those in double, where they are prepared. A bad scene and bad digits are an
+/// @brief The point of a scene as an answer; `modes` are those in double, if they are prepared. A bad scene and bad digits are an
 /// InputError, a pole is a DomainError, which says `Why::pole_by_rounding` if it is within a few units in the last place.
 [[nodiscard]] Solution sliding_solution(const SceneSource& source, const Question& question,
                                         std::shared_ptr<const ModalBasis<Bounded<double>>> modes = nullptr);
@@ -119,19 +119,19 @@ struct OrbitSolution {
 /// @brief Where the contact of an orbit of permanent sticking rests; none without a finite bound of its error.
 [[nodiscard]] std::optional<Certified> place_of_rest(const PeriodicOrbit& orbit);
 
-/// @brief Whether an orbit is the sliding motion of the closed form, whose contact has the amplitude X_j, as far as double can
+/// @brief True of an orbit that is the closed form's sliding motion, whose contact has the amplitude X_j, as far as double can
 /// tell: its stops, and whether it mirrors itself, may be rounding next to the boundary.
 [[nodiscard]] inline bool is_sliding_motion(const PeriodicOrbit& orbit, double X_j) {
     return orbit.periods == 1 && std::abs(orbit.contact.amplitude - X_j) <= 16 * orbit.error_bound + 1e-9 * X_j;
 }
 
-/// @brief Whether an orbit below the boundary can be no other than the closed form's: static friction acts in stops alone, so
-/// that one without any is a motion with mu = 1, and that is unique where every free motion is damped.
+/// @brief True of an orbit below the boundary that can be no other than the closed form's: static friction acts in stops alone,
+/// so that one without any is a motion with mu = 1, and that is unique where every free motion is damped.
 [[nodiscard]] inline bool must_be_sliding_motion(const PeriodicOrbit& orbit, bool damped) {
     return damped && orbit.stops.empty();
 }
 
-/// @brief Whether double does not tell if the contact stops: beyond the boundary of sliding stops may be too short to be seen,
+/// @brief True where double does not tell if the contact stops: beyond the boundary of sliding stops may be too short to be seen,
 /// and those of the closed form's motion (`slides`) may be rounding. `stops`: the motion has some for certain.
 [[nodiscard]] inline bool stops_are_open(const PeriodicOrbit& orbit, bool beyond, bool stops, bool slides) {
     return orbit.stops.empty() ? stops || (beyond && orbit.symmetric && orbit.periods == 1) : slides;
@@ -146,5 +146,17 @@ struct OrbitSolution {
 [[nodiscard]] std::vector<OtherMotion> other_motions(const Scene<double>& scene, const ContactSystem& system,
                                                      const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis,
                                                      Effort* effort);
+
+/// @brief Says whether the velocities are known not to depend on the start, and why; and what is steady besides where a mode
+/// without damping keeps any share of the sliding motion. The answer has its point already; `contact` is the row of the contact
+/// in the shapes of the basis.
+///
+/// With mu = 1 no two motions move apart, and their distance stays the same only if friction and dampers do no work on their
+/// difference. That is then a free motion of modes without damping, which lets the contact turn at the same instants: at
+/// multiples of pi. Of modes whose phases over pi are told from 0, from pi and from each other's it is zero. A mode with an even
+/// number of periods in one of the force may keep any share. Of one mass that stops, two motions at the same distance rest and
+/// break away together, and so from the same place.
+void say_whether_unique(const ModalBasis<Bounded<double>>& basis, Mass contact, const System<double>& system, double mu,
+                        Solution& s);
 
 } // namespace denhartog

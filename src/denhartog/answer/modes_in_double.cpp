@@ -1,4 +1,4 @@
-// What are the modes of a system, (14) to (18), in double? Those of double where they have their digits; else those of the
+// The modes of a system, (14) to (18), in double: those of double where they have their digits; else those of the
 // reference, rounded, whose part of the file begins with `DENHARTOG_REFERENCE`.
 #include "denhartog/answer/modes_in_double.hpp"
 
@@ -15,16 +15,11 @@
 #include "denhartog/number/why.hpp"
 #include "denhartog/sliding/bounded_modes.hpp"
 #if DENHARTOG_REFERENCE
-#include "denhartog/answer/printed.hpp"
 #include "denhartog/answer/reference_point.hpp"
 #endif
 
 namespace denhartog {
 namespace {
-
-std::shared_ptr<const ContactSystem> rounded_system(const SceneSource& source, const Reasons& because) {
-    return std::make_shared<const ContactSystem>(moving_by_reference(source, because));
-}
 
 double relative_error(const ModalBasis<Bounded<double>>& basis) {
     double largest = 0;
@@ -63,24 +58,18 @@ std::vector<Bounded<double>> sizes_in(const ModalBasis<Bounded<double>>& basis) 
 }
 
 ModesInDouble modes_in_double(const SceneSource& source) {
-    const auto found = tried([&] { return modes_with_errors(source->in_double().system, source->effort); });
-    if (found.value) return {*found.value};
-    return {std::make_shared<const ModalBasis<Bounded<double>>>(modes_by_reference(source, true)), found.why};
+    auto found = tried([&] { return modes_with_errors(source->in_double().system, source->effort); });
+    if (found.is_answered()) return {*std::move(found.value)};
+    return {std::make_shared<const ModalBasis<Bounded<double>>>(std::move(modes_by_reference(source, true).required())),
+            found.why};
 }
 
 std::shared_ptr<const ContactSystem> moving_in_double(const SceneSource& source, const ModesInDouble& modes) {
-    if (!modes.rounded_because.empty()) return rounded_system(source, modes.rounded_because);
-    Tried<ContactSystem> held =
-        tried([&] { return contact_system(source->in_double().system, *modes.basis, nullptr, source->effort); });
-    return held.value ? std::make_shared<const ContactSystem>(*std::move(held.value)) : rounded_system(source, held.why);
-}
-
-ContactSystem moving_by_reference(const SceneSource& source, const Reasons& because) {
-    const System<double>& system = source->in_double().system;
-    const SystemByReference found = system_by_reference(source);
-    ContactSystem moving = contact_system(system, found.basis, &found.held);
-    moving.rounded_because = because;
-    return moving;
+    Tried<ContactSystem> system(Outcome::digits_missing, modes.rounded_because);
+    if (modes.rounded_because.empty())
+        system = tried([&] { return contact_system(source->in_double().system, *modes.basis, nullptr, source->effort); });
+    if (!system.is_answered()) system = moving_by_reference(source, system.why);
+    return std::make_shared<const ContactSystem>(std::move(system.required()));
 }
 
 std::optional<CoupledDamping> coupled_damping(const SceneSource& source) {
@@ -98,16 +87,16 @@ std::optional<CoupledDamping> coupled_damping(const SceneSource& source) {
 std::shared_ptr<const ModalBasis<Bounded<double>>>
 certain_modes(const SceneSource& source, const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis) {
     if (!is_for_reference(source, relative_error(*basis))) return basis;
-    Tried<ModalBasis<Bounded<double>>> modes = tried([&] { return modes_by_reference(source, false); });
-    return modes.value ? std::make_shared<const ModalBasis<Bounded<double>>>(*std::move(modes.value)) : basis;
+    Tried<ModalBasis<Bounded<double>>> modes = modes_by_reference(source, false);
+    return modes.is_answered() ? std::make_shared<const ModalBasis<Bounded<double>>>(*std::move(modes.value)) : basis;
 }
 
 ModeFunctionsInDouble certain_mode_functions(const SceneSource& source,
                                              const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis) {
     Tried<ModeFunctionsInDouble> functions = tried([&] { return mode_functions_at(*basis, as_input(*source->in_double().r)); });
-    if (is_for_reference(source, functions.at_pole ? 1 : relative_error(functions.required()))) {
-        Tried<ModeFunctionsInDouble> proved = tried([&] { return mode_functions_by_reference(source); });
-        if (proved.value) return *std::move(proved.value);
+    if (is_for_reference(source, functions.outcome == Outcome::at_a_pole ? 1 : relative_error(functions.required()))) {
+        Tried<ModeFunctionsInDouble> proved = mode_functions_by_reference(source);
+        if (proved.is_answered()) return *std::move(proved.value);
     }
     return std::move(functions.required());
 }
@@ -119,7 +108,7 @@ namespace {
 using namespace reference;
 
 constexpr slong first_bits = 128, most_bits = 1024;
-constexpr double nearly_rounding = 1e-14; // what a number may be off by, relative, in place of its rounding to double
+constexpr double nearly_rounding = 1e-14; // relative error of a number, in place of its rounding to double
 
 Matrix<Bounded<double>> in_double(const BallMatrix& A) {
     Matrix<Bounded<double>> out(A.rows(), A.columns());
@@ -218,7 +207,7 @@ std::optional<ModalBasis<Bounded<double>>> basis_of(const SceneInBalls& s, const
     return basis;
 }
 
-// Whether all modes are told apart. If twice the bits do not help, nothing will.
+// True of modes that are all told apart. If twice the bits do not help, nothing will.
 bool told_apart(const ModesInBalls& m, slong bits) {
     if (m.clusters.empty()) return true;
     if (bits > first_bits) throw PrecisionError(Why::frequencies_coincide);
@@ -282,7 +271,7 @@ std::optional<RoundedModes> held_modes(const SceneInBalls& s, const ModesInBalls
 
 } // namespace
 
-ModalBasis<Bounded<double>> modes_by_reference(const SceneSource& source, bool coinciding) {
+Tried<ModalBasis<Bounded<double>>> modes_by_reference(const SceneSource& source, bool coinciding) {
     const System<double>& system = source->in_double().system;
     return with_more_bits(source, first_bits, most_bits, [&](const SceneSource& paid, slong bits, bool) {
         const SceneInBalls s = scene_at_one(paid);
@@ -291,10 +280,10 @@ ModalBasis<Bounded<double>> modes_by_reference(const SceneSource& source, bool c
     });
 }
 
-std::vector<evaluation::ModeFunctions<Bounded<double>>> mode_functions_by_reference(const SceneSource& source) {
+Tried<ModeFunctionsInDouble> mode_functions_by_reference(const SceneSource& source) {
     const double tolerance = tolerance_of(digits_by_default);
     return with_more_bits(source, first_bits, most_bits, [&](const SceneSource& paid, slong bits, bool last) {
-        std::optional<std::vector<evaluation::ModeFunctions<Bounded<double>>>> functions;
+        std::optional<ModeFunctionsInDouble> functions;
         const SceneInBalls s = scene_in_balls(paid);
         const ModesInBalls m = modes_in_balls(s);
         if (!told_apart(m, bits)) return functions;
@@ -317,17 +306,20 @@ std::vector<evaluation::ModeFunctions<Bounded<double>>> mode_functions_by_refere
     });
 }
 
-SystemByReference system_by_reference(const SceneSource& source) {
+Tried<ContactSystem> moving_by_reference(const SceneSource& source, const Reasons& because) {
     const System<double>& system = source->in_double().system;
     return with_more_bits(source, first_bits, most_bits, [&](const SceneSource& paid, slong, bool) {
-        std::optional<SystemByReference> found;
+        std::optional<ContactSystem> moving;
         SceneInBalls s = scene_at_one(paid);
         const ModesInBalls m = signed_modes(s);
-        std::optional<ModalBasis<Bounded<double>>> basis = basis_of(s, m, system);
-        if (!basis) return found;
+        const std::optional<ModalBasis<Bounded<double>>> basis = basis_of(s, m, system);
+        if (!basis) return moving;
         if (!s.zeta.empty()) s.C = damping_matrix_in_balls(s, m);
-        if (std::optional<RoundedModes> held = held_modes(s, m, system)) found = {*std::move(basis), *std::move(held)};
-        return found;
+        const std::optional<RoundedModes> held = held_modes(s, m, system);
+        if (!held) return moving;
+        moving = contact_system(system, *basis, &*held);
+        moving->rounded_because = because;
+        return moving;
     });
 }
 

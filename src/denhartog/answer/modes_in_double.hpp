@@ -1,6 +1,6 @@
 /// @file
-/// @brief The modes of a system in double, and by the reference, each number proved and rounded to double. What an answer says of
-/// a damping matrix that couples them.
+/// @brief The modes of a system in double, and by the reference, each number proved and rounded to double; and the coupling of
+/// modes by a damping matrix.
 #pragma once
 
 #include <memory>
@@ -9,6 +9,7 @@
 
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/evaluation/mode_values.hpp"
+#include "denhartog/number/tried.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 
 namespace denhartog {
@@ -19,14 +20,15 @@ struct ModesInDouble {
     Reasons rounded_because{};                                ///< why double has none, where the reference found it; else empty
 };
 
-/// @brief Finds the modes of a system.
+/// @brief The modes of a system; PrecisionError where the reference has none either.
 [[nodiscard]] ModesInDouble modes_in_double(const SceneSource& source);
 
 /// @brief Prepares a system for the exact solver in double, sliding and stuck.
 [[nodiscard]] std::shared_ptr<const ContactSystem> moving_in_double(const SceneSource& source, const ModesInDouble& modes);
 
-/// @brief The same with the modes of the reference; `because` says why double has none, or not their digits.
-[[nodiscard]] ContactSystem moving_by_reference(const SceneSource& source, const Reasons& because);
+/// @brief A system for the exact solver with the modes of the reference, those that coincide too; `because` says why double has
+/// none, or not their digits. None as of `modes_by_reference`.
+[[nodiscard]] Tried<ContactSystem> moving_by_reference(const SceneSource& source, const Reasons& because);
 
 /// @brief A damping matrix that couples the modes.
 struct CoupledDamping {
@@ -36,8 +38,8 @@ struct CoupledDamping {
     std::vector<double> damping_ratios; ///< those nearest to the matrix, mode by mode
 };
 
-/// @brief How much the damping matrix of a scene couples the modes, by double or else by the reference; none where damping was
-/// given by ratios, or it does not by more than the bounds of its entries. @eq{18}
+/// @brief The coupling of the modes by the damping matrix of a scene, by double or else by the reference; none where damping was
+/// given by ratios, or it is no more than the bounds of the matrix's entries. @eq{18}
 [[nodiscard]] std::optional<CoupledDamping> coupled_damping(const SceneSource& source);
 
 /// @brief The modal basis to `digits_by_default` digits, in double if that has them, else by the reference; of modes with one
@@ -55,20 +57,12 @@ certain_mode_functions(const SceneSource& source, const std::shared_ptr<const Mo
 
 /// @brief The modal basis by the reference, with the rows and signs of that in double; `D` is filled where a damping matrix
 /// counts. Modes that no bits tell apart are refused, or, where `coinciding` ones may be taken, have bounds that hold any
-/// orthonormal shapes. PrecisionError where something cannot be proved, or the library was built without the reference.
+/// orthonormal shapes. None where something cannot be proved, or the library was built without the reference.
 /// @eq{14,15,18}
-[[nodiscard]] ModalBasis<Bounded<double>> modes_by_reference(const SceneSource& source, bool coinciding);
+[[nodiscard]] Tried<ModalBasis<Bounded<double>>> modes_by_reference(const SceneSource& source, bool coinciding);
 
-/// @brief (23), (28), (29) of each mode by the reference, to 6 digits or as many as all bits give; PrecisionError also at a pole.
-[[nodiscard]] std::vector<evaluation::ModeFunctions<Bounded<double>>> mode_functions_by_reference(const SceneSource& source);
-
-/// @brief The modes of a system while the contact slides, and what goes with them.
-struct SystemByReference {
-    ModalBasis<Bounded<double>> basis; ///< as `modes_by_reference` gives it, modes that coincide too
-    RoundedModes held;                 ///< the modes with the contact held, and more
-};
-
-/// @brief All modes of a system; PrecisionError as of `modes_by_reference`.
-[[nodiscard]] SystemByReference system_by_reference(const SceneSource& source);
+/// @brief (23), (28), (29) of each mode by the reference, to 6 digits or as many as all bits give; none also at a pole.
+[[nodiscard]] Tried<std::vector<evaluation::ModeFunctions<Bounded<double>>>>
+mode_functions_by_reference(const SceneSource& source);
 
 } // namespace denhartog

@@ -1,4 +1,4 @@
-// What does the reference answer? Read `attempt`: the regime by the boundaries first, then the motion of the regime, (38) to
+// The answer of the reference. Read `attempt`: the regime by the boundaries first, then the motion of the regime, (38) to
 // (53), the stuck response or an orbit, each written by one function.
 #if DENHARTOG_REFERENCE
 #include "denhartog/answer/reference.hpp"
@@ -8,10 +8,8 @@
 #include <limits>
 
 #include "denhartog/answer/certify.hpp"
-#include "denhartog/answer/printed.hpp"
 #include "denhartog/answer/reference_point.hpp"
 #include "denhartog/model/contact_and_load.hpp"
-#include "denhartog/number/tried.hpp"
 #include "denhartog/number/why.hpp"
 #include "denhartog/reference/orbit.hpp"
 #include "denhartog/reference/sliding.hpp"
@@ -22,7 +20,7 @@ namespace {
 
 using namespace reference;
 
-// How far the frame of the displacements moves, where absolute ones are wanted beside them; none where they are absolute.
+// The motion of the frame of the displacements, where absolute ones are wanted beside them; none where they are absolute.
 std::optional<Ball> frame_of(const Scene<double>& scene, const ReferenceQuestion& q, const Ball& r) {
     const BaseMotion motion = scene.system.base_motion;
     if (q.asked != Asked::motion || q.mass || motion == BaseMotion::none || motion == BaseMotion::alone) return std::nullopt;
@@ -167,7 +165,7 @@ void set_regime(const PointInBalls& p, Regime met, Solution& s) {
         s.regime.regime = met;
 }
 
-// What double takes for a stop next to the boundary may be none.
+// A stop that double sees next to the boundary may be none.
 void set_regime_by_stops(const PointInBalls& p, const OrbitInBalls& o, Solution& s) {
     const bool slides = p.boundary && *p.scene.beta < p.boundary->exact;
     set_regime(p, o.stops.empty() ? Regime::continuous : Regime::stick_slip, s);
@@ -210,13 +208,13 @@ OrbitInBalls orbit_in_balls(const SceneSource& source, const ReferenceQuestion& 
     });
 }
 
-// Whether the bits are enough for an answer, or to disprove the regime. It has the regime where nothing else can be proved.
+// True if the bits are enough for an answer, or to disprove the regime. It has the regime where nothing else can be proved.
 bool attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, bool last, OrbitGuesses& guesses,
-             AnswerOrNone& answer) {
+             AnswerByReference& answer) {
     const Scene<double>& scene = source->in_double();
-    Solution& s = answer.solution = {};
+    Solution& s = answer.value.emplace();
     const auto disproved = [&](const Reasons& why) {
-        answer = {Outcome::regime_disproved, {}, why};
+        answer = {{Outcome::digits_missing, why}, false};
         return true;
     };
     WrittenNumbers w(*q.digits, last);
@@ -269,27 +267,22 @@ bool attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, 
 
 bool has_reference() { return true; }
 
-AnswerOrNone solution_by_reference(const SceneSource& source, const ReferenceQuestion& question,
-                                   const std::function<std::vector<OrbitGuess>()>& made) {
+AnswerByReference solution_by_reference(const SceneSource& source, const ReferenceQuestion& question,
+                                        const std::function<std::vector<OrbitGuess>()>& made) {
     ReferenceQuestion q = question;
     q.digits = question.digits.value_or(digits_by_default);
     const slong first = bits_for(*q.digits);
     const slong most = std::max<slong>(8192, 4 * first);
     OrbitGuesses guesses(made);
-    AnswerOrNone answer{Outcome::answered};
-    const auto proved = tried([&] {
-        with_enough_bits(source, first, most, [&](const SceneSource& paid, slong bits, bool last) {
-            return attempt(paid, q, bits, last, guesses, answer);
-        });
-        return true;
+    AnswerByReference answer;
+    Refusal none = with_enough_bits(source, first, most, [&](const SceneSource& paid, slong bits, bool last) {
+        return attempt(paid, q, bits, last, guesses, answer);
     });
-    if (proved.value) return answer;
-    const RegimeAtPoint& regime = answer.solution.regime;
+    if (none.is_answered()) return answer;
+    const RegimeAtPoint& regime = answer.value->regime;
     const bool told = !q.met && regime.regime == Regime::stick_slip && !regime.reason.empty();
-    answer.outcome = told ? Outcome::motion_unproved : Outcome::not_certain;
-    answer.refused = proved.why;
-    if (told) answer.refused += Reasons(Why::certain) + regime.reason;
-    return answer;
+    if (told) none.why += Reasons(Why::certain) + regime.reason;
+    return {{std::move(none)}, told ? std::optional(true) : std::nullopt};
 }
 
 } // namespace denhartog

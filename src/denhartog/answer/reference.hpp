@@ -8,13 +8,13 @@
 #include "denhartog/answer/energy.hpp"
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/answer/solution.hpp"
-#include "denhartog/number/errors.hpp"
+#include "denhartog/number/tried.hpp"
 #include "denhartog/reference/orbit_guess_data.hpp"
 #include "denhartog/sliding/invariant_points.hpp"
 
 namespace denhartog {
 
-/// @brief Whether the library was built with the reference. @return false of one built with `DENHARTOG_REFERENCE=OFF`
+/// @brief True if the library was built with the reference. @return false of one built with `DENHARTOG_REFERENCE=OFF`
 [[nodiscard]] bool has_reference();
 
 /// @brief A question to the reference: the digits, or those by default, are all certain in the answer, and every number is
@@ -24,21 +24,28 @@ struct ReferenceQuestion : Question {
     bool closed_form_alone = false; ///< whether only boundary and regime are wanted outside the sliding regime
 };
 
+/// @brief The answer of the reference, or what it proves of the regime.
+struct AnswerByReference : Tried<Solution> {
+    /// Without an answer: true where it is proved that the contact sticks and slips, false where there certainly is no motion of
+    /// the regime that was to be proved, empty where neither is proved
+    std::optional<bool> regime_holds{};
+};
+
 /// @brief The answer of the reference; without beta the boundaries alone. Bits are doubled until every number asked for has its
 /// digits. `guesses` gives motions with stops near the one that is meant, as double sees them, the likeliest first; it is called
 /// once at most. InputError where the scene breaks a rule that double is too coarse to see broken.
-[[nodiscard]] AnswerOrNone solution_by_reference(const SceneSource& source, const ReferenceQuestion& question,
-                                                 const std::function<std::vector<OrbitGuess>()>& guesses);
+[[nodiscard]] AnswerByReference solution_by_reference(const SceneSource& source, const ReferenceQuestion& question,
+                                                      const std::function<std::vector<OrbitGuess>()>& guesses);
 
 /// @brief The motion of an answer to `Asked::motion` at instants from a maximum of the force; a contact that never moves rests at
 /// zero. A displacement may be off by `tolerance` of the amplitude of its mass, beside the error of that amplitude, and a
-/// velocity of the largest of its mass or of the amplitude, whichever is more. PrecisionError where it is not proved to be the
-/// answer's motion.
-[[nodiscard]] std::vector<State> samples_by_reference(const SceneSource& source, const Solution& solution,
-                                                      const std::vector<double>& tau, double tolerance,
-                                                      const std::function<std::vector<OrbitGuess>()>& guesses);
+/// velocity of the largest of its mass or of the amplitude, whichever is more. None where it is not proved to be the answer's
+/// motion.
+[[nodiscard]] Tried<std::vector<State>> samples_by_reference(const SceneSource& source, const Solution& solution,
+                                                             const std::vector<double>& tau, double tolerance,
+                                                             const std::function<std::vector<OrbitGuess>()>& guesses);
 
-/// @brief What the motion of an answer to `Asked::motion` dissipates; PrecisionError as of `samples_by_reference`.
+/// @brief The energies of the motion of an answer to `Asked::motion`; PrecisionError where they are not proved.
 [[nodiscard]] Energies energies_by_reference(const SceneSource& source, const Solution& solution, int digits,
                                              const std::function<std::vector<OrbitGuess>()>& guesses);
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "denhartog/answer/certify.hpp"
-#include "denhartog/answer/printed.hpp"
 #include "denhartog/answer/reference.hpp"
 #include "denhartog/answer/reference_point.hpp"
 #include "denhartog/number/effort.hpp"
@@ -172,20 +171,18 @@ std::size_t stretches(const std::vector<InvariantPointsOfMass<Certified>>& masse
 
 } // namespace
 
-std::vector<State> samples_by_reference(const SceneSource& source, const Solution& solution, const std::vector<double>& tau,
-                                        double tolerance, const std::function<std::vector<OrbitGuess>()>& made) {
+Tried<std::vector<State>> samples_by_reference(const SceneSource& source, const Solution& solution,
+                                               const std::vector<double>& tau, double tolerance,
+                                               const std::function<std::vector<OrbitGuess>()>& made) {
     OrbitGuesses guesses(made);
-    std::optional<std::vector<State>> states;
-    with_enough_bits(source, 128, 1024, [&](const SceneSource& paid, slong bits, bool) {
+    return with_more_bits(source, 128, 1024, [&](const SceneSource& paid, slong bits, bool) {
         const auto motion = [&] {
             if (solution.start) return motion_with_stops(paid, solution, tolerance, bits, guesses);
             const PointInBalls p = point_in_balls(paid, !solution.rest_interval);
             return solution.rest_interval ? motion_at_rest(p) : sliding_motion(p);
         };
-        states = samples_of(motion(), solution, tau, tolerance);
-        return states.has_value();
+        return samples_of(motion(), solution, tau, tolerance);
     });
-    return *states;
 }
 
 Energies energies_by_reference(const SceneSource& source, const Solution& solution, int digits,
@@ -193,18 +190,19 @@ Energies energies_by_reference(const SceneSource& source, const Solution& soluti
     OrbitGuesses guesses(made);
     Energies all;
     const slong first = bits_for(digits);
-    with_enough_bits(source, first, std::max<slong>(8192, 4 * first), [&](const SceneSource& paid, slong bits, bool last) {
-        WrittenNumbers w(digits, last);
-        const EnergiesInBalls e = energies_in_balls(paid, solution, bits, guesses);
-        const auto energy = [&](const Ball& W) {
-            w.beside(W, e.at_most.may_vanish() ? Ball(1) : e.at_most);
-            return w.shown(about_zero(W));
-        };
-        const SceneInBalls s = scene_as_given(paid);
-        all = {energy(e.contact), energy(e.dampers), written(e.friction, w), written(e.on_base, w), {}};
-        if (!e.amplitude.may_vanish()) all.equivalent = equivalent_damping(e, s.r, s.beta.value(), w);
-        return w.enough();
-    });
+    require(
+        with_enough_bits(source, first, std::max<slong>(8192, 4 * first), [&](const SceneSource& paid, slong bits, bool last) {
+            WrittenNumbers w(digits, last);
+            const EnergiesInBalls e = energies_in_balls(paid, solution, bits, guesses);
+            const auto energy = [&](const Ball& W) {
+                w.beside(W, e.at_most.may_vanish() ? Ball(1) : e.at_most);
+                return w.shown(about_zero(W));
+            };
+            const SceneInBalls s = scene_as_given(paid);
+            all = {energy(e.contact), energy(e.dampers), written(e.friction, w), written(e.on_base, w), {}};
+            if (!e.amplitude.may_vanish()) all.equivalent = equivalent_damping(e, s.r, s.beta.value(), w);
+            return w.enough();
+        }));
     return all;
 }
 
@@ -225,13 +223,13 @@ std::vector<InvariantPointsOfMass<Certified>> invariant_points(const SceneSource
     const slong most = asked_for ? std::max<slong>(1024, 4 * first) : 2 * first;
     std::size_t undecided_before = 0;
     std::vector<InvariantPointsOfMass<Certified>> masses;
-    with_enough_bits(source, first, most, [&](const SceneSource& paid, slong, bool last) {
+    require(with_enough_bits(source, first, most, [&](const SceneSource& paid, slong, bool last) {
         WrittenNumbers w(digits, last);
         masses = written(invariant_points_in_balls(scene_as_given(paid), end_of_range(range.from), end_of_range(range.to)), w);
         // What twice the bits leave undecided as before will stay so.
         const std::size_t undecided = stretches(masses), before = std::exchange(undecided_before, undecided);
         return w.enough() && (undecided == 0 || undecided == before || last || is_exhausted(paid->effort));
-    });
+    }));
     return masses;
 }
 

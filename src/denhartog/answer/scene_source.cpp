@@ -12,7 +12,7 @@
 namespace denhartog {
 namespace {
 
-// What a new system has of its modes in balls: nothing yet.
+// The modes in balls of a new system: none yet.
 std::shared_ptr<reference::KeptModes> no_modes_yet() {
 #if DENHARTOG_REFERENCE
     return std::make_shared<reference::KeptModes>();

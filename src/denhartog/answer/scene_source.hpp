@@ -38,11 +38,11 @@ using SceneSource = std::shared_ptr<const SceneReader>;
 /// @brief A scene of numbers in double, which are exact; it is copied.
 [[nodiscard]] SceneSource scene_source(const Scene<double>& scene);
 
-/// @brief The same of a scene that lives, unchanged, as long as the source is in use.
+/// @brief A scene that lives, unchanged, as long as the source is in use; it is not copied.
 [[nodiscard]] SceneSource source_of_kept(const Scene<double>& scene);
 
 /// @{
-/// @brief The same scene with something changed to doubles, which are exact, or left out.
+/// @brief The scene with something changed to doubles, which are exact, or left out.
 [[nodiscard]] SceneSource at_point(const SceneSource& source, double r, double beta);
 [[nodiscard]] SceneSource at_frequency(const SceneSource& source, double r); ///< without a friction ratio
 [[nodiscard]] SceneSource with_static_friction(const SceneSource& source, double mu);

@@ -1,4 +1,4 @@
-// What are boundary, regime and steady state where the contact slides throughout, (38) to (53) and (69), in double? Read
+// Boundary, regime and steady state where the contact slides throughout, (38) to (53) and (69), in double. Read
 // `sliding_point`; `sliding_solution` makes an answer of it.
 #include "denhartog/answer/models_in_double.hpp"
 
@@ -30,7 +30,11 @@ Attempted errors_of_boundary(const Boundary<Number>& b) {
 }
 
 // Far off in frequency a boundary leaves the range of a double; where modes are not told apart it has no bound.
-bool is_finite(const Boundary<Number>& b) { return std::isfinite(b.exact.x + b.paper.x + b.approximate.x + b.exact.e); }
+void require_finite(const Boundary<Number>& b) {
+    const bool in_range = std::isfinite(b.exact.x + b.paper.x + b.approximate.x);
+    if (!in_range || !std::isfinite(b.exact.e))
+        throw PrecisionError(Why::boundary_out_of_range, in_range ? Outcome::digits_missing : Outcome::out_of_range);
+}
 
 double error_of_masses(const SteadyState<Number>& state, std::optional<Mass> only) {
     double largest = 0;
@@ -48,7 +52,7 @@ double error_of_masses(const SteadyState<Number>& state, std::optional<Mass> onl
     return error;
 }
 
-// What the errors of the sums make of displacements over the half-period: a multiple of the errors at its start.
+// Errors of displacements over the half-period by those of the sums: a multiple of the errors at its start.
 std::vector<double> errors_of_displacements(const SteadyState<Number>& state) {
     std::vector<double> errors;
     errors.reserve(state.masses.size());
@@ -192,7 +196,7 @@ SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Number>&
     SlidingPoint point{boundary_with(at.sums(), as_input(scene.mu), at.demands()), std::nullopt, std::nullopt};
     if (at.sums().coupled) point.boundary.paper = paper_limit(scene, basis, point.boundary, effort);
     const Boundary<Number>& b = point.boundary;
-    if (!is_finite(b)) throw PrecisionError(Why::boundary_out_of_range);
+    require_finite(b);
     if (limits || !scene.beta) point.attempted = errors_of_boundary(b);
     if (!scene.beta) return point;
     point.regime = regime_at(b, *scene.beta);

@@ -1,11 +1,10 @@
-// What all answers have in common: their masses, their digits, and the refusal of those that are none.
+// The parts that all answers have in common: their masses and their digits.
 #include "denhartog/answer/solution.hpp"
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <charconv>
-#include <utility>
 
 #include "denhartog/answer/certify.hpp"
 
@@ -43,12 +42,6 @@ void keep_asked_mass(const Question& question, Solution& s) {
         s.only = question.mass;
     }
     for (OtherMotion& motion : s.motions) motion.masses = {motion.masses[question.mass->index]};
-}
-
-Solution required(AnswerOrNone answer) {
-    if (answer.outcome == Outcome::at_a_pole) throw DomainError(answer.refused);
-    if (!answer.is_answered()) throw PrecisionError(answer.refused);
-    return std::move(answer.solution);
 }
 
 const SolvedMass& mass_of(const Solution& s, Mass k) {

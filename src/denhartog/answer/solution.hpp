@@ -1,5 +1,5 @@
 /// @file
-/// @brief What you can ask of a scene, and the answer: certified numbers, the method, the error and the work it took.
+/// @brief Questions about a scene, and the answer: certified numbers, the method, the error and the work it took.
 ///
 /// Displacements are in units of P / k_1. Time is tau = omega t, zero where the force is largest. Phases are lags behind the
 /// force in radians. Equation numbers are the paper's.
@@ -23,7 +23,7 @@ constexpr int most_digits = 100'000;
 /// @brief The number of significant digits that the library aims at if you ask for none.
 constexpr int digits_by_default = 6;
 
-/// @brief What you ask of a scene; asking for less is cheaper.
+/// @brief The numbers that a question asks for; asking for less is cheaper.
 enum class Asked : std::uint8_t {
     amplitude, ///< amplitudes of all masses
     phase,     ///< amplitudes and phases of all masses
@@ -33,14 +33,14 @@ enum class Asked : std::uint8_t {
 
 /// @brief A question about a scene.
 struct Question {
-    Asked asked = Asked::motion; ///< what is asked
+    Asked asked = Asked::motion; ///< the numbers asked for
     std::optional<int> digits;   ///< significant digits, 1 to `most_digits`; by default the aim is 6, and it may be missed
     bool all = false;            ///< whether to look for other motions too, from seeded starts and sweeps
     std::optional<Mass> mass{};  ///< ask about this mass alone: only it is listed, only it must have the digits; empty: all
     bool proved = false;         ///< whether every number must be proved: the reference then answers
 };
 
-/// @brief How an answer was computed.
+/// @brief The method of an answer.
 struct Method {
     std::string model;     ///< the model that answers, e.g. `closed form`
     std::string precision; ///< `double` or `reference`
@@ -60,7 +60,7 @@ struct Limits {
     BindingCondition binding{};        ///< which condition of (54) ends the sliding regime
 };
 
-/// @brief What the closed form says of a mass besides its amplitude and phase.
+/// @brief The numbers that the closed form has of a mass besides its amplitude and phase.
 struct SlidingOfMass {
     Certified x0;                     ///< displacement where the contact is at its maximum, Eq. (44); units of P / k_1
     Certified v0;                     ///< velocity dx/dtau there, Eq. (45); units of P / k_1
@@ -69,7 +69,7 @@ struct SlidingOfMass {
     Certified phase_monoharmonic;     ///< its phase phi_j + phi_kj, Eq. (53); radians in (-pi, pi]
 };
 
-/// @brief What a mass does in the steady motion.
+/// @brief The steady motion of a mass.
 struct SolvedMass {
     Certified amplitude;                    ///< largest |x_k| over the motion; units of P / k_1
     std::optional<Certified> phase;         ///< lag behind the force, radians in (-pi, pi]; empty if the mass does not move
@@ -79,10 +79,10 @@ struct SolvedMass {
 /// @brief Bound of the errors of all displacements that are given of a mass. @param m the mass @return it, in units of P / k_1
 [[nodiscard]] double error_of_displacements(const SolvedMass& m);
 
-/// @brief What a mass does as it is seen from the ground, where base, wall or both move harmonically.
+/// @brief The motion of a mass as it is seen from the ground, where base, wall or both move harmonically.
 struct MassFromGround {
     Certified amplitude;            ///< its largest absolute displacement; units of P / k_1
-    Certified transmissibility;     ///< the same over the amplitude of base or wall
+    Certified transmissibility;     ///< its amplitude over that of base or wall
     std::optional<Certified> phase; ///< lag of its largest absolute displacement behind base or wall, radians in (-pi, pi]
 };
 
@@ -124,7 +124,7 @@ struct KeptMode {
         contact_at_most; ///< amplitude of the contact with the largest share; units of P / k_1. Without any it is the answer's
 };
 
-/// @brief What an answer cost.
+/// @brief The cost of an answer.
 struct Work {
     long eigen_solves = 0;      ///< number of eigenproblems (15) solved
     long mode_evaluations = 0;  ///< number of modes evaluated at a frequency ratio
@@ -133,9 +133,9 @@ struct Work {
 
 /// @brief A steady motion of the same scene from another start.
 struct OtherMotion {
-    Regime regime;                             ///< how the contact moves
+    Regime regime;                             ///< the regime of the contact
     State from;                                ///< a state at the maximum of the force that leads to it
-    Reasons found;                             ///< how it was found
+    Reasons found;                             ///< the start that led to it
     int periods = 1;                           ///< its period in periods of the force
     bool symmetric = false;                    ///< whether it mirrors itself after half its period
     Stability stability;                       ///< its stability
@@ -147,7 +147,7 @@ struct OtherMotion {
 
 /// @brief The answer to a question.
 struct Solution {
-    Asked asked = Asked::motion;               ///< what was asked
+    Asked asked = Asked::motion;               ///< the numbers asked for
     Certified r;                               ///< frequency ratio, Eq. (10)
     Certified mu;                              ///< static over kinetic friction, Eq. (3)
     std::optional<Certified> beta;             ///< friction ratio, Eq. (11); empty if only the boundary was asked for
@@ -180,7 +180,7 @@ struct Solution {
     bool symmetric = true;              ///< whether the motion mirrors itself after half its period, Eq. (25)
     std::optional<Stability> stability; ///< stability of the motion, if the exact solver followed it
     std::vector<OtherMotion> motions;   ///< all motions that were found, if `Question::all` was set
-    Work work;                          ///< what the answer cost
+    Work work;                          ///< the cost of the answer
 
     /// @brief Amplitude of a mass. @param k a mass that the answer lists @return its largest |x_k|; units of P / k_1
     /// @throws DomainError if the answer has no amplitude of the mass
@@ -190,34 +190,11 @@ struct Solution {
     [[nodiscard]] const std::optional<Certified>& phase(Mass k) const;
 };
 
-/// @brief What came of a question.
-enum class Outcome : std::uint8_t {
-    answered,        ///< it has an answer
-    not_certain,     ///< numbers lack digits or the range of a double, the work allowed is spent, or no steady motion was found
-    at_a_pole,       ///< a mode without damping resonates
-    motion_unproved, ///< the reference proves that the contact sticks and slips, and does not prove the motion
-    regime_disproved ///< the reference proves that there is no motion of the regime that it was asked to prove
-};
-
-/// @brief The answer to a question, or why there is none.
-struct AnswerOrNone {
-    Outcome outcome = Outcome::not_certain; ///< what came of the question
-    Solution solution{};                    ///< the answer, if there is one
-    Reasons refused{};                      ///< else the reason
-
-    /// @brief Whether there is an answer. @return true if so
-    [[nodiscard]] bool is_answered() const { return outcome == Outcome::answered; }
-};
-
-/// @brief The answer that a question must have. @param answer what came of the question @return the answer
-/// @throws DomainError at a pole; PrecisionError where there is no answer for another reason
-[[nodiscard]] Solution required(AnswerOrNone answer);
-
-/// @brief What an answer says of a mass. @param s an answer @param k a mass that it lists @return the mass
+/// @brief The entry of an answer about a mass. @param s an answer @param k a mass that it lists @return the mass
 /// @throws DomainError if the answer has no amplitude of the mass
 [[nodiscard]] const SolvedMass& mass_of(const Solution& s, Mass k);
 
-/// @brief How many questions double did not settle, since the program started.
+/// @brief The number of questions that double did not settle, since the program started.
 /// @return the count, over all threads
 [[nodiscard]] long precision_steps();
 

@@ -2,26 +2,27 @@
 #include "denhartog/answer/from_a_start.hpp"
 #include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/answer/reference.hpp"
-#include "denhartog/number/errors.hpp"
 #include "denhartog/number/why.hpp"
 
 namespace denhartog {
 namespace {
 
-[[noreturn]] void refuse() { throw PrecisionError(Why::no_reference); }
+const Refusal none{Outcome::digits_missing, Why::no_reference};
+
+[[noreturn]] void refuse() { throw PrecisionError(none.why); }
 
 } // namespace
 
 bool has_reference() { return false; }
 
-AnswerOrNone solution_by_reference(const SceneSource&, const ReferenceQuestion&,
-                                   const std::function<std::vector<OrbitGuess>()>&) {
-    return {Outcome::not_certain, {}, Why::no_reference};
+AnswerByReference solution_by_reference(const SceneSource&, const ReferenceQuestion&,
+                                        const std::function<std::vector<OrbitGuess>()>&) {
+    return {{none}};
 }
 
-std::vector<State> samples_by_reference(const SceneSource&, const Solution&, const std::vector<double>&, double,
-                                        const std::function<std::vector<OrbitGuess>()>&) {
-    refuse();
+Tried<std::vector<State>> samples_by_reference(const SceneSource&, const Solution&, const std::vector<double>&, double,
+                                               const std::function<std::vector<OrbitGuess>()>&) {
+    return none;
 }
 
 Energies energies_by_reference(const SceneSource&, const Solution&, int, const std::function<std::vector<OrbitGuess>()>&) {
@@ -32,11 +33,11 @@ std::vector<InvariantPointsOfMass<Certified>> invariant_points(const SceneSource
     refuse();
 }
 
-ModalBasis<Bounded<double>> modes_by_reference(const SceneSource&, bool) { refuse(); }
+Tried<ModalBasis<Bounded<double>>> modes_by_reference(const SceneSource&, bool) { return none; }
 
-std::vector<evaluation::ModeFunctions<Bounded<double>>> mode_functions_by_reference(const SceneSource&) { refuse(); }
+Tried<std::vector<evaluation::ModeFunctions<Bounded<double>>>> mode_functions_by_reference(const SceneSource&) { return none; }
 
-SystemByReference system_by_reference(const SceneSource&) { refuse(); }
+Tried<ContactSystem> moving_by_reference(const SceneSource&, const Reasons&) { return none; }
 
 std::vector<Certified> place_of_rest(const SceneSource& source) {
     if (source->in_double().static_load.empty()) return {};

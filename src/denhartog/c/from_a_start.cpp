@@ -102,7 +102,7 @@ int dh_follow(const dh_system* system, const dh_history_request* request, dh_his
         settings.samples = request->samples;
         settings.without_load = request->without_load != 0;
         const MotionHistory found = motion_history(paid(point_of(system, request->r, request->beta, request->mu)), settings);
-        if (found.status != IntegrationStatus::complete) throw PrecisionError(found.reason);
+        if (found.status != IntegrationStatus::complete) throw PrecisionError(found.reason, Outcome::not_converged);
         const std::size_t stops = found.stops.size(), samples = found.times.size();
         need_room(stops, history->stop_room, "stop_room");
         need_room(samples, history->sample_room, "sample_room");

@@ -147,7 +147,7 @@ inline void need_length(std::size_t length, std::size_t most, const std::string&
 // Checks that numbers are fit to be handed out. Throws PrecisionError where one is not finite.
 inline void need_finite(std::span<const double> numbers) {
     for (const double x : numbers)
-        if (!std::isfinite(x)) throw PrecisionError("a result is beyond the range of double");
+        if (!std::isfinite(x)) throw PrecisionError("a result is beyond the range of double", Outcome::out_of_range);
 }
 
 static_assert(DH_MOST_MASSES == most_masses && DH_MOST_SAMPLES == most_samples && DH_MOST_DISPLACEMENTS == most_displacements);

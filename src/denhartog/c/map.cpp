@@ -43,7 +43,7 @@ private:
 };
 
 void need_complete(bool complete) {
-    if (!complete) throw PrecisionError("cancelled: no output is written");
+    if (!complete) throw PrecisionError("cancelled: no output is written", Outcome::budget_spent);
 }
 
 std::vector<Mass> masses_from(std::size_t count, const size_t* masses, std::size_t N) {
@@ -71,13 +71,13 @@ struct PointAnswer {
 PointAnswer answer_at(const PreparedSystem& prepared, double r, double beta, const Question& question,
                       const std::vector<Mass>& masses, const Allowance& allowed) {
     QuestionEffort effort(0, allowed.operations); // where nobody chose it, `decide` raises it to that of the system
-    const AnswerOrNone found = decide(prepared, {r, beta, nullptr, &effort}, question);
+    const Tried<Solution> found = decide(prepared, {r, beta, nullptr, &effort}, question);
     PointAnswer answer{map_point(found), {}};
-    const std::vector<MassFromGround>& seen = found.solution.from_ground;
+    if (!found.is_answered()) return answer;
+    const std::vector<MassFromGround>& seen = found.value->from_ground;
     for (const Mass k : masses) {
-        if (!found.is_answered()) break;
         if (question.asked != Asked::motion)
-            answer.masses.push_back(mass_of(found.solution, k));
+            answer.masses.push_back(mass_of(*found.value, k));
         else if (k.index < seen.size())
             answer.masses.push_back({seen[k.index].amplitude, seen[k.index].phase, std::nullopt});
     }

@@ -45,7 +45,7 @@ std::optional<State> on_line_through(const std::optional<OrbitAt>& a, const std:
 template <class Compute>
 PointStatus status_of(const Compute& compute) {
     const Tried<bool> made = tried(compute);
-    if (made.at_pole) return PointStatus::at_a_pole;
+    if (made.outcome == Outcome::at_a_pole) return PointStatus::at_a_pole;
     return made.value.value_or(false) ? PointStatus::answered : PointStatus::failed;
 }
 
@@ -63,7 +63,7 @@ public:
     PointStatus answer(std::size_t n) {
         is_near = false;
         if (status_of([&] { return answer_in_double(n); }) == PointStatus::answered) return points[n].status;
-        AnswerOrNone answer = decided(n);
+        const Tried<Solution> answer = decided(n);
         const PointStatus status = write(n, answer);
         if (status != PointStatus::failed || is_told(n) || !std::isfinite(column.boundary.exact.e)) return status;
         is_near = true;
@@ -226,7 +226,7 @@ private:
     }
 
     // As users ask: where there is more than one motion, the one from the start of the map.
-    AnswerOrNone decided(std::size_t n) {
+    Tried<Solution> decided(std::size_t n) {
         Question question;
         question.asked = Asked::amplitude;
         if (request.masses.size() == 1) question.mass = request.masses.front();
@@ -236,10 +236,11 @@ private:
     }
 
     // Writes an answer; one without the amplitude of a mass, or 6 certain digits of it, is none.
-    PointStatus write(std::size_t n, const AnswerOrNone& answer) {
+    PointStatus write(std::size_t n, const Tried<Solution>& answer) {
         points[n] = map_point(answer);
-        const Solution& s = answer.solution;
-        if (answer.is_answered() && (s.masses.empty() || !s.digits_reached)) points[n].status = PointStatus::failed;
+        if (!answer.is_answered()) return points[n].status;
+        const Solution& s = *answer.value;
+        if (s.masses.empty() || !s.digits_reached) points[n].status = PointStatus::failed;
         for (std::size_t m = 0; m < request.masses.size() && has_numbers(points[n].status); ++m) {
             const Certified& X = s.amplitude(request.masses[m]); // within its error of zero, if the mass does not move
             amplitudes[n * request.masses.size() + m] = X.error < X.value ? X.value : 0;
@@ -269,12 +270,13 @@ private:
 
 } // namespace
 
-MapPoint map_point(const AnswerOrNone& answer) {
-    const Solution& s = answer.solution;
+MapPoint map_point(const Tried<Solution>& answer) {
     if (answer.outcome == Outcome::at_a_pole) return {PointStatus::at_a_pole};
+    if (!answer.is_answered()) return {PointStatus::failed};
+    const Solution& s = *answer.value;
     const bool may_choose = s.mu.value > 1 && s.beta && s.beta->value > 0 && !s.rest_interval;
     const bool is_another_motion = !s.not_from_rest.empty() && (may_choose || s.start);
-    if (!answer.is_answered() || is_another_motion) return {PointStatus::failed};
+    if (is_another_motion) return {PointStatus::failed};
     return {s.regime.on_boundary ? PointStatus::on_boundary : PointStatus::answered, s.regime.regime,
             static_cast<std::int32_t>(s.stops.size()), s.periods};
 }

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "denhartog/map/regime_map.hpp"
+#include "denhartog/number/tried.hpp"
 #include "denhartog/sliding/boundary.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/motion_record.hpp"
@@ -32,6 +33,6 @@ void compute_column(const PreparedSystem& system, const MapRequest& request, dou
                     const std::atomic<bool>& stop, std::span<MapPoint> points, std::span<double> amplitudes);
 
 /// @brief The point of a map that an answer makes; one without numbers where there is none.
-[[nodiscard]] MapPoint map_point(const AnswerOrNone& answer);
+[[nodiscard]] MapPoint map_point(const Tried<Solution>& answer);
 
 } // namespace denhartog

@@ -93,9 +93,10 @@ RegimeMap map_by_solve(const Scene<double>& scene, const MapRequest& request, co
         for (std::size_t n = 0; n < rows; ++n) {
             if (stop) return false;
             QuestionEffort effort(number_of_masses(scene.system), request.effort, [&stop] { return stop.load(); });
-            const AnswerOrNone answer = decide(prepared, {request.r[m], request.beta[n], nullptr, &effort}, question);
-            const Solution& s = answer.solution;
+            const Tried<Solution> answer = decide(prepared, {request.r[m], request.beta[n], nullptr, &effort}, question);
             MapPoint& point = map.points[m * rows + n] = map_point(answer);
+            if (!answer.is_answered()) continue;
+            const Solution& s = *answer.value;
             if (has_numbers(point.status) && ((absolute && s.from_ground.empty()) || !s.digits_reached)) point = {};
             for (std::size_t k = 0; k < masses && has_numbers(point.status); ++k) {
                 const std::size_t mass = request.masses[k].index, at = (m * rows + n) * masses + k;
@@ -245,10 +246,10 @@ std::vector<BoundaryPoint> boundary_curves(const Scene<double>& scene, const std
     if (!load_depends_on_frequency(scene.system)) modes = modes_with_errors(source->in_double().system);
     std::vector<BoundaryPoint> curves(r.size());
     for (std::size_t n = 0; n < r.size(); ++n) {
-        const AnswerOrNone answer = decide_sliding(at_frequency(source, r[n]), {Asked::regime, {}}, modes);
+        const Tried<Solution> answer = decide_sliding(at_frequency(source, r[n]), {Asked::regime, {}}, modes);
         curves[n].status = answer.outcome == Outcome::at_a_pole ? PointStatus::at_a_pole : PointStatus::failed;
-        if (!answer.is_answered() || !answer.solution.digits_reached) continue;
-        const Limits& b = *answer.solution.limits;
+        if (!answer.is_answered() || !answer.value->digits_reached) continue;
+        const Limits& b = *answer.value->limits;
         const auto has_number = [](const Certified& limit) { return limit.value >= 0 && std::isfinite(limit.value); };
         if (!has_number(b.exact) || !has_number(b.paper) || !has_number(b.approximate)) continue; // beyond the range of a double
         curves[n] = {PointStatus::answered, b.exact.value, b.paper.value, b.approximate.value, std::nullopt};

@@ -25,7 +25,7 @@ auto times(const Left& A, const Right& B) {
 SymmetricEigenproblem symmetric_eigenproblem(const Matrix<double>& A, Effort* effort) {
     pay_for_products(effort, 9 * static_cast<long>(A.rows() * A.rows() * A.rows()));
     const Eigen::SelfAdjointEigenSolver<Matrix<double>> solved(A);
-    if (solved.info() != Eigen::Success) throw PrecisionError(Why::modes_not_converged);
+    if (solved.info() != Eigen::Success) throw PrecisionError(Why::modes_not_converged, Outcome::not_converged);
     const Column values = solved.eigenvalues();
     return {{values.begin(), values.end()}, solved.eigenvectors()};
 }

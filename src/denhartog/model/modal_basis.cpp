@@ -53,7 +53,7 @@ void require_finite(const ModalBasis<double>& basis) {
     for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
         bool all = isfinite(basis.r_n[i]) && basis.r_n[i] > 0 && isfinite(basis.zeta[i]);
         for (Eigen::Index k = 0; k < basis.phi.rows(); ++k) all = all && isfinite(basis.phi(k, static_cast<Eigen::Index>(i)));
-        if (!all) throw PrecisionError({Why::mode_out_of_range, i + 1});
+        if (!all) throw PrecisionError({Why::mode_out_of_range, i + 1}, Outcome::out_of_range);
     }
 }
 

@@ -308,7 +308,7 @@ SingularValues bidiagonal_singular_values(std::vector<double> d, std::vector<dou
         const Estimate found = test(block, tolerance);
         if (found.split) continue;
         rotations += static_cast<double>(block.size());
-        if (!(rotations <= rotations_allowed)) throw PrecisionError({Why::chain_not_converged, N});
+        if (!(rotations <= rotations_allowed)) throw PrecisionError({Why::chain_not_converged, N}, Outcome::not_converged);
         pay_for_products(effort, 4 * static_cast<long>(block.size()) * V.rows());
         const double shift = shift_for(block, found, static_cast<int>(N));
         if (shift == 0)

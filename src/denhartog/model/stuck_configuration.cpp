@@ -102,7 +102,7 @@ void require_finite(const StuckConfiguration& stuck) {
     for (std::size_t i = 0; i < stuck.r_n.size(); ++i) {
         bool all = isfinite(stuck.r_n[i]) && stuck.r_n[i] > 0;
         for (const double entry : stuck.phi.col(static_cast<Eigen::Index>(i))) all = all && isfinite(entry);
-        if (!all) throw PrecisionError({Why::stuck_mode_out_of_range, i + 1});
+        if (!all) throw PrecisionError({Why::stuck_mode_out_of_range, i + 1}, Outcome::out_of_range);
     }
 }
 

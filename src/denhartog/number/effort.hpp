@@ -41,7 +41,7 @@ struct Effort {
 inline void pay(Effort* effort, long operations) {
     if (effort == nullptr) return;
     effort->spend(operations);
-    if (effort->exhausted()) throw PrecisionError(effort->ending());
+    if (effort->exhausted()) throw PrecisionError(effort->ending(), Outcome::budget_spent);
 }
 
 // Operations that products of matrices cost, by the multiplications in them: many are done at a time.
@@ -106,6 +106,11 @@ public:
     // Takes what was spent from the budget of the question.
     ~SearchEffort() {
         if (question_ != nullptr) question_->spend(spent);
+    }
+    // The outcome of a search that has not settled: the budget is spent, or the share of the search was too small.
+    [[nodiscard]] Outcome outcome() const {
+        const bool all = question_ == nullptr || spent >= question_->left() || is_cancelled();
+        return exhausted() && all ? Outcome::budget_spent : Outcome::not_converged;
     }
     SearchEffort(const SearchEffort&) = delete;
     SearchEffort& operator=(const SearchEffort&) = delete;

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Reasons, the three ways in which a question cannot be answered, and words for whatever else is thrown.
+/// @brief Reasons, the outcomes of a question, the three exceptions of the library, and words for whatever else is thrown.
 #pragma once
 
 #include <array>
@@ -62,18 +62,40 @@ struct InputError : std::invalid_argument {
     std::string place;    ///< JSON pointer, or line and column
 };
 
-/// @brief A formula was asked for outside its domain, e.g. the sliding motion beyond the boundary (69).
-struct DomainError : std::domain_error {
-    /// @param why_  why there is no value
-    explicit DomainError(Reasons why_) : std::domain_error(in_words(why_)), why(std::move(why_)) {}
-    Reasons why; ///< why there is no value
+/// @brief What a question, or a computation for it, comes to: an answer, or the kind of reason why there is none.
+enum class Outcome : std::uint8_t {
+    answered = 0,       ///< it has an answer
+    at_a_pole = 1,      ///< a formula was asked for outside its domain, as where a mode without damping resonates
+    budget_spent = 2,   ///< the work allowed is spent, or the question was cancelled; more work may answer it
+    digits_missing = 3, ///< numbers do not have the digits asked for, or what they say is not proved
+    out_of_range = 4,   ///< a number is beyond the range of a double
+    not_converged = 5,  ///< an iteration did not end, or the motion from rest does not become periodic
+    unproved = 6,       ///< inside the reference alone: not proved with the bits of the moment, more may do
+    disproved = 7       ///< inside the reference alone: certainly not so, and no number of bits helps
 };
 
-/// @brief A computation could not reach the digits asked for, or spent the work that it is allowed, or found no steady motion.
-struct PrecisionError : std::runtime_error {
+/// @brief The kind of reason why there is no value, and the reasons with their numbers.
+struct Refusal {
+    Outcome outcome = Outcome::answered; ///< `answered` where there is a value
+    Reasons why{};                       ///< the reasons; none where there is a value
+
+    /// @brief Whether there is a value after all. @return true if so
+    [[nodiscard]] bool is_answered() const { return outcome == Outcome::answered; }
+};
+
+/// @brief A formula was asked for outside its domain, e.g. the sliding motion beyond the boundary (69).
+struct DomainError : std::domain_error, Refusal {
     /// @param why_  why there is no value
-    explicit PrecisionError(Reasons why_) : std::runtime_error(in_words(why_)), why(std::move(why_)) {}
-    Reasons why; ///< why there is no value
+    explicit DomainError(Reasons why_) : std::domain_error(in_words(why_)), Refusal{Outcome::at_a_pole, std::move(why_)} {}
+};
+
+/// @brief A computation did not reach the digits asked for, or spent the work that it is allowed, or left the range of a double,
+/// or found no steady motion; `outcome` says which.
+struct PrecisionError : std::runtime_error, Refusal {
+    /// @param why_      why there is no value
+    /// @param outcome_  the kind of that reason
+    explicit PrecisionError(Reasons why_, Outcome outcome_ = Outcome::digits_missing)
+        : std::runtime_error(in_words(why_)), Refusal{outcome_, std::move(why_)} {}
 };
 
 /// @brief Whether an exception says that a computed number left the range of its type.

@@ -1,39 +1,43 @@
-// The outcome of a computation: its value, or the reason why there is none.
+// The outcome of a computation as a value. Inside the library it is passed on as one; an exception from below becomes one in
+// `tried`, and `required` makes an exception of it where a function that users call has no answer.
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog {
 
-template <class Value>
-struct Tried {
-    std::optional<Value> value{};
-    bool at_pole = false; // whether there is none because a formula is outside its domain
-    Reasons why{};        // why there is none
+// Nothing where there is a value, else the exception of its outcome.
+inline void require(const Refusal& made) {
+    if (made.outcome == Outcome::at_a_pole) throw DomainError(made.why);
+    if (!made.is_answered()) throw PrecisionError(made.why, made.outcome);
+}
 
-    // The value; what was thrown is thrown again if there is none.
+// A value, or why there is none.
+template <class Value>
+struct Tried : Refusal {
+    std::optional<Value> value{};
+
+    Tried() : value(std::in_place) {} // an empty value, to be filled
+    Tried(Value made) : value(std::move(made)) {}
+    Tried(Refusal none) : Refusal(std::move(none)) {}
+    Tried(Outcome none, Reasons because) : Refusal{none, std::move(because)} {}
+
+    // The value; DomainError or PrecisionError where there is none.
     [[nodiscard]] Value& required() {
-        if (at_pole) throw DomainError(why);
-        if (!value) throw PrecisionError(why);
+        require(*this);
         return *value;
     }
 };
 
 // Computes. Bad input is no outcome: InputError passes.
 template <class Compute>
-[[nodiscard]] auto tried(const Compute& compute) -> Tried<decltype(compute())> {
-    Tried<decltype(compute())> made;
-    try {
-        made.value.emplace(compute());
-    } catch (const DomainError& e) {
-        made.at_pole = true;
-        made.why = e.why;
-    } catch (const PrecisionError& e) {
-        made.why = e.why;
-    }
-    return made;
+[[nodiscard]] auto tried(const Compute& compute) -> Tried<decltype(compute())> try {
+    return compute();
+} catch (const Refusal& none) {
+    return none;
 }
 
 } // namespace denhartog

@@ -159,11 +159,9 @@ NearlyDiagonal nearly_diagonal(const BallMatrix& A, Payment& payment) {
         }
         return on_vectors(A, X);
     };
-    try {
-        NearlyDiagonal found = improve(eigenvectors_in_double(A));
-        if (found.off <= enough) return found;
-    } catch (const Unproved&) { // the guess was too far off for the factor
-    }
+    auto found =
+        if_proved([&] { return improve(eigenvectors_in_double(A)); }); // none where the guess is too far off for the factor
+    if (found && found->off <= enough) return *std::move(found);
     return improve(eigenvectors_in_bits(A, payment));
 }
 

@@ -28,12 +28,22 @@ namespace denhartog::reference {
 
 /// @brief Something that could not be proved with the bits at hand; more bits may help.
 struct Unproved : PrecisionError {
-    using PrecisionError::PrecisionError;
+    /// @param why_  what is not proved @param outcome_  whether more bits may help
+    explicit Unproved(Reasons why_, Outcome outcome_ = Outcome::unproved) : PrecisionError(std::move(why_), outcome_) {}
 };
 /// @brief A statement that is certainly not so: no number of bits will prove it.
 struct Disproved : Unproved {
-    using Unproved::Unproved;
+    /// @param why_  what is not so
+    explicit Disproved(Reasons why_) : Unproved(std::move(why_), Outcome::disproved) {}
 };
+/// @brief The value of a computation; none where more bits may prove it and it is not a `must`. What is disproved is thrown.
+template <class Compute>
+[[nodiscard]] auto if_proved(const Compute& compute, bool must = false) -> std::optional<decltype(compute())> try {
+    return compute();
+} catch (const Unproved& e) {
+    if (must || e.outcome == Outcome::disproved) throw;
+    return std::nullopt;
+}
 
 class KeptModes;
 

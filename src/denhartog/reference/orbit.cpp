@@ -273,16 +273,15 @@ BallMatrix OrbitInPhases::at(const Ball& tau) const {
 OrbitInPhases orbit_in_phases(const std::function<SceneInBalls()>& scene, const OrbitGuess& guess, slong bits) {
     OrbitInPhases motion{proved_near(scene, guess, bits)};
     const Bits all(bits);
-    for (slong few = 64;; few *= 2) try { // what friction demands, with as many bits as it takes
-            motion.phases = in_stretches(motion.orbit, few);
-            const Bits some(few);
-            require_friction(motion.orbit, motion.phases);
-            return motion;
-        } catch (const Disproved&) {
-            throw;
-        } catch (const Unproved&) {
-            if (few >= bits) throw;
-        }
+    const auto slides_and_sticks = [&](slong few) { // as friction demands
+        motion.phases = in_stretches(motion.orbit, few);
+        const Bits some(few);
+        require_friction(motion.orbit, motion.phases);
+        return true;
+    };
+    slong few = 64; // as many bits as it takes
+    while (!if_proved([&] { return slides_and_sticks(few); }, few >= bits)) few *= 2;
+    return motion;
 }
 
 OrbitInBalls proved_orbit(const std::function<SceneInBalls()>& scene, const OrbitGuess& guess, slong bits,

@@ -419,13 +419,8 @@ ProvedOrbit proved_near(const std::function<SceneInBalls()>& scene, const OrbitG
         const Bits all(std::max(bits, bits_of_slopes + 64));
         const ContactMechanics s(scene());
         OrbitUnknowns o = unknowns_of(s, guess);
-        try {
-            return NewtonSearch(s, o, bits_of_slopes).proved();
-        } catch (const Disproved&) {
-            throw;
-        } catch (const Unproved&) {
-            if (bits_of_slopes >= std::max({bits, slong(256), 2 * bits_a_phase * phases})) throw;
-        }
+        const bool last = bits_of_slopes >= std::max({bits, slong(256), 2 * bits_a_phase * phases});
+        if (auto found = if_proved([&] { return NewtonSearch(s, o, bits_of_slopes).proved(); }, last)) return *std::move(found);
     }
 }
 

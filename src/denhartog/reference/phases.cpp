@@ -380,12 +380,8 @@ bool FastPhases::die_out() const {
 const std::shared_ptr<FastPhases>& ContactMechanics::by_free_motions(int direction) const {
     std::optional<std::shared_ptr<FastPhases>>& kind = fast[direction + 1];
     if (kind) return *kind;
-    try {
-        const Bits all(bits);
-        kind = std::make_shared<FastPhases>(*this, direction);
-    } catch (const Unproved&) {
-        kind = nullptr;
-    }
+    const Bits all(bits);
+    kind = if_proved([&] { return std::make_shared<FastPhases>(*this, direction); }).value_or(nullptr);
     return *kind;
 }
 

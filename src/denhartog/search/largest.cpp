@@ -187,7 +187,8 @@ Maximum global_maximum(const Curve& curve, double a, double b, double noise, Eff
     const Maximum found = MaximumSearch(curve, a, b, noise, effort != nullptr ? *effort : own, least, error).largest();
     if (effort == nullptr && !found.settled)
         throw PrecisionError(Reasons(Why::largest_not_settled) + (own.exhausted() ? own.ending() : Reasons()) +
-                             Why::too_many_oscillations);
+                                 Why::too_many_oscillations,
+                             own.outcome());
     return found;
 }
 

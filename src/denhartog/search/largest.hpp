@@ -129,7 +129,7 @@ struct Sample {
 struct Curve {
     std::function<Sample(double tau)> sample;       ///< f, w and z at an instant
     std::function<double(double a, double b)> rate; ///< a bound of |z'| on [a, b]
-    /// how far f may rise on [a, b] above the larger of its values at a and b, given a bound of |z| there; here where z is f''
+    /// the rise of f at most, on [a, b] above the larger of its values at a and b, given a bound of |z| there; here where z is f''
     std::function<double(double a, double b, double z_bound)> rise = [](double a, double b, double z_bound) {
         return z_bound * (b - a) * (b - a) / 8;
     };
@@ -145,7 +145,7 @@ struct Place {
     double instant; ///< where the largest value in it was seen
     double value;   ///< that value
     double upper;   ///< no value in it is larger, but for the error of a sample
-    double reach;   ///< how far from there the largest value in it may be; zero if it was found as a root of w
+    double reach;   ///< the distance from there within which the largest value in it lies; zero if it was found as a root of w
 };
 
 /// @brief A maximum and where it lies.

@@ -77,7 +77,7 @@ struct Crossing {
     bool open = false;
 };
 
-/// @brief Whether bounds prove that f > 0 on (0, h], where its first `order` derivatives, f included, two at most, are zero at
+/// @brief True if bounds prove that f > 0 on (0, h], where its first `order` derivatives, f included, two at most, are zero at
 /// the start of the step.
 [[nodiscard]] inline bool stays_positive(const Jet& jet, int order, double h) {
     const std::array<double, 4>& f = jet.f;
@@ -99,7 +99,7 @@ struct Crossing {
     return std::min({f[0], b1, b2, b3}) > remainder * h * h * h * h / 24;
 }
 
-/// @brief Whether bounds prove that f' < 0 on [0, h].
+/// @brief True if bounds prove that f' < 0 on [0, h].
 [[nodiscard]] inline bool falls(const Jet& jet, double h) {
     const std::array<double, 4>& f = jet.f;
     if (h < tangent_up_to && f[1] < -(jet.second + jet.growth * h) * h) return true;

@@ -128,7 +128,8 @@ void CoupledFriction::set_coordinates(const System<double>& system, double r) {
     A_ = values(A);
     size_of_A_ = A_.norm();
     error_of_A_ = size_of_errors(A);
-    if (!boost::math::isfinite(size_of_A_) || !boost::math::isfinite(error_of_A_)) throw PrecisionError(Why::rate_out_of_range);
+    if (!boost::math::isfinite(size_of_A_) || !boost::math::isfinite(error_of_A_))
+        throw PrecisionError(Why::rate_out_of_range, Outcome::out_of_range);
     const BoundedMatrix inverse_of_G = with_contact(solved(G, identity(N)), system);
     const BoundedMatrix velocity = with_contact(solved(L, identity(N)), system);
     BoundedMatrix displacement = inverse_of_G;

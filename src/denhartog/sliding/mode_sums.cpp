@@ -28,7 +28,7 @@ void check_pole(const evaluation::ModeFunctions<T>& f, std::size_t i, const T& R
     const bool v_finite = boost::math::isfinite(f.v.re) && boost::math::isfinite(f.v.im);
     if (v_finite && boost::math::isfinite(f.u) && boost::math::isfinite(f.g)) return;
     const double at = ValueOf<T>::of(R);
-    if (zeta > 0) throw PrecisionError({Why::functions_out_of_range, i + 1, at});
+    if (zeta > 0) throw PrecisionError({Why::functions_out_of_range, i + 1, at}, Outcome::out_of_range);
     throw DomainError({Why::pole, i + 1, at, v_finite});
 }
 

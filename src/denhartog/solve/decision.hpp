@@ -1,12 +1,12 @@
 /// @file
-/// @brief What answers a question.
+/// @brief The choice between double and the reference.
 ///
 /// The reference, if a proof or 15 digits and more are asked for. Else double, if it has the digits, the regime and the
 /// stability; if not, the reference. If the reference has no proof either, double answers if its regime is certain; else nothing
-/// does. Where a question has no answer, that is a value, see `Outcome`; the functions that users call make an exception of it.
+/// does. Where a question has no answer, that is a value, see `Outcome`, which is decided where it arises; the functions that
+/// users call make an exception of it.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 
@@ -31,20 +31,8 @@ struct SolvePoint {
 /// @brief The scene of a system at a point, with the work allowed there.
 [[nodiscard]] SceneSource source_at(const PreparedSystem& p, const SolvePoint& at);
 
-/// @brief Says whether the velocities are known not to depend on the start, and why; and what is steady besides where a mode
-/// without damping keeps any share of the sliding motion. The answer has its point already; `contact` is the row of the contact
-/// in the shapes of the basis.
-///
-/// With mu = 1 no two motions move apart, and their distance stays the same only if friction and dampers do no work on their
-/// difference. That is then a free motion of modes without damping, which lets the contact turn at the same instants: at
-/// multiples of pi. Of modes whose phases over pi are told from 0, from pi and from each other's it is zero. A mode with an even
-/// number of periods in one of the force may keep any share. Of one mass that stops, two motions at the same distance rest and
-/// break away together, and so from the same place.
-void say_whether_unique(const ModalBasis<Bounded<double>>& basis, Mass contact, const System<double>& system, double mu,
-                        Solution& s);
-
-/// @brief What a proof of a motion that double found periodic starts from. Stops and slips shorter than `shortest`, in tau, are
-/// left out. There are no directions where the motion has no phases that repeat.
+/// @brief The guess for a proof of a motion that double found periodic. Stops and slips shorter than `shortest`, in tau, are left
+/// out. There are no directions where the motion has no phases that repeat.
 [[nodiscard]] OrbitGuess guess_of(ExactSolver& solver, const PeriodicOrbit& orbit, double shortest = 0);
 
 /// @brief Motions that differ from a guess by one stop of nearly no length, which rounding may have invented or hidden; the
@@ -56,48 +44,47 @@ void say_whether_unique(const ModalBasis<Bounded<double>>& basis, Mass contact, 
 [[nodiscard]] std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source,
                                                  std::optional<PeriodicOrbit>& followed);
 
-/// @brief What double makes of a question.
-struct AnswerInDouble : AnswerOrNone {
+/// @brief The answer of double to a question.
+struct AnswerInDouble : Tried<Solution> {
     bool open = false;                    ///< whether double does not tell what the contact does
     bool regime_is_certain = true;        ///< whether it is, so that double answers if the reference has no proof
     bool vague = false;                   ///< whether double does not tell if the motion is stable
     std::optional<PeriodicOrbit> orbit{}; ///< the motion from rest, where it was followed
 
-    /// @brief Whether it needs nothing more: it has its digits, and regime and stability are certain.
+    /// @brief True where it needs nothing more: it has its digits, and regime and stability are certain.
     [[nodiscard]] bool is_settled() const {
-        return is_answered() && solution.digits_reached && !open && !vague && !solution.regime.on_boundary;
+        return is_answered() && value->digits_reached && !open && !vague && !value->regime.on_boundary;
     }
 };
 
-/// @brief What comes of a question in double: what its computation throws becomes an outcome.
+/// @brief The outcome of a question in double: what its computation throws becomes one.
 template <class Answer>
 [[nodiscard]] AnswerInDouble tried_in_double(const Answer& answer) {
     Tried<AnswerInDouble> found = tried(answer);
-    if (found.value) return *std::move(found.value);
-    return {{found.at_pole ? Outcome::at_a_pole : Outcome::not_certain, {}, std::move(found.why)}};
+    if (found.is_answered()) return *std::move(found.value);
+    return {{Refusal(std::move(found))}};
 }
 
-/// @brief How double answers a question.
-using InDouble = std::function<AnswerInDouble(const Question&)>;
+/// @brief The answer in double to a question at a point of a prepared system.
+[[nodiscard]] AnswerInDouble answer_in_double(const PreparedSystem& p, const SolvePoint& at, const Question& question);
 
 /// @brief The answer in double, or else by the reference; none where the digits asked for are not reached.
-[[nodiscard]] AnswerOrNone answer_or_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question,
-                                               const InDouble& fast);
+[[nodiscard]] Tried<Solution> answer_or_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question);
 
-/// @brief What comes of a question at a point of a prepared system. A bad question or point is an InputError.
-[[nodiscard]] AnswerOrNone decide(const PreparedSystem& p, const SolvePoint& at, const Question& question);
+/// @brief The outcome of a question at a point of a prepared system. A bad question or point is an InputError.
+[[nodiscard]] Tried<Solution> decide(const PreparedSystem& p, const SolvePoint& at, const Question& question);
 
 /// @brief Boundary, regime and sliding motion of a scene, as `sliding_solution` has them in double.
-[[nodiscard]] AnswerOrNone decide_sliding(const SceneSource& source, const Question& question,
-                                          const std::shared_ptr<const ModalBasis<Bounded<double>>>& modes = nullptr);
+[[nodiscard]] Tried<Solution> decide_sliding(const SceneSource& source, const Question& question,
+                                             const std::shared_ptr<const ModalBasis<Bounded<double>>>& modes = nullptr);
 
-/// @brief The same; DomainError at a pole, PrecisionError where there is none for another reason.
+/// @brief Boundary, regime and sliding motion; DomainError at a pole, PrecisionError where there is none for another reason.
 [[nodiscard]] inline Solution sliding_answer(const SceneSource& source, const Question& question,
                                              const std::shared_ptr<const ModalBasis<Bounded<double>>>& modes = nullptr) {
-    return required(decide_sliding(source, question, modes));
+    return std::move(decide_sliding(source, question, modes).required());
 }
 
-/// @brief The same for every mass, refused if the digits asked for are not reached.
+/// @brief Boundary, regime and sliding motion of every mass, refused if the digits asked for are not reached.
 [[nodiscard]] Solution sliding_answer(const SceneSource& source, std::optional<int> digits, bool proved);
 
 } // namespace denhartog

@@ -1,4 +1,4 @@
-// How do amplitudes depend on a number of the scene? `amplitudes_of` solves a scene with one number changed; `find_places` seeks
+// Amplitudes as functions of a number of the scene. `amplitudes_of` solves a scene with one number changed; `find_places` seeks
 // where an amplitude is as wanted, and `conditions_of` takes differences.
 #include "denhartog/solve/find.hpp"
 
@@ -17,8 +17,8 @@
 #include "denhartog/scene/json_document.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/scene/scene_json.hpp"
-#include "denhartog/solve/detail/amplitude_search.hpp"
 #include "denhartog/solve/decision.hpp"
+#include "denhartog/solve/detail/amplitude_search.hpp"
 
 namespace denhartog {
 namespace {
@@ -60,19 +60,19 @@ Tried<std::vector<Certified>> amplitudes_of(const Json& scene, std::optional<Mas
     Question question{Asked::amplitude, std::nullopt};
     question.mass = mass;
     const SolvePoint at{frequency_ratio_of(s), friction_ratio_of(s), &source, effort};
-    const AnswerOrNone answer = decide(prepare(source, question), at, question);
-    if (!answer.is_answered()) return {{}, answer.outcome == Outcome::at_a_pole, answer.refused};
+    const Tried<Solution> answer = decide(prepare(source, question), at, question);
+    if (!answer.is_answered()) return Refusal(answer);
     double unit = 1;
     if (s.units)
         if (const std::optional<double> P = s.units->force_at(angular_frequency(*s.units, at.r)))
             unit = displacement_unit(*s.units, *P);
     std::vector<Certified> found;
     const double rounding = 4 * std::numeric_limits<double>::epsilon();
-    for (const SolvedMass& m : answer.solution.masses) {
+    for (const SolvedMass& m : answer.value->masses) {
         const Certified& a = m.amplitude;
         found.push_back({a.value * unit, (a.error + rounding * a.value) * unit, {}, a.proved});
     }
-    return {found};
+    return found;
 }
 
 void check_interval(const std::string& name, const VariedNumber& varied) {
@@ -113,8 +113,9 @@ void complete(Json& scene, const VariedNumber& varied) {
 
 Tried<Certified> amplitude_of(const Json& scene, Mass mass, double damping_tolerance, Effort* effort) {
     Tried<std::vector<Certified>> found = amplitudes_of(scene, mass, damping_tolerance, effort);
-    if (!found.value || found.value->empty()) return {std::nullopt, found.at_pole, found.why};
-    return {found.value->front()};
+    if (!found.is_answered()) return Refusal(std::move(found));
+    if (found.value->empty()) return {Outcome::digits_missing, {}};
+    return found.value->front();
 }
 
 constexpr const char* rule = "must read `amplitude of mass K = VALUE`, `amplitude of mass K is largest` or `is least`, with "
@@ -303,7 +304,7 @@ FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, cons
             return ask();
         } catch (const InputError& e) {
             if (!inadmissible) inadmissible = e;
-            return {std::nullopt, false, std::string(e.what())};
+            return {Outcome::at_a_pole, std::string(e.what())}; // outside what amplitudes are defined for
         }
     };
     const auto amplitude_with = [&](const Json::json_pointer& at, double x) {
@@ -322,7 +323,7 @@ FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, cons
             return admitted([&] {
                 AmplitudeSearch search(first_places(*wanted.over, given, samples), [&](double y) {
                     Tried<Certified> seen = amplitude_with(second, y);
-                    if (!seen.value && left_out++ == 0) left_out_why = seen.why;
+                    if (!seen.is_answered() && left_out++ == 0) left_out_why = seen.why;
                     return seen;
                 });
                 return search.amplitude_of_extreme(wanted.of == AmplitudeIs::largest);
@@ -339,7 +340,8 @@ FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, cons
     found.left_out_why = left_out_why;
     if (found.places.empty() && !found.unanswered.empty())
         throw PrecisionError("no place was found, and the amplitude is not known at " + std::to_string(found.unanswered.size()) +
-                             (found.unanswered.size() == 1 ? " sample: " : " samples: ") + found.why);
+                                 (found.unanswered.size() == 1 ? " sample: " : " samples: ") + found.why,
+                             found.outcome);
     return found;
 }
 

@@ -1,5 +1,5 @@
 /// @file
-/// @brief What amplitudes do when a number of the scene varies: where it has to be so that one has a given value, or is largest
+/// @brief Amplitudes as functions of a number of the scene: where it has to be so that one has a given value, or is largest
 /// or least, `find`; and how much they change with it, the condition of an answer.
 #pragma once
 
@@ -22,17 +22,17 @@ struct VariedNumber {
     double to = 0;   ///< upper end
 };
 
-/// @brief What an amplitude has to be.
+/// @brief The aim of a search for an amplitude.
 enum class AmplitudeIs : unsigned char {
     value,   ///< a given value
     largest, ///< the largest over the interval
     least    ///< the least over the interval
 };
 
-/// @brief What is wanted of an amplitude.
+/// @brief An amplitude and its aim.
 struct Wanted {
     Mass mass{};                           ///< the mass
-    AmplitudeIs is = AmplitudeIs::value;   ///< what its amplitude has to be
+    AmplitudeIs is = AmplitudeIs::value;   ///< the aim
     double value = 0;                      ///< the value that it has to have; in the scene's unit of length, else of P / k_1
     std::optional<VariedNumber> over{};    ///< if it is not the amplitude at one point that counts: what it is taken over
     AmplitudeIs of = AmplitudeIs::largest; ///< whether the largest or the least amplitude over that counts
@@ -45,10 +45,10 @@ struct Wanted {
 /// @brief An interval of a number from the text `A:B`; none if that is not two numbers.
 [[nodiscard]] std::optional<VariedNumber> interval_from(std::string_view key, std::string_view ends);
 
-/// @brief What a place that was found is.
+/// @brief The kind of a place that was found.
 enum class PlaceIs : unsigned char {
     crossing, ///< the amplitude is certainly below the value at one end, and above it at the other
-    jump,     ///< the same at two neighbouring doubles or nearly so, and it does not come near the value
+    jump,     ///< a crossing at two neighbouring doubles or nearly so, where the amplitude does not come near the value
     undecided, ///< it may reach the value, or only come near, which the digits do not tell; of an extreme: it is not certain on both sides
     extreme,     ///< the amplitude is certainly less, or more, at both ends: an extreme lies between
     end_of_range ///< the extreme is at an end of the interval
@@ -59,20 +59,21 @@ enum class PlaceIs : unsigned char {
 
 /// @brief A place that was found.
 struct FoundPlace {
-    PlaceIs is{};          ///< what it is
+    PlaceIs is{};          ///< its kind
     double from = 0;       ///< lower end of the interval that holds it
     double to = 0;         ///< upper end
     double at = 0;         ///< where it most likely is
     Certified amplitude{}; ///< the amplitude there
 };
 
-/// @brief What a search found.
+/// @brief The result of a search.
 struct FoundPlaces {
     std::vector<FoundPlace> places; ///< ascending; of an extreme the one that is the largest, or the least, of all that were seen
     std::vector<double> unanswered; ///< values of the number at which there is no steady motion that is certain
-    Reasons why;                    ///< the reason at the first of them
-    long questions = 0;             ///< how many motions were asked for
-    long left_out = 0;              ///< how many of them, of a second number, have no answer: what was seen over it lacks them
+    Outcome outcome{};              ///< the outcome at the first of them
+    Reasons why;                    ///< the reason there
+    long questions = 0;             ///< the number of motions that were asked for
+    long left_out = 0;              ///< the number of them, over a second number, that have no answer
     Reasons left_out_why;           ///< the reason at the first of these
 };
 
@@ -108,7 +109,7 @@ struct ConditionOfAmplitudes {
 [[nodiscard]] std::vector<ConditionOfAmplitudes> conditions_of(std::string_view scene, double damping_tolerance = 0,
                                                                Effort* effort = nullptr);
 
-/// @brief What an answer that moves depends on too much: the first mode that the load excites and whose amplitude a unit in the
+/// @brief The warning that an answer depends on too much: the first mode that the load excites and whose amplitude a unit in the
 /// last place of R changes by more than a thousandth. A sentence without its full stop, or nothing.
 [[nodiscard]] std::string warning_of(const SceneSource& source, const Solution& solution);
 

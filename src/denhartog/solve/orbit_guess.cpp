@@ -1,5 +1,5 @@
-// What a proof of a motion that double found starts from: `guess_of` names its phases, `with_other_stops` those that rounding may have
-// invented or hidden.
+// The guesses that a proof starts from, of a motion that double found: `guess_of` names its phases, `with_other_stops` those that
+// rounding may have invented or hidden.
 #include "denhartog/solve/decision.hpp"
 
 #include <algorithm>

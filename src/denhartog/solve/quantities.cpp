@@ -1,4 +1,4 @@
-// What are the numbers of a point, (33) to (39), (56), (64), (69)? Read `quantities`: in double, or else by the reference.
+// The numbers of a point, (33) to (39), (56), (64), (69). Read `quantities`: in double, or else by the reference.
 #include "denhartog/solve/quantities.hpp"
 
 #include <algorithm>
@@ -13,7 +13,6 @@
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
 #if DENHARTOG_REFERENCE
-#include "denhartog/answer/printed.hpp"
 #include "denhartog/answer/reference_point.hpp"
 #include "denhartog/reference/sliding.hpp"
 #endif
@@ -166,7 +165,7 @@ Quantities<Bounded<double>> numbers_of(const PointInBalls& p, std::span<const do
 // The numbers of a point by the reference, proved and rounded to double. Bits are doubled until they are accepted; `accept` may
 // put zeros for some.
 template <class Accept>
-QuantitiesAnswer quantities_by_reference(const SceneSource& source, std::span<const double> tau, const Accept& accept) {
+Tried<QuantitiesAnswer> quantities_by_reference(const SceneSource& source, std::span<const double> tau, const Accept& accept) {
     constexpr slong first = 192, most = 1024;
     return with_more_bits(source, first, most, [&](const SceneSource& paid, slong bits, bool) {
         std::optional<QuantitiesAnswer> answer(std::in_place);
@@ -181,8 +180,8 @@ QuantitiesAnswer quantities_by_reference(const SceneSource& source, std::span<co
 #else
 
 template <class Accept>
-QuantitiesAnswer quantities_by_reference(const SceneSource&, std::span<const double>, const Accept&) {
-    throw PrecisionError(Why::no_reference);
+Tried<QuantitiesAnswer> quantities_by_reference(const SceneSource&, std::span<const double>, const Accept&) {
+    return {Outcome::digits_missing, Why::no_reference};
 }
 
 #endif
@@ -203,15 +202,15 @@ QuantitiesAnswer quantities(const SceneSource& asked_source, std::span<const dou
     for (const double instant : tau)
         if (!std::isfinite(instant)) throw InputError("tau", "must be finite", number_to_text(instant));
     const Aim aim = aim_of(digits);
-    Tried<Quantities<Bounded<double>>> seen;
+    Refusal none; // of double
     Reasons why;
     if (digits <= most_digits_in_double) {
-        seen = tried([&] {
+        Tried<Quantities<Bounded<double>>> seen = tried([&] {
             if (!basis || load_depends_on_frequency(scene.system)) basis = modes_with_errors(scene.system, source->effort);
             return quantities_in_double(scene, bounded_sums(scene.system, *basis, as_input(*scene.r), source->effort), tau,
                                         source->effort);
         });
-        if (seen.value) {
+        if (seen.is_answered()) {
             const Largest largest = largest_bound(*seen.value, asked);
             const Bounded<double>& limit = seen.value->beta_lim;
             // A boundary that is no number in double is open as well.
@@ -222,23 +221,21 @@ QuantitiesAnswer quantities(const SceneSource& asked_source, std::span<const dou
                 return {*std::move(seen.value), {"closed form", "double", why}, largest.relative};
             }
             if (!largest.name.empty()) why.push_back({Why::of_number, {}, largest.name});
-        } else if (!seen.at_pole && is_exhausted(source->effort)) {
-            throw PrecisionError(seen.why);
+        } else if (seen.outcome != Outcome::at_a_pole && is_exhausted(source->effort)) {
+            require({Outcome::budget_spent, seen.why});
         }
-        why = Why::in_double + why + seen.why;
+        none = std::move(seen);
+        why = Why::in_double + why + none.why;
         count_precision_step();
     }
     bool has_zeros = false;
     double relative = 0;
-    Tried<QuantitiesAnswer> proved = tried([&] {
-        return quantities_by_reference(source, tau, [&](Quantities<Bounded<double>>& q) {
-            has_zeros = tell_zeros(q, aim.tolerance) > 0;
-            relative = largest_bound(q, asked, true).relative;
-            return relative <= aim.tolerance;
-        });
+    Tried<QuantitiesAnswer> proved = quantities_by_reference(source, tau, [&](Quantities<Bounded<double>>& q) {
+        has_zeros = tell_zeros(q, aim.tolerance) > 0;
+        relative = largest_bound(q, asked, true).relative;
+        return relative <= aim.tolerance;
     });
-    if (!proved.value && seen.at_pole) throw DomainError(seen.why);
-    if (!proved.value) throw PrecisionError(why + proved.why);
+    if (!proved.is_answered()) require(none.outcome == Outcome::at_a_pole ? none : Refusal{proved.outcome, why + proved.why});
     QuantitiesAnswer answer = *std::move(proved.value);
     answer.relative = relative;
     answer.method.why = why + answer.method.why;

@@ -8,13 +8,13 @@
 #include <optional>
 #include <span>
 
-#include "denhartog/sliding/bounded_modes.hpp"
-#include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/answer/models_in_double.hpp"
 #include "denhartog/formulas/boundary.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
+#include "denhartog/sliding/coupled_sums.hpp"
+#include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/sliding/coupled_sums.hpp"
 
 namespace denhartog {
 
@@ -68,7 +68,7 @@ enum class PointNumbers : std::uint8_t {
 /// @brief The numbers of a point with the digits asked for.
 struct QuantitiesAnswer {
     Quantities<Bounded<double>> numbers; ///< values in double with their bounds
-    Method method;                       ///< how they were computed, and why that way
+    Method method;                       ///< the method, and why it
     double relative = 0;                 ///< the largest bound of those asked for over its size, see `list`
 };
 
@@ -83,8 +83,8 @@ struct QuantitiesAnswer {
                                           PointNumbers asked = PointNumbers::all,
                                           std::shared_ptr<const ModalBasis<Bounded<double>>> basis = nullptr);
 
-/// @brief What friction does not change: V, U, G, H, and S with the boundary. The sum over modes of (57)'s expression is largest
-/// at `instant`, where 0 stands for the limit. @eq{33,34,35,56,64,69}
+/// @brief The quantities without friction: V, U, G, H, and S with the boundary. The sum over modes of (57)'s expression is
+/// largest at `instant`, where 0 stands for the limit. @eq{33,34,35,56,64,69}
 template <class T>
 [[nodiscard]] Quantities<T> quantities_without_motion(const ModeSums<T>& s, const T& mu, const T& instant) {
     const std::size_t j = s.contact.index;

@@ -1,4 +1,4 @@
-// Where are the masses at evenly spaced instants? Read `sampled_solution`: the closed form and the stuck response are
+// The masses at evenly spaced instants. Read `sampled_solution`: the closed form and the stuck response are
 // recurrences, a motion with stops is followed from phase to phase, and where double does not have the digits the reference
 // answers.
 #include "denhartog/solve/sampled_solution.hpp"
@@ -25,7 +25,7 @@ namespace {
 using evaluation::ErrorOfSamples;
 using Number = Bounded<double>;
 
-// What errors of a mode make of its brace in (40): errors of R and zeta are forces on it, by the energy that the free motion has.
+// The error of a brace of (40) by those of its mode: errors of R and zeta are forces on it, by the energy of the free motion.
 ErrorOfSamples error_of_brace(const ModeSums<Number>& s, std::size_t i) {
     const double R = s.R[i].least(), error_of_R = s.R[i].e / R, half_period = pi<double>();
     const double energy = 1 + s.g[i].most() + s.R[i].most() * s.u[i].most();
@@ -120,8 +120,8 @@ std::size_t stops_in(const std::vector<Phase>& phases) {
     return stops > 1 && rests(phases.front()) && rests(phases.back()) ? stops - 1 : stops;
 }
 
-// The motion of an answer over its period, in double. False where it does not come back to its start, by `error_of_samples` of
-// what each mass does, or has other stops than the answer: where double does not have the digits.
+// Follows the motion of an answer over its period, in double. False where double does not have the digits: the motion does not
+// come back to its start, by `error_of_samples` of each amplitude and speed, or has other stops than the answer.
 bool is_along_orbit(ExactSolver& solver, const State& start, const Solution& solution, SampledSolution& all) {
     const double period = 2 * pi<double>() * solution.periods;
     const ExactMotion& motion = solver.run(start, 0.0, period);
@@ -167,8 +167,8 @@ void sample_by_reference(const SceneSource& asked_about, const Solution& solutio
     const ScenePaidFor paid(asked_about);
     const SceneSource& source = paid.source();
     const auto guesses = [&] { return guesses_near(source); };
-    const auto states = tried([&] { return samples_by_reference(source, solution, all.tau, error_of_samples, guesses); });
-    if (!states.value) throw PrecisionError(Why::samples_uncertain + states.why);
+    const Tried<std::vector<State>> states = samples_by_reference(source, solution, all.tau, error_of_samples, guesses);
+    if (!states.is_answered()) throw PrecisionError(Why::samples_uncertain + states.why, states.outcome);
     all = SampledSolution(std::move(all.tau), *states.value);
 }
 
@@ -196,7 +196,7 @@ void sample_stuck_masses(const std::vector<SolvedMass>& masses, SampledSolution&
                              all.x_prime.data());
 }
 
-// Whether a phase is certain enough for the samples that were taken with it.
+// True of a phase that is certain enough for the samples that were taken with it.
 bool is_certain_enough(const Certified& phase, const Solution& solution, const std::vector<double>& x_prime) {
     for (std::size_t k = 0, N = solution.masses.size(); k < N; ++k) {
         const double allowed = solution.masses[k].amplitude.error + error_of_samples * solution.masses[k].amplitude.value;
@@ -225,7 +225,7 @@ SampledClosedForm sampled_closed_form(const SceneSource& source, double phi_j, s
     const Scene<double>& scene = source->in_double();
     if (digits >= 1 && digits <= most_digits_in_double) { // else, and where it is refused, `quantities` asks the reference
         auto seen = tried([&] { return in_double(scene, phi_j, samples, aim_of(digits).tolerance, known_to_slide); });
-        if (seen.value && *seen.value) return **std::move(seen.value);
+        if (seen.is_answered() && *seen.value) return **std::move(seen.value);
     }
     std::vector<double> tau = SampledSolution(samples, 1, 0).tau;
     for (double& instant : tau) instant -= phi_j;

@@ -11,7 +11,7 @@ namespace denhartog {
 
 struct SceneReader;
 
-/// @brief What a sample may be off by, of the amplitude of its mass, beside the error of that amplitude.
+/// @brief The error of a sample, of the amplitude of its mass, beside the error of that amplitude.
 constexpr double error_of_samples = 1e-6;
 
 /// @brief A motion at equally spaced instants.
@@ -45,8 +45,8 @@ struct SampledSolution {
 [[nodiscard]] SampledSolution sampled_solution(const std::shared_ptr<const SceneReader>& source, const Solution& solution,
                                                std::size_t samples);
 
-/// @brief What the motion of an answer dissipates, and the forces that it hands to wall and base; the reference proves them in
-/// every regime.
+/// @brief The energies that the motion of an answer dissipates, and the forces that it hands to wall and base; the reference
+/// proves them in every regime.
 /// @param source    the scene that was solved
 /// @param solution  its answer to `Asked::motion` of all masses
 /// @param digits    significant digits; by default 6

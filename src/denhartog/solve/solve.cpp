@@ -1,6 +1,6 @@
-// Which model answers a question in double? Read `answer` first: it asks the closed form, follows the start from rest where that
-// is needed, and takes the stuck response where the contact rests. `solve_in_double` puts the cheapest model before it. `decide`, at
-// the end, asks double and then the reference.
+// The choice of the model that answers a question in double. Read `answer` first: it asks the closed form, follows the start from
+// rest where that is needed, and takes the stuck response where the contact rests. `solve_in_double` puts the cheapest model
+// before it. `decide`, at the end, asks double and then the reference.
 #include "denhartog/solve/solve.hpp"
 
 #include <algorithm>
@@ -24,15 +24,14 @@ namespace {
 // A question to a scene, prepared.
 struct SolveTask {
     SceneSource source;                          // the scene
-    Question question;                           // what is asked
+    Question question;                           // the question
     const Scene<double>& scene;                  // the scene in double, which `source` holds
     Aim aim;                                     // the digits
     ModesInDouble known;                         // its modal basis
     std::shared_ptr<const ContactSystem> moving; // for the exact solver; none where it is still to be prepared
     bool open = false;                           // whether double leaves something open
     bool regime_is_certain = true;               // whether the regime is certain nevertheless
-    Reasons unknown{};                           // why boundaries and closed form are not known; empty where they are
-    bool at_pole = false;                        // whether they do not exist
+    Refusal sliding{};                           // why boundaries and closed form are not known, where they are not
     std::optional<PeriodicOrbit> orbit{};        // the motion from rest, where it was followed
 };
 
@@ -41,7 +40,7 @@ void check(const Question& question, std::size_t N) {
     if (question.mass) check_mass(*question.mass, N, "mass");
 }
 
-// Whether amplitude or phase of the contact is all that is asked for.
+// True where amplitude or phase of the contact is all that is asked for.
 bool asks_for_contact(const Question& question, const System<double>& s) {
     return question.mass == contact_row(s) && !question.all &&
            (question.asked == Asked::amplitude || question.asked == Asked::phase);
@@ -70,7 +69,7 @@ bool answer_by_contact(const PreparedSystem& p, const SolvePoint& at, const Ques
     const Aim aim = aim_of(question.digits);
     if (aim.digits > most_digits_in_double) return false;
     const auto contact = tried([&] { return contact_solution(*p.contact, as_input(at.r), as_input(at.beta)); });
-    if (!contact.value || !*contact.value) return false; // the next model says where a pole is
+    if (!contact.is_answered() || !*contact.value) return false; // the next model says where a pole is
     const ContactSolution& found = **contact.value;
     const double relative = found.amplitude.e / found.amplitude.x;
     const Attempted attempted{question.asked == Asked::phase ? std::max(relative, found.phase.e) : relative};
@@ -87,7 +86,7 @@ bool answer_by_contact(const PreparedSystem& p, const SolvePoint& at, const Ques
     return true;
 }
 
-// Whether the boundaries tell that a motion that is not at rest has stops, seen or not.
+// True where the boundaries tell that a motion that is not at rest has stops, seen or not.
 bool must_stop(const SolveTask& task, const Solution& s) {
     return s.regime.regime == Regime::stick_slip && (task.scene.mu == 1 || every_motion_is_damped(*task.known.basis));
 }
@@ -138,29 +137,31 @@ void answer_by_orbit(const SolveTask& task, ExactSolver& solver, const PeriodicO
 }
 
 void set_regime(const SolveTask& task, Regime met, const Reasons& reason, Solution& s) {
-    if (!task.unknown.empty())
-        s.regime.regime = met;
-    else
+    const bool known = task.sliding.is_answered();
+    if (known)
         take_regime(met, s.regime);
-    if (task.scene.mu > 1 || !task.unknown.empty() || met == Regime::continuous) s.regime.reason += reason;
+    else
+        s.regime.regime = met;
+    if (task.scene.mu > 1 || !known || met == Regime::continuous) s.regime.reason += reason;
 }
 
-// What the stops of a motion that is not the closed form's say. `open`: double does not tell whether it stops.
+// Takes the regime from the stops of a motion that is not the closed form's. `open`: double does not tell if it stops.
 void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit& orbit, bool open, Solution& s) {
     const bool must = orbit.stops.empty() && must_stop(task, s);
     if (!orbit.stops.empty()) {
-        const bool slides = task.unknown.empty() && s.regime.regime == Regime::continuous; // a motion that does, besides
+        const bool slides = task.sliding.is_answered() && s.regime.regime == Regime::continuous; // a motion that does, besides
         set_regime(task, Regime::stick_slip, slides ? Why::rest_leads_to_stops : Why::stops, s);
     } else if (must) {
         s.regime.reason += {Why::no_stop_seen, orbit.error_bound};
     } else if (open) {
         s.regime.reason += Why::stops_open;
     } else {
-        const bool known = task.unknown.empty(), sliding = known && every_motion_is_damped(*task.known.basis);
+        const Outcome outcome = task.sliding.outcome;
+        const bool known = outcome == Outcome::answered, sliding = known && every_motion_is_damped(*task.known.basis);
         set_regime(task, Regime::continuous,
-                   sliding                 ? Why::rest_leads_to_sliding
-                   : known || task.at_pole ? Why::slides_otherwise
-                                           : Why::does_not_stop,
+                   sliding                                  ? Why::rest_leads_to_sliding
+                   : known || outcome == Outcome::at_a_pole ? Why::slides_otherwise
+                                                            : Why::does_not_stop,
                    s);
     }
 }
@@ -175,7 +176,7 @@ void answer_by_boundaries(SolveTask& task, const std::string& model, Solution& s
     s.relative_error = std::max(s.relative_error, relative_error(by_88));
 }
 
-// What a fast mode costs the exact solver, which follows it, if that is much.
+// A fast mode, which the exact solver follows, as the reason why it found no motion; none where its modes are slow.
 Reasons cost_of_fast_mode(const ExactSolver& solver, const PeriodicOrbit& none) {
     constexpr double fast = 1000;
     const double fastest = solver.highest_over_force();
@@ -183,26 +184,31 @@ Reasons cost_of_fast_mode(const ExactSolver& solver, const PeriodicOrbit& none) 
     return {Why::fast_mode, fastest};
 }
 
-[[noreturn]] void fail_from_rest(const SolveTask& task, const Reasons& why, const Solution& s) {
-    if (task.at_pole) throw DomainError(task.unknown + why);
-    throw PrecisionError(Why::none_from_rest + why + Why::certain + s.regime.reason);
+Refusal none_from_rest(const SolveTask& task, Outcome outcome, const Reasons& why, const Solution& s) {
+    if (task.sliding.outcome == Outcome::at_a_pole) return {Outcome::at_a_pole, task.sliding.why + why};
+    if (is_exhausted(task.source->effort)) outcome = Outcome::budget_spent;
+    return {outcome, Why::none_from_rest + why + Why::certain + s.regime.reason};
 }
 
 // The steady motion of a regime that the boundaries tell, where the one from rest is not known. A sliding motion is in `s`
 // already.
-void answer_by_regime(SolveTask& task, Solution& s) {
-    if (task.question.asked == Asked::regime) return answer_by_boundaries(task, "boundaries", s);
-    if (s.regime.regime == Regime::permanent_sticking) answer_by_stuck_response(task, std::nullopt, s);
+Refusal answer_by_regime(SolveTask& task, Solution& s) {
+    if (task.question.asked == Asked::regime)
+        answer_by_boundaries(task, "boundaries", s);
+    else if (s.regime.regime == Regime::permanent_sticking)
+        answer_by_stuck_response(task, std::nullopt, s);
+    return {};
 }
 
 // The motion from rest by the exact solver; the closed form or the stuck response give the numbers where it leads there. With
 // mu = 1 and damping all starts lead to one motion; with mu above 1 rest mostly leads to the sliding motion if there is one.
-void answer_from_rest(SolveTask& task, Solution& s) {
+Refusal answer_from_rest(SolveTask& task, Solution& s) {
     if (!task.moving) task.moving = moving_in_double(task.source, task.known);
     const ContactSystem& system = *task.moving;
-    const bool told = task.unknown.empty() && !s.regime.on_boundary, sticks = s.regime.regime == Regime::stick_slip;
+    const bool known = task.sliding.is_answered(), told = known && !s.regime.on_boundary,
+               sticks = s.regime.regime == Regime::stick_slip;
     if (!system.rounded_because.empty()) {
-        if (!told || sticks) fail_from_rest(task, system.rounded_because, s);
+        if (!told || sticks) return none_from_rest(task, Outcome::digits_missing, system.rounded_because, s);
         s.not_from_rest = system.rounded_because;
         return answer_by_regime(task, s);
     }
@@ -213,7 +219,7 @@ void answer_from_rest(SolveTask& task, Solution& s) {
     how.with_stability = task.question.asked == Asked::motion;
     how.effort = task.source->effort;
     State near;
-    if (task.unknown.empty() && s.regime.regime == Regime::continuous) {
+    if (known && s.regime.regime == Regime::continuous) {
         near = sliding_at_maximum_of_force(
             values_of(bounded_sums(task.scene.system, *task.known.basis, as_input(*task.scene.r), task.source->effort)),
             *task.scene.beta);
@@ -225,13 +231,13 @@ void answer_from_rest(SolveTask& task, Solution& s) {
         s.not_from_rest = orbit.reason + cost_of_fast_mode(solver, orbit);
         const bool by_regime = told && (s.regime.regime == Regime::continuous || !(found || sticks));
         if (by_regime && !is_exhausted(task.source->effort)) return answer_by_regime(task, s);
-        if (!found) fail_from_rest(task, s.not_from_rest, s);
+        if (!found) return none_from_rest(task, Outcome::not_converged, s.not_from_rest, s);
     }
     const bool rests = orbit.status == OrbitStatus::permanently_stuck;
     // With mu = 1 the boundaries tell that it never rests for ever: only rounding does not see it move.
     if (rests && task.scene.mu == 1 && told && sticks)
-        throw PrecisionError(Reasons(Why::moves_too_little) + Why::certain + s.regime.reason);
-    const bool slides = task.unknown.empty() && !rests && !s.masses.empty() &&
+        return {Outcome::digits_missing, Reasons(Why::moves_too_little) + Why::certain + s.regime.reason};
+    const bool slides = known && !rests && !s.masses.empty() &&
                         (must_be_sliding_motion(orbit, every_motion_is_damped(*task.known.basis)) ||
                          is_sliding_motion(orbit, s.masses[system.contact.index].amplitude.value));
     if (rests) {
@@ -239,46 +245,45 @@ void answer_from_rest(SolveTask& task, Solution& s) {
     } else if (slides && orbit.stops.empty()) {
         set_regime(task, Regime::continuous, Why::rest_leads_to_sliding, s);
     } else {
-        const bool open = task.unknown.empty() && stops_are_open(orbit, s.regime.regime == Regime::stick_slip,
-                                                                 orbit.stops.empty() && must_stop(task, s), slides);
+        const bool open = known && stops_are_open(orbit, sticks, orbit.stops.empty() && must_stop(task, s), slides);
         task.regime_is_certain = !open || must_stop(task, s);
         if (!regime_alone) answer_by_orbit(task, solver, orbit, open, s);
         set_regime_by_stops(task, orbit, open, s);
         task.open = task.open || open;
         if (!regime_alone) {
             if (s.not_from_rest.empty()) s.regime.reason += orbit.reason;
-            return;
+            return {};
         }
     }
     if (regime_alone) {
         answer_by_boundaries(task, "boundaries and exact solver", s);
-        return;
+        return {};
     }
     if (rests) answer_by_stuck_response(task, place_of_rest(orbit), s);
     if (task.question.asked == Asked::motion) s.stability = stability_of(orbit);
+    return {};
 }
 
-void answer(SolveTask& task, Solution& s) {
+Refusal answer(SolveTask& task, Solution& s) {
     Tried<Solution> sliding = tried([&] { return sliding_solution(task.source, task.question, task.known.basis); });
-    task.at_pole = sliding.at_pole;
-    if (task.at_pole || (!sliding.value && task.scene.mu > 1)) {
-        task.unknown = sliding.why;
+    if (sliding.is_answered()) {
+        s = *std::move(sliding.value);
+    } else if (sliding.outcome == Outcome::at_a_pole || task.scene.mu > 1) {
         s.regime.reason = Why::boundaries_unknown + sliding.why;
+        task.sliding = std::move(sliding);
     } else {
-        s = std::move(sliding.required());
+        return sliding;
     }
-    const bool follows = !task.unknown.empty() || (task.scene.mu > 1 && *task.scene.beta > 0);
+    const bool follows = !task.sliding.is_answered() || (task.scene.mu > 1 && *task.scene.beta > 0);
     const bool sticks = s.regime.regime == Regime::stick_slip;
-    if (follows || (sticks && task.question.asked != Asked::regime)) {
-        answer_from_rest(task, s);
-        const Why followed = s.not_from_rest.empty() ? Why::from_rest_followed : Why::from_rest_elsewhere;
-        if (follows || task.scene.mu > 1 || !every_motion_is_damped(*task.known.basis)) s.method.why = followed + s.method.why;
-    } else {
-        answer_by_regime(task, s);
-    }
+    if (!follows && !(sticks && task.question.asked != Asked::regime)) return answer_by_regime(task, s);
+    if (Refusal none = answer_from_rest(task, s); !none.is_answered()) return none;
+    const Why followed = s.not_from_rest.empty() ? Why::from_rest_followed : Why::from_rest_elsewhere;
+    if (follows || task.scene.mu > 1 || !every_motion_is_damped(*task.known.basis)) s.method.why = followed + s.method.why;
+    return {};
 }
 
-// Whether double leaves open if a motion with stops is stable, in a system whose every free motion decays.
+// True where double leaves open if a motion with stops is stable, in a system whose every free motion decays.
 bool is_vague(const SolveTask& task, const Solution& s) {
     if (!s.stability || s.stops.empty() || s.stability->stable || !every_motion_is_damped(*task.known.basis)) return false;
     const std::vector<Certified>& sizes = s.stability->multipliers; // none where they were not found
@@ -286,8 +291,8 @@ bool is_vague(const SolveTask& task, const Solution& s) {
 }
 
 AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, const Question& question) {
-    AnswerInDouble found{{Outcome::answered}};
-    Solution& s = found.solution;
+    AnswerInDouble found;
+    Solution& s = *found.value;
     s.asked = question.asked;
     if (answer_by_contact(p, at, question, s)) {
         say_whether_unique(*p.contact->basis, p.contact->contact, p.scene().system, p.scene().mu, s);
@@ -298,11 +303,11 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
         s.r = exactly(at.r);
         s.beta = exactly(at.beta);
         s.contact = p.scene().system.contact;
-        answer(task, s);
+        if (Refusal none = answer(task, s); !none.is_answered()) return {{std::move(none)}};
         say_whether_unique(*task.known.basis, contact_row(task.scene.system), task.scene.system, task.scene.mu, s);
         s.asked = question.asked;
         s.digits_reached = s.relative_error <= task.aim.tolerance;
-        found.open = task.open || !task.unknown.empty();
+        found.open = task.open || !task.sliding.is_answered();
         found.regime_is_certain = task.regime_is_certain;
         found.vague = is_vague(task, s);
         found.orbit = std::move(task.orbit);
@@ -336,12 +341,6 @@ PreparedSystem prepare(const SceneSource& source, const Question& question, Prep
     return p;
 }
 
-PreparedSystem prepare(const System<double>& system, const Question& question, Prepared points) {
-    Scene<double> scene;
-    scene.system = system;
-    return prepare(scene_source(scene), question, points);
-}
-
 PreparedSystem with_static_friction(PreparedSystem system, double mu) {
     system.source = with_static_friction(system.source, mu);
     return system;
@@ -352,7 +351,11 @@ SceneSource source_at(const PreparedSystem& p, const SolvePoint& at) {
     return at.effort != nullptr ? with_effort(source, at.effort) : source;
 }
 
-AnswerOrNone decide(const PreparedSystem& prepared, const SolvePoint& asked_about, const Question& question) {
+AnswerInDouble answer_in_double(const PreparedSystem& p, const SolvePoint& at, const Question& question) {
+    return tried_in_double([&] { return solve_in_double(p, at, question); });
+}
+
+Tried<Solution> decide(const PreparedSystem& prepared, const SolvePoint& asked_about, const Question& question) {
     const std::size_t N = number_of_masses(prepared.scene().system);
     check(question, N);
     check_frequency_ratio(asked_about.r);
@@ -364,20 +367,19 @@ AnswerOrNone decide(const PreparedSystem& prepared, const SolvePoint& asked_abou
     std::optional<PreparedSystem> there; // where what is prepared has the load of another frequency
     if (load_depends_on_frequency(prepared.scene().system)) there.emplace(PreparedSystem{source_at(prepared, at)});
     const PreparedSystem& p = there ? *there : prepared;
-    return answer_or_reference(p, at, question,
-                               [&](const Question& of) { return tried_in_double([&] { return solve_in_double(p, at, of); }); });
+    return answer_or_reference(p, at, question);
 }
 
 Solution solve(const SceneSource& source, const Question& question) {
     const Work before = work_so_far();
     const PreparedSystem p = prepare(source, question);
     const SolvePoint at{frequency_ratio_of(p.scene()), friction_ratio_of(p.scene()), &source};
-    return with_work_since(before, required(decide(p, at, question)));
+    return with_work_since(before, std::move(decide(p, at, question).required()));
 }
 
 Solution solve(const PreparedSystem& system, double r, double beta, const Question& question, Effort* effort) {
     const Work before = work_so_far();
-    return with_work_since(before, required(decide(system, {r, beta, nullptr, effort}, question)));
+    return with_work_since(before, std::move(decide(system, {r, beta, nullptr, effort}, question).required()));
 }
 
 } // namespace denhartog

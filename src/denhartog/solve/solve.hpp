@@ -44,18 +44,14 @@ struct PreparedSystem {
 [[nodiscard]] PreparedSystem prepare(const SceneSource& source, const Question& question,
                                      Prepared points = Prepared::sliding_contact);
 
-/// @brief The same of a system in double, mu = 1: the same binary fractions in every number type.
-[[nodiscard]] PreparedSystem prepare(const System<double>& system, const Question& question,
-                                     Prepared points = Prepared::sliding_contact);
-
-/// @brief The same system, which is prepared for every regime, with another ratio of static to kinetic friction, Eq. (3).
+/// @brief A system that is prepared for every regime, with another ratio of static to kinetic friction, Eq. (3).
 [[nodiscard]] PreparedSystem with_static_friction(PreparedSystem system, double mu);
 
 /// @brief The steady motion at the point of a scene, in every regime. A bad scene or question is an InputError, a pole of a mode
 /// without damping a DomainError; PrecisionError where no model reaches the digits asked for or no steady motion is found.
 [[nodiscard]] Solution solve(const SceneSource& source, const Question& question);
 
-/// @brief The same at any point of a system that is prepared: `solve` of a scene is nothing but both. Another question than was
+/// @brief The steady motion at any point of a prepared system: `solve` of a scene is nothing but both. Another question than was
 /// prepared for is answered as well. The work of the answer is that of this point, paid from a budget, if there is one.
 [[nodiscard]] Solution solve(const PreparedSystem& system, double r, double beta, const Question& question,
                              Effort* effort = nullptr);

@@ -11,6 +11,7 @@
 
 #include "denhartog/evaluation/even_samples.hpp"
 #include "denhartog/model/linear_algebra.hpp"
+#include "denhartog/number/tried.hpp"
 #include "denhartog/sliding/bounded_modes.hpp"
 #include "denhartog/sliding/coupled_sums.hpp"
 
@@ -102,12 +103,14 @@ const ExactMotion& ExactSolver::run(const State& start, double tau_0, double tau
     if (start.x.size() != N_ || start.x_prime.size() != N_)
         throw InputError("start", "must have a displacement and a velocity for each mass", std::to_string(start.x.size()));
     z_ = start;
-    try {
+    const Tried<bool> followed = tried([&] {
         follow(tau_0, tau_1, with_jacobian);
-    } catch (const PrecisionError&) {
-        if (!effort_->exhausted()) throw; // an exponential of coupled modes had nothing left to spend
+        return true;
+    });
+    if (followed.outcome == Outcome::budget_spent) // an exponential of coupled modes had nothing left to spend
         motion_.status = MotionStatus::open;
-    }
+    else
+        require(followed);
     return motion_;
 }
 

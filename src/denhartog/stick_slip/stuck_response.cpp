@@ -13,6 +13,7 @@
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/natural_modes.hpp"
+#include "denhartog/number/tried.hpp"
 #include "denhartog/number/why.hpp"
 #include "denhartog/number/work_counted.hpp"
 #include "denhartog/scene/point_rules.hpp"
@@ -115,7 +116,7 @@ StuckResponse stuck_response(const StuckConfiguration& stuck, Mass load, double 
     response.elastic_load = load_with(std::vector<double>(n, 0));
     for (const Complex<double>& X_k : X) response.masses.push_back(motion_of(X_k));
     for (const StuckMass& mass : response.masses)
-        if (!std::isfinite(mass.amplitude)) throw PrecisionError(Why::stuck_response_out_of_range);
+        if (!std::isfinite(mass.amplitude)) throw PrecisionError(Why::stuck_response_out_of_range, Outcome::out_of_range);
     return response;
 }
 
@@ -163,11 +164,8 @@ StickingBoundary sticking_boundary(const StuckResponse& response, const std::opt
 LastingRest::LastingRest(const ContactSystem& system, const Excitation& excitation)
     : system_(&system), e_(excitation), terms_(modulus(direct_load(system.stuck, system.load))) {
     const StuckConfiguration& s = system.stuck;
-    try {
-        response_ = stuck_response(s, system.load, e_.r);
-    } catch (const DomainError&) {
-        response_.reset();
-    }
+    Tried<StuckResponse> found = tried([&] { return stuck_response(s, system.load, e_.r); });
+    if (found.outcome != Outcome::at_a_pole) response_ = std::move(found.required());
     const std::size_t n = s.masses.size();
     for (std::size_t a = 0; a < n && response_; ++a)
         terms_ += (std::abs(s.k_j[a]) + e_.r * std::abs(s.c_j[a]) + e_.r * e_.r * std::abs(s.m_j[a])) *

@@ -242,10 +242,11 @@ public:
     std::vector<T> numbers(const ProtocolQuestion& q) override {
         const auto first = static_cast<slong>(4 * std::numeric_limits<T>::digits10 + 64);
         effort_.spent = 0;
-        return with_more_bits(source_, first, 8 * first, [&](const SceneSource&, slong bits, bool) {
+        auto found = with_more_bits(source_, first, 8 * first, [&](const SceneSource&, slong bits, bool) {
             if (!in_bits_.contains(bits)) in_bits_.try_emplace(bits, source_, regime_, seen_ ? &*seen_ : nullptr, bits);
             return certain<T>(in_bits_.at(bits).numbers(q), quantity(q.quantity).angle);
         });
+        return std::move(found.required());
     }
 
 private:

@@ -66,7 +66,8 @@ Peer paper_algorithm_peer(double tolerance, bool as_needed) {
 Peer solve_peer(int digits) {
     return {"solve", std::to_string(digits) + " digits", std::pow(10.0, -digits), [=](const System<double>& system) {
                 const Question question = question_of_chart(system, digits);
-                const auto prepared = std::make_shared<const PreparedSystem>(prepare(system, question));
+                const auto prepared = std::make_shared<const PreparedSystem>(
+                    prepare(scene_source(Scene<double>{system, 1, {}, {}, {}, {}}), question));
                 return [=](const ChartPoint& point) {
                     PeerAnswer answer;
                     try {

@@ -32,7 +32,7 @@ FreeDecay free_motion(const UnloadedScene& unloaded, const SceneSource& source, 
     return free_decay(source, start, periods ? std::optional(*periods * unloaded.period) : std::nullopt);
 } catch (const PrecisionError& e) {
     if (periods) throw;
-    throw PrecisionError(std::string(e.what()) + "; --cycles N asks for the motion over N periods alone");
+    throw PrecisionError(std::string(e.what()) + "; --cycles N asks for the motion over N periods alone", e.outcome);
 }
 
 } // namespace

@@ -8,7 +8,7 @@
 
 namespace denhartog::program {
 Json NumberWriter::operator()(double x) const {
-    if (!std::isfinite(x)) throw PrecisionError("the answer holds a number beyond the range of a double");
+    if (!std::isfinite(x)) throw PrecisionError("the answer holds a number beyond the range of a double", Outcome::out_of_range);
     return x == 0 ? 0.0 : x;
 }
 

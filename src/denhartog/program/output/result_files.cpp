@@ -156,7 +156,8 @@ ResultTable motion_table(const SampledSolution& motion, const std::optional<Moti
                          std::size_t step) {
         table.columns.push_back(column(name, "f8", instants, [&](std::size_t n) {
             const double x = unit * numbers[n * step + first];
-            if (!std::isfinite(x)) throw PrecisionError("the motion holds a number beyond the range of a double");
+            if (!std::isfinite(x))
+                throw PrecisionError("the motion holds a number beyond the range of a double", Outcome::out_of_range);
             return x == 0 ? 0.0 : x;
         }));
     };

@@ -77,7 +77,7 @@ public:
     /// @brief The amplitude where it is largest, or least, of all that were seen.
     Tried<Certified> amplitude_of_extreme(bool largest) {
         const std::optional<double> x = place_of_extreme(largest);
-        return x ? look(*x) : Tried<Certified>{std::nullopt, false, found_.why};
+        return x ? look(*x) : Tried<Certified>{found_.outcome, found_.why};
     }
 
     /// @brief Where it is largest, or least.
@@ -110,7 +110,10 @@ private:
         const Tried<Certified>& now = seen_.emplace(x, amplitude_(x)).first->second;
         if (!now.value) {
             found_.unanswered.push_back(x);
-            if (found_.why.empty()) found_.why = now.why;
+            if (found_.unanswered.size() == 1) {
+                found_.outcome = now.outcome;
+                found_.why = now.why;
+            }
         }
         return now;
     }
