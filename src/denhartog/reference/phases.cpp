@@ -168,7 +168,7 @@ BallMatrix ContactMechanics::after_sliding(const BallMatrix& Z, const Ball& leng
 BallMatrix ContactMechanics::propagator(int direction, const Ball& h) const {
     if (sliding && direction != 0) return after_sliding(unit_matrix(n()), h, direction);
     pay(effort, cost_of_ball_products(20 * static_cast<double>(n() * n() * n())));
-    return exp_of_sparse(rounded(phase(direction)) * h);
+    return exp(rounded(phase(direction)) * h);
 }
 
 FreeMotions::FreeMotions(const BallMatrix& B, Effort* effort) : effort_(effort) {
@@ -242,12 +242,6 @@ std::shared_ptr<Remembered<std::vector<Series>>> FreeMotions::in_time() const {
                 add_over_stretch(lambda[i], in_the_middle[2 * i], in_the_middle[2 * i + 1], tau, e);
             return e;
         });
-}
-
-Series weighted_sum(const std::vector<Ball>& weights, const std::vector<Series>& e, Series sum) {
-    for (std::size_t i = 0; i < e.size(); ++i)
-        for (std::size_t n = 0; n < 5; ++n) arb_addmul(sum.c[n].a, weights[i].a, e[i].c[n].a, ball_bits);
-    return sum;
 }
 
 FastPhases::FastPhases(const ContactMechanics& s, int direction) : N_(s.N), lead_(s.lead), slides_(direction != 0), w_(s.w) {

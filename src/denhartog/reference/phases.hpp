@@ -39,9 +39,6 @@ private:
     Effort* effort_;
 };
 
-// The sum of numbers times functions of time.
-[[nodiscard]] Series weighted_sum(const std::vector<Ball>& weights, const std::vector<Series>& e, Series sum);
-
 // A number that changes in time, counted from the start of a phase.
 using NumberInTime = std::function<Series(const Ball& t)>;
 

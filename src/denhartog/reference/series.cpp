@@ -28,37 +28,6 @@ Series over_stretch(const Series& at_middle, const Ball& off, const Ball& consta
     return r;
 }
 
-SineCosine<Series> sine_cosine(const Series& x) {
-    SineCosine<Series> both;
-    const Ball s = both.s.c[0] = sin(x.c[0]), c = both.c.c[0] = cos(x.c[0]);
-    if (x.is_time()) { // every derivative is one of the two
-        both.s.c = {s, c, -s / 2, -c / 6, s / 24};
-        both.c.c = {c, -s, -c / 2, s / 6, c / 24};
-        return both;
-    }
-    for (int n = 1; n < 5; ++n) {
-        for (int k = 1; k <= n; ++k) {
-            if (x.c[k].is_zero()) continue;
-            both.s.c[n] += k * x.c[k] * both.c.c[n - k];
-            both.c.c[n] -= k * x.c[k] * both.s.c[n - k];
-        }
-        both.s.c[n] = both.s.c[n] / n;
-        both.c.c[n] = both.c.c[n] / n;
-    }
-    return both;
-}
-
-Series exp(const Series& x) {
-    Series e;
-    e.c[0] = exp(x.c[0]);
-    for (int n = 1; n < 5; ++n) {
-        for (int k = 1; k <= n; ++k)
-            if (!x.c[k].is_zero()) e.c[n] += k * x.c[k] * e.c[n - k];
-        e.c[n] = e.c[n] / n;
-    }
-    return e;
-}
-
 namespace {
 
 // A function with the sign of another one's rate, and the slope of the first.
