@@ -46,13 +46,6 @@ void add_free_motion(const ComplexBall& lambda, const Ball& tau, std::vector<Ser
     e.push_back(std::move(im));
 }
 
-// Adds a free motion over a stretch, from its series in the middle.
-void add_over_stretch(const ComplexBall& lambda, const Series& re, const Series& im, const Ball& tau, std::vector<Series>& e) {
-    const Ball speed = root_of_positive(lambda.re() * lambda.re() + lambda.im() * lambda.im()), off = tau - middle(tau);
-    const Ball size = upper_bound_of(exp(larger(lambda.re() * Ball(tau.low()), lambda.re() * Ball(tau.high()))));
-    for (const Series* part : {&re, &im}) e.push_back(over_stretch(*part, off, Ball(0), size, speed));
-}
-
 constexpr slong inputs_count = 4;
 
 // (lambda - B)^-1 g by free motions, where lambda is i for what turns with the force, and 0 for what is constant.
@@ -234,12 +227,6 @@ std::shared_ptr<Remembered<std::vector<Series>>> FreeMotions::in_time() const {
             pay(effort, cost_of_evaluations(lambda.size()));
             All e;
             for (const ComplexBall& each : lambda) add_free_motion(each, tau, e);
-            return e;
-        },
-        [lambda = lambda_](const All& in_the_middle, const Ball& tau) {
-            All e;
-            for (std::size_t i = 0; i < lambda.size(); ++i)
-                add_over_stretch(lambda[i], in_the_middle[2 * i], in_the_middle[2 * i + 1], tau, e);
             return e;
         });
 }

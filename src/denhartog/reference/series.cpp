@@ -10,24 +10,6 @@
 #include "denhartog/search/largest.hpp"
 
 namespace denhartog::reference {
-Series over_stretch(const Series& at_middle, const Ball& off, const Ball& constant, const Ball& size, const Ball& speed) {
-    std::array<Ball, 6> most{size};
-    for (int n = 1; n < 6; ++n) most[n] = most[n - 1] * speed / n;
-    return over_stretch(at_middle, off, constant, most);
-}
-
-Series over_stretch(const Series& at_middle, const Ball& off, const Ball& constant, const std::array<Ball, 6>& most) {
-    Series r;
-    std::array<Ball, 6> held;
-    for (int n = 0; n < 6; ++n) held[n] = widened(n == 0 ? constant : Ball(0), most[n]);
-    r.c[4] = narrower(at_middle.c[4] + 5 * off * held[5], held[4]);
-    r.c[3] = narrower(at_middle.c[3] + 4 * off * r.c[4], held[3]);
-    r.c[2] = narrower(at_middle.c[2] + 3 * off * r.c[3], held[2]);
-    r.c[1] = narrower(at_middle.c[1] + off * (2 * at_middle.c[2] + 3 * off * r.c[3]), held[1]);
-    r.c[0] = narrower(at_middle.c[0] + off * (at_middle.c[1] + off * (at_middle.c[2] + off * r.c[3])), held[0]);
-    return r;
-}
-
 namespace {
 
 // A function with the sign of another one's rate, and the slope of the first.

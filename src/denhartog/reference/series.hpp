@@ -107,35 +107,24 @@ template <int terms>
     return sum;
 }
 
-// A function over a stretch by its series in the middle, with a bound of each derivative over n! of its difference from a constant.
-// `off` are the instants of the stretch less the middle.
-[[nodiscard]] Series over_stretch(const Series& at_middle, const Ball& off, const Ball& constant,
-                                  const std::array<Ball, 6>& most);
-// The same, if the derivative of order n is at most size times speed to the n.
-[[nodiscard]] Series over_stretch(const Series& at_middle, const Ball& off, const Ball& constant, const Ball& size,
-                                  const Ball& speed);
-
 // A function of time with a memory of all that was asked with the few bits of a search, and of the last that was asked.
 template <class Value>
 class Remembered {
 public:
-    using AtInstant = std::function<Value(const Ball& tau)>; // at an instant, exact
-    using OverStretch = std::function<Value(const Value& in_the_middle, const Ball& tau)>;
-
-    Remembered(AtInstant at, OverStretch over) : at_(std::move(at)), over_(std::move(over)) {}
+    explicit Remembered(std::function<Value(const Ball& tau)> at) : at_(std::move(at)) {}
     // Its value at an instant or over a stretch, which lasts until the next call.
     const Value& operator()(const Ball& tau) {
         // two balls may be so near that their ends are the same in double: each has a value of its own
         const auto is = [&](const Known& k) { return k.bits == ball_bits && arb_equal(k.tau.a, tau.a) != 0; };
         if (is(last_)) return last_.value;
         if (ball_bits > bits_of_search) {
-            last_ = known(tau);
+            last_ = {tau, ball_bits, at_(tau)};
             return last_.value;
         }
         const std::pair stretch{tau.low(), tau.high()};
         const auto found = all_.find(stretch);
         if (found != all_.end() && is(found->second)) return found->second.value;
-        Known now = known(tau);
+        Known now{tau, ball_bits, at_(tau)};
         if (all_.size() >= most_remembered) all_.clear(); // a search next to a resonance looks at tens of thousands
         return all_.insert_or_assign(stretch, std::move(now)).first->second.value;
     }
@@ -149,13 +138,7 @@ private:
 
     static constexpr std::size_t most_remembered = 4096;
 
-    Known known(const Ball& tau) {
-        if (arb_is_exact(tau.a) != 0) return {tau, ball_bits, at_(tau)};
-        return {tau, ball_bits, over_((*this)(middle(tau)), tau)};
-    }
-
-    AtInstant at_;
-    OverStretch over_;
+    std::function<Value(const Ball& tau)> at_;
     Known last_{};
     std::map<std::pair<double, double>, Known> all_{};
 };

@@ -160,12 +160,10 @@ Ball sum_of_largest(const ResponsesInBalls& r) {
         }
         const Ball R = m.R[i];
         const FrictionMotionOfMode mode(R, m.zeta[i]);
-        Remembered<Series> F(
-            [&](const Ball& tau) {
-                pay(m.effort, cost_of_evaluations(1));
-                return mode.at(tau);
-            },
-            [&](const Series& in_the_middle, const Ball& tau) { return mode.over(in_the_middle, tau); });
+        Remembered<Series> F([&](const Ball& tau) {
+            pay(m.effort, cost_of_evaluations(1));
+            return mode.at(tau);
+        });
         const auto numerator_of_mode = [&](const Ball& tau) { return numerator(mode.u, F(tau), tau); };
         const auto Z = [&](const Ball& tau) { return mode.rate_and_third(F(tau)); };
         const bool hides = is_hidden(Z, numerator_of_mode, mode.u);
