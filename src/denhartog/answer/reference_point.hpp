@@ -10,9 +10,9 @@
 
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/number/ball.hpp"
-#include "denhartog/reference/orbit_guess_data.hpp"
 #include "denhartog/reference/series.hpp"
 #include "denhartog/reference/sliding.hpp"
+#include "denhartog/stick_slip/motion_record.hpp"
 
 namespace denhartog {
 

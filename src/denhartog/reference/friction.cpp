@@ -1,11 +1,10 @@
-// What do load and friction add to the motion? If each mode moves by itself V, U, G and H by (23), (28), (29), (33) to (35) and
+// The shares of load and friction in the motion. If each mode moves by itself V, U, G and H by (23), (28), (29), (33) to (35) and
 // (64): read `responses_of_modes`; `FrictionMotionOfMode` is the brace of (40) and (41) as a function of time. If damping couples
 // the modes, the motion with the symmetry (25) of z' = A z + b, the state form of (6), over a half-period: `responses_of_state`.
 #include "denhartog/reference/friction.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "denhartog/formulas/modal_coordinate.hpp"
@@ -44,13 +43,12 @@ FrictionInTime friction_of_modes(const ModesInBalls& m, const std::vector<Fricti
     f.modes = motions;
     f.effort = m.effort;
     using AllModes = std::vector<Series>;
-    f.shared = std::make_shared<Remembered<AllModes>>(
-        [motions, effort = m.effort](const Ball& tau) {
-            pay(effort, cost_of_evaluations(motions.size()));
-            AllModes e;
-            for (const FrictionMotionOfMode& F : motions) e.push_back(F.at(tau));
-            return e;
-        });
+    f.shared = std::make_shared<Remembered<AllModes>>([motions, effort = m.effort](const Ball& tau) {
+        pay(effort, cost_of_evaluations(motions.size()));
+        AllModes e;
+        for (const FrictionMotionOfMode& F : motions) e.push_back(F.at(tau));
+        return e;
+    });
     return f;
 }
 

@@ -1,4 +1,4 @@
-// Where does the amplitude of a mass not depend on friction? At the zeros of (87) without damping. Read `add_zeros` first, which
+// The frequencies at which the amplitude of a mass does not depend on friction: the zeros of (87) without damping. Read `add_zeros` first, which
 // divides the range of 1/r; `TransmissibilityInBalls` is the function whose zeros are proved. V and U have a pole for each mode: those
 // next to a stretch of x = 1/r are multiplied out, see `terms`, so that both are sums over modes of power series.
 #include "denhartog/reference/invariant_points.hpp"
@@ -189,8 +189,8 @@ public:
             poles.U[i] = nearly_vanishes(cos(pi<Ball>() * r_n_[i] * X / 2));
         }
         return all_
-            .insert_or_assign({a, b},
-                              SeenOverX{poles, X - m, terms<9>(m, poles), terms<9>(X, poles), terms<1>(Ball(a), poles), terms<1>(Ball(b), poles)})
+            .insert_or_assign({a, b}, SeenOverX{poles, X - m, terms<9>(m, poles), terms<9>(X, poles), terms<1>(Ball(a), poles),
+                                                terms<1>(Ball(b), poles)})
             .first->second;
     }
 
@@ -282,9 +282,7 @@ public:
 
     [[nodiscard]] ResponsesAtX<Ball> responses(const Ball& x) const {
         const TermsOverX<1> t = modes_.values(x);
-        const auto sum = [](const WeightsInBalls& w, const std::vector<SeriesOf<1>>& f) {
-            return sum_over_modes(w, f).c[0];
-        };
+        const auto sum = [](const WeightsInBalls& w, const std::vector<SeriesOf<1>>& f) { return sum_over_modes(w, f).c[0]; };
         return {x * x * sum(w_.V_j, t.v), x * x * sum(w_.V_k, t.v), sum(w_.U_j, t.u), sum(w_.U_k, t.u)};
     }
 

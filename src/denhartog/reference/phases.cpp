@@ -1,4 +1,4 @@
-// What is the state at the end of a phase? `ContactMechanics` makes the matrices of (6). `after_sliding` has (21) for each mode, if
+// The state at the end of a phase. `ContactMechanics` makes the matrices of (6). `after_sliding` has (21) for each mode, if
 // each moves by itself. `FreeMotions` solves z' = B z by simple eigenvalues, which it proves: `shares_of` splits a state
 // among them, `weights` and `weighted_sum` put a number together again. `FastPhases` adds to it what force and friction bring.
 #include "denhartog/reference/phases.hpp"
@@ -222,13 +222,12 @@ BallMatrix FreeMotions::state(std::vector<ComplexBall> shares, const Ball& t) co
 
 std::shared_ptr<Remembered<std::vector<Series>>> FreeMotions::in_time() const {
     using All = std::vector<Series>;
-    return std::make_shared<Remembered<All>>(
-        [lambda = lambda_, effort = effort_](const Ball& tau) {
-            pay(effort, cost_of_evaluations(lambda.size()));
-            All e;
-            for (const ComplexBall& each : lambda) add_free_motion(each, tau, e);
-            return e;
-        });
+    return std::make_shared<Remembered<All>>([lambda = lambda_, effort = effort_](const Ball& tau) {
+        pay(effort, cost_of_evaluations(lambda.size()));
+        All e;
+        for (const ComplexBall& each : lambda) add_free_motion(each, tau, e);
+        return e;
+    });
 }
 
 FastPhases::FastPhases(const ContactMechanics& s, int direction) : N_(s.N), lead_(s.lead), slides_(direction != 0), w_(s.w) {

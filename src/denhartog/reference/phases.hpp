@@ -115,7 +115,7 @@ struct ContactMechanics {
     // Displacement and velocity of the contact, w^T x and w^T x' / sigma, as rows over Z.
     [[nodiscard]] BallMatrix place() const;
     [[nodiscard]] BallMatrix speed() const;
-    // What is zero at the end of a phase: the velocity of a contact that slides, or the load on a contact that sticks less static
+    // The number that is zero at the end of a phase: the velocity of a contact that slides, or the load on a contact that sticks less static
     // friction, (74); as a row over Z. The directions are those of the phases before and after.
     [[nodiscard]] BallMatrix ending(int before, int after) const;
 

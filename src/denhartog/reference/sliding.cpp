@@ -1,4 +1,4 @@
-// What is the motion if the contact slides throughout, up to which friction ratio does it, and from which one is it held for ever?
+// The motion if the contact slides throughout, the friction ratio up to which it does, and the one from which it is held for ever.
 // (38) and (39) for the contact, `contact_in_balls`; (44) and (45) for the start of the others; (46) at any instant.
 // `boundary_in_balls` has (56), (67) and (69) as they stand, `stuck_in_balls` the equation of motion without row j.
 #include "denhartog/reference/sliding.hpp"
