@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "denhartog/formulas/modal_coordinate.hpp"
@@ -193,7 +194,46 @@ Series FrictionInTime::of(std::size_t row, const std::vector<Series>& e) const {
     return F;
 }
 
-Series FrictionInTime::at(std::size_t row, const Ball& tau) const { return of(row, (*shared)(tau)); }
+Series FrictionInTime::at(std::size_t row, const Ball& tau) const {
+    const Ball m = middle(tau), off = tau - m;
+    if (off.is_zero() || cancels.empty() || !cancels[row]) return of(row, (*shared)(tau));
+    constexpr std::size_t most_terms = 48;
+    const std::vector<Ball>& weights = weight[row];
+    const std::vector<Series>& in_the_middle = (*shared)(m);
+    std::vector<Ball> left; // what each mode may bring to the first coefficient that is left out
+    for (std::size_t i = 0; i < modes.size(); ++i) left.push_back(abs(weights[i]) * modes[i].most_of(tau));
+    const auto all = [&] { return std::accumulate(left.begin(), left.end(), Ball(0)); };
+    const Ball shown = all() * power_of_two(-ball_bits);
+    Ball rest, power(1);
+    std::size_t terms = 0;
+    while (terms < in_the_middle[0].c.size() || (terms < most_terms && !(rest * power < shown))) {
+        ++terms;
+        power *= abs(off);
+        for (std::size_t i = 0; i < modes.size(); ++i) left[i] = left[i] * modes[i].speed / static_cast<int>(terms);
+        rest = all();
+    }
+    pay(effort, static_cast<long>(terms * modes.size()) * (1 + ball_bits / 256));
+    std::vector<Ball> sums(terms), c;
+    sums[0] = constant[row];
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+        c.assign(in_the_middle[i].c.begin(), in_the_middle[i].c.end());
+        modes[i].go_on(c, terms);
+        for (std::size_t n = 0; n < terms; ++n) sums[n] += weights[i] * c[n];
+    }
+    sums.push_back(widened(Ball(0), rest));
+    widen(sums, open[row]);
+    Series series;
+    for (std::size_t k = 0; k < series.c.size(); ++k) { // the sum of binom(n, k) times coefficient n times off^(n - k)
+        Ball binomial(1);
+        for (std::size_t n = k + 1; n <= terms; ++n) binomial = binomial * static_cast<int>(n) / static_cast<int>(n - k);
+        for (std::size_t n = terms; n > k; --n) {
+            series.c[k] = (series.c[k] + binomial * sums[n]) * off;
+            binomial = binomial * static_cast<int>(n - k) / static_cast<int>(n);
+        }
+        series.c[k] += sums[k];
+    }
+    return series;
+}
 
 Series FrictionInTime::rate_and_third(std::size_t row, const std::vector<Series>& e) const {
     std::vector<Series> each;
@@ -255,6 +295,11 @@ Series FrictionMotionOfMode::at(const Ball& tau) const {
     return series;
 }
 
+Ball FrictionMotionOfMode::most_of(const Ball& tau) const {
+    const Bits few(64);
+    return upper_bound_of(largest * exp(-damping / 2 * Ball(tau.low())));
+}
+
 ResponsesInBalls responses_of_modes(const SceneInBalls& s, ModesInBalls m) {
     std::vector<FrictionMotionOfMode> motions;
     std::vector<Complex<Ball>> v;
@@ -293,6 +338,12 @@ ResponsesInBalls responses_of_modes(const SceneInBalls& s, ModesInBalls m) {
     r.Y = V(m.at_contact(), m.at_contact());
     r.squares = acceleration_of_contact(s);
     r.friction = friction_of_modes(m, motions);
+    const bool oscillate = std::ranges::all_of(motions, [](const FrictionMotionOfMode& F) { return F.parts.empty(); });
+    for (std::size_t row = 0; row < r.G.size(); ++row) { // a difference so small that its terms show little of it
+        Ball terms(0);
+        for (std::size_t i = 0; i < motions.size(); ++i) terms += abs(r.friction.weight[row][i]) * motions[i].largest;
+        r.friction.cancels.push_back(oscillate && abs(r.G[row]) + abs(r.U[row]) < Ball(0x1p-20) * terms);
+    }
     r.modes = std::move(m);
     return r;
 }

@@ -41,6 +41,8 @@ struct FrictionMotionOfMode {
     FrictionMotionOfMode(const Ball& R, const Ball& zeta);
     /// @brief The motion and its derivatives at an instant, exact.
     [[nodiscard]] Series at(const Ball& tau) const;
+    /// @brief Bound of F - 1 over a stretch and later, below critical damping: it is e^(-zeta tau / R) times a cosine.
+    [[nodiscard]] Ball most_of(const Ball& tau) const;
     /// @brief Largest difference, at any instant, of \f$ y = R^2F \f$ of two modes whose R is in the ball.
     ///
     /// They obey \f$ y'' + dy' + \lambda y = 1 \f$, with \f$ d = 2\zeta/R \f$ and \f$ \lambda = 1/R^2 \f$. Their difference
@@ -68,11 +70,13 @@ struct FrictionInTime {
     std::vector<FrictionMotionOfMode> modes{};                 ///< those whose motions the e_i are; none of free motions
     std::vector<Ball> open{};                                  ///< of each row, by how much clusters may put it off, see `apart`
     Ball fastest{};                                            ///< how fast that changes, as `changes` has it
+    std::vector<bool> cancels{};                               ///< of each row, whether it is a small difference of them
     Effort* effort = nullptr;                                  ///< that of the scene
 
     /// @brief F_k from what `shared` gave.
     [[nodiscard]] Series of(std::size_t row, const std::vector<Series>& e) const;
-    /// @brief F_k at an instant or over a stretch.
+    /// @brief F_k at an instant or over a stretch; over a stretch of a row that is a small difference of the motions of the modes
+    /// from as many derivatives in its middle as the bits show.
     [[nodiscard]] Series at(std::size_t row, const Ball& tau) const;
     /// @brief First and third derivative of F_k, added, as `FrictionMotionOfMode` has it.
     [[nodiscard]] Series rate_and_third(std::size_t row, const std::vector<Series>& e) const;
