@@ -103,7 +103,7 @@ struct TermsOverX {
     std::vector<SeriesOf<terms>> v{}, u{}; // 1 / (r_n^2 x^2 - 1) and tan(pi r_n x / 2) / r_n, times what is multiplied out
 };
 
-// Which modes or clusters have their poles multiplied out: r_n^2 x^2 - 1 of V, cos(pi r_n x / 2) of U.
+// The modes or clusters whose poles are multiplied out: r_n^2 x^2 - 1 of V, cos(pi r_n x / 2) of U.
 struct FactorsOverX {
     std::vector<bool> V{}, U{};
 };

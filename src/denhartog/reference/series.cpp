@@ -59,13 +59,28 @@ Ball stretch(double from, double to) {
     return from < end ? either(Ball(from), pi<Ball>()) : pi<Ball>();
 }
 
-// About the largest size of a function, exact: a search in doubles sees the function over it, as that may be beyond their range.
-Ball size_for_search(const std::function<Ball(const Ball&)>& f) {
-    const Bits few(bits_of_search);
-    Ball size(0);
-    for (const double tau : {0.0, 0.75, 1.5, 2.25, end}) size = larger(size, upper_bound_of(abs(f(Ball(tau)))));
-    if (!size.finite() || !(size > Ball(0))) throw Unproved("a sum is too small a difference of its terms");
-    return size;
+// A function as a search in doubles sees it: over its size, as it may be beyond the range of double.
+struct SeenBySearch {
+    slong bits; // few, or all if the function is so small a difference of its terms that few show little of it
+    Ball size;  // about its largest value, exact
+};
+
+SeenBySearch seen_by_search(const std::function<Ball(const Ball&)>& f) {
+    Ball size;
+    const auto shows = [&](slong bits, double part) { // radii are no more than a part of the largest value
+        const Bits these(bits);
+        Ball radius(0);
+        size = Ball(0);
+        for (const double tau : {0.0, 0.75, 1.5, 2.25, end}) {
+            const Ball value = f(Ball(tau));
+            size = larger(size, upper_bound_of(abs(value)));
+            radius = larger(radius, radius_of(value));
+        }
+        return size.finite() && size > Ball(0) && radius <= Ball(part) * size;
+    };
+    if (shows(bits_of_search, 0x1p-8)) return {bits_of_search, size};
+    if (shows(ball_bits, 0x1p-32)) return {ball_bits, size};
+    throw Unproved("a sum is too small a difference of its terms");
 }
 
 // From stretches to the largest value in the current bits.
@@ -96,8 +111,8 @@ TrendOnStretch trend_by(const Ball& slope_of_rate, double a, double b, const Rat
     return at_a.low() > 0 && at_b.high() < 0 ? TrendOnStretch::one_maximum : TrendOnStretch::unknown;
 }
 
-// Stretches on which a smooth function may have its largest value, if that is `at_least` so large; searched for with few bits.
-LargestOnStretches stretches_of(const FunctionOfTime& f, double at_least) {
+// Stretches on which a smooth function may have its largest value, if that is `at_least` so large; searched for with some bits.
+LargestOnStretches stretches_of(const FunctionOfTime& f, slong bits, double at_least) {
     SearchedFunction<Ball> searched;
     searched.value = [&](const Ball& t) { return f(static_cast<double>(t) < end ? t : pi<Ball>()).rate(0); };
     searched.stretch = [&](double a, double b) {
@@ -109,7 +124,7 @@ LargestOnStretches stretches_of(const FunctionOfTime& f, double at_least) {
                                          : trend_by(x.rate(2), a, b, [&](double t) { return f(stretch(t, t)).rate(1); });
         return SeenOverStretch<Ball>{x.rate(0), trend};
     };
-    const Bits few(bits_of_search);
+    const Bits few(bits);
     return stretches_of_largest(searched, 0, end, narrow, flat, most_looks, at_least);
 }
 
@@ -150,9 +165,10 @@ Ball narrowed_by_drive(Series& n, const FunctionOfTime& n_of, const FunctionOfTi
 Ball place_of_zero(const Ball& stretch, const RateInTime& f) {
     Ball at = stretch;
     for (int attempt = 0; attempt < 2; ++attempt) {
-        const Ball m = likely_place(at, f), about = widened(m, power_of_two(-ball_bits / 2));
+        const Ball m = likely_place(at, f);
+        const Ball about = widened(m, power_of_two(-ball_bits / 2));
         if (arb_contains(at.a, about.a) != 0) {
-            const Ball next = m - f(m).value / f(about).slope;
+            const Ball there = f(m).value, next = m - there / f(about).slope;
             if (next.finite() && arb_contains_interior(about.a, next.a) != 0) return next;
         }
         const Bits few(std::min(bits_of_search, ball_bits));
@@ -162,16 +178,16 @@ Ball place_of_zero(const Ball& stretch, const RateInTime& f) {
 }
 
 LargestBothWays largest_size_of(const FunctionOfTime& f) {
-    const Ball size = size_for_search([&f](const Ball& tau) { return f(tau).rate(0); });
-    const Series per_size(1 / size);
+    const SeenBySearch seen = seen_by_search([&f](const Ball& tau) { return f(tau).rate(0); });
+    const Series per_size(1 / seen.size);
     const FunctionOfTime scaled = [&](const Ball& tau) { return f(tau) * per_size; };
     const FunctionOfTime negative = [&](const Ball& tau) { return -scaled(tau); };
-    LargestOnStretches up = stretches_of(scaled, -std::numeric_limits<double>::infinity());
-    const LargestOnStretches down = stretches_of(negative, up.lower);
+    LargestOnStretches up = stretches_of(scaled, seen.bits, -std::numeric_limits<double>::infinity());
+    const LargestOnStretches down = stretches_of(negative, seen.bits, up.lower);
     std::erase_if(up.stretches, [&](const StretchOfLargest& s) { return s.upper < down.lower; });
     const auto found = [&](const FunctionOfTime& function, const LargestOnStretches& where) {
         LargestInBalls largest = refined_of(function, where);
-        largest.value = largest.value * size;
+        largest.value = largest.value * seen.size;
         return largest;
     };
     LargestBothWays largest;
@@ -192,8 +208,8 @@ LargestInBalls largest_over_sine(const FunctionOfTime& numerator, const Function
         const Ball here = at < end ? t : pi<Ball>();
         return quotient(n(here), here, at_end(at));
     };
-    const Ball size = size_for_search([&](const Ball& t) { return value_at(numerator, t); });
-    const Series per_size(1 / size);
+    const SeenBySearch seen = seen_by_search([&](const Ball& t) { return value_at(numerator, t); });
+    const Series per_size(1 / seen.size);
     const auto scaled = [&per_size](const FunctionOfTime& f) {
         return [&f, &per_size](const Ball& t) { return f(t) * per_size; };
     };
@@ -217,7 +233,7 @@ LargestInBalls largest_over_sine(const FunctionOfTime& numerator, const Function
         return SeenOverStretch<Ball>{narrower(n.rate(0) / s, quotient(thin, m, false) + d * (W_t / (s * s))), trend};
     };
     const LargestOnStretches found = [&] {
-        const Bits few(bits_of_search);
+        const Bits few(seen.bits);
         return stretches_of_largest(searched, 0, end, narrow, flat, most_looks);
     }();
     const auto value = [&](const Ball& at) {
@@ -235,7 +251,7 @@ LargestInBalls largest_over_sine(const FunctionOfTime& numerator, const Function
         return ValueAndSlope{W_of(n, t), (n.rate(2) + n.rate(0)) * sin(t)};
     };
     LargestInBalls largest = refined(found, value, rate);
-    largest.value = largest.value * size;
+    largest.value = largest.value * seen.size;
     return largest;
 }
 
