@@ -3,7 +3,8 @@ cmake_minimum_required(VERSION 3.25)
 # as an argument: a thread has nothing of its own but the bits of its balls with the constants that Arb keeps for them, and what
 # the C interface keeps for a calling thread. A formula throws nothing and knows of no bound: what it is evaluated with does. What sums over modes, or has boundary
 # and sliding motion, is made for numbers with bounds and names none: `instants_of_maxima.cpp` and `bounded_modes.cpp` say what is
-# certain. The check is tried on two files of which each breaks all rules, and one that breaks the last.
+# certain. A motion with stops and its orbit name none either: `bounds_of_equations.cpp`, `bounds_of_motion.cpp` and
+# `bounds_of_orbit.cpp` do. The check is tried on two files of which each breaks all rules, and three that break the last.
 set(with_threads number/ball.hpp number/ball.cpp reference/series.hpp answer/reference_point.cpp c/handles.hpp)
 list(TRANSFORM with_threads PREPEND ${SOURCE}/src/denhartog/)
 function(faults_of folder out)
@@ -23,7 +24,7 @@ function(faults_of folder out)
     if(file MATCHES "/formulas/" AND text MATCHES "throw |Bounded|Ball|errors\\.hpp")
       list(APPEND faults "${file} is a formula and throws, or knows of bounds")
     endif()
-    if(file MATCHES "/sliding/(mode_sums|boundary|steady_state)\\.cpp$")
+    if(file MATCHES "/sliding/(mode_sums|boundary|steady_state)\\.cpp$|/stick_slip/(exact_motion|contact_phases|stuck_response)\\.cpp$|/orbit/(orbit_map|periodic_orbit)\\.cpp$")
       string(REGEX REPLACE "\ntemplate [^<;][^;]*;" "" without_instances "${text}")
       if(without_instances MATCHES "Bounded|[a-z_]\\.e[^a-z_]")
         list(APPEND faults "${file} is mathematics and names an error")
@@ -48,11 +49,13 @@ string(REPEAT "\n" 450 lines)
 foreach(name one other)
   file(WRITE ${SCRATCH}/check_sources/formulas/${name}.hpp "struct Twice {\n};\nthread_local Ball hidden;${lines}\n")
 endforeach()
-file(WRITE ${SCRATCH}/check_sources/sliding/boundary.cpp "\ntemplate Bounded<double> f();\ndouble error = limit.e;\n")
+foreach(file sliding/boundary stick_slip/exact_motion orbit/orbit_map)
+  file(WRITE ${SCRATCH}/check_sources/${file}.cpp "\ntemplate Bounded<double> f();\ndouble error = limit.e;\n")
+endforeach()
 faults_of(${SCRATCH}/check_sources twins)
 list(LENGTH twins count)
-if(NOT count EQUAL 8)
-  message(FATAL_ERROR "of two files too long, with a ball that a thread keeps, and a name given twice, and one that names an error, the check tells ${count} faults")
+if(NOT count EQUAL 10)
+  message(FATAL_ERROR "of two files too long, with a ball that a thread keeps, and a name given twice, and three that name an error, the check tells ${count} faults")
 endif()
 
 faults_of(${SOURCE}/src faults)

@@ -1,5 +1,5 @@
-// What do the masses do along a periodic orbit, and when does the contact stop? Read `orbit_solution`; what it needs of the orbit
-// is `OnOrbit`. `other_motions` seeks more orbits from other starts.
+// The motion of the masses along a periodic orbit, and the stops of the contact. Read `orbit_solution`; `OnOrbit` has the states
+// that it needs. `other_motions` seeks more orbits from other starts.
 
 #include <algorithm>
 #include <cmath>
@@ -28,8 +28,8 @@ public:
         phases = solver.run(orbit.start, 0.0, stretch).phases;
     }
 
-    // How that vanishes which ends the phase before an instant, one of sliding or of sticking; the search for the end may have
-    // come to other last digits before. None where no such phase ends there.
+    // The end of the phase before an instant, one of sliding or of sticking; the search for the end may have come to other last digits
+    // before. None if no such phase ends there.
     std::optional<EndOfPhase> end_at(double tau, bool slides) {
         while (tau >= stretch) tau -= stretch;
         double nearest = sqrt(unit_of<double>()) * stretch;
@@ -76,7 +76,7 @@ private:
     std::vector<Phase> phases;
 };
 
-// How far the extremum of a mass may be from where it was found: as far as it takes until its size surely grows on one side and
+// Bound of the distance of the extremum of a mass from where it was found: as far as it takes until its size surely grows on one side and
 // falls on the other, by more than the error of the velocity. A value alone does not tell the place: next to the extremum others
 // are as large to all digits. A contact that comes to rest moves on one side only, and there by twice the error: what is left of
 // the true velocity then ends within as much again.
@@ -89,7 +89,7 @@ double error_of_extremum(OnOrbit& orbit, std::size_t k, const MassMotion& mass, 
         nearest = apart;
         instant = tau;
     }
-    // How fast the size grows before the instant, and how fast it falls after it.
+    // The rates at which the size grows before the instant and falls after it.
     const auto rates = [&](double apart) {
         const auto growth = [&](const State& state) { return state.x[k] < 0 ? -state.x_prime[k] : state.x_prime[k]; };
         return std::pair{growth(orbit.at(instant - apart)), -growth(orbit.at(instant + apart))};
@@ -251,7 +251,7 @@ private:
         motions.push_back(std::move(motion));
     }
 
-    // The same motion, or one that is some periods of the force behind.
+    // Whether an orbit is a known motion, or some periods of the force behind it.
     bool same(const OtherMotion& known, const PeriodicOrbit& orbit) {
         if (known.regime == Regime::permanent_sticking || known.periods != orbit.periods) return false;
         double scale = 0;

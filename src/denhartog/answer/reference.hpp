@@ -8,9 +8,10 @@
 #include "denhartog/answer/energy.hpp"
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/answer/solution.hpp"
+#include "denhartog/number/errors.hpp"
 #include "denhartog/number/tried.hpp"
-#include "denhartog/reference/orbit_guess_data.hpp"
 #include "denhartog/sliding/invariant_points.hpp"
+#include "denhartog/stick_slip/motion_record.hpp"
 
 namespace denhartog {
 

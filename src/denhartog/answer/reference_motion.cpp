@@ -1,4 +1,4 @@
-// What else is asked of the motion of an answer, proved: samples of it, what it dissipates, and the invariant points of a system.
+// Further questions about the motion of an answer, proved: samples of it, what it dissipates, and the invariant points of a system.
 #if DENHARTOG_REFERENCE
 #include <algorithm>
 #include <cmath>
@@ -226,7 +226,7 @@ std::vector<InvariantPointsOfMass<Certified>> invariant_points(const SceneSource
     require(with_enough_bits(source, first, most, [&](const SceneSource& paid, slong, bool last) {
         WrittenNumbers w(digits, last);
         masses = written(invariant_points_in_balls(scene_as_given(paid), end_of_range(range.from), end_of_range(range.to)), w);
-        // What twice the bits leave undecided as before will stay so.
+        // A stretch that twice the bits leave undecided will stay so.
         const std::size_t undecided = stretches(masses), before = std::exchange(undecided_before, undecided);
         return w.enough() && (undecided == 0 || undecided == before || last || is_exhausted(paid->effort));
     }));

@@ -14,9 +14,9 @@
 #include "denhartog/number/ball.hpp"
 #include "denhartog/number/bounded.hpp"
 #include "denhartog/number/tried.hpp"
-#include "denhartog/reference/orbit_guess_data.hpp"
 #include "denhartog/reference/series.hpp"
 #include "denhartog/reference/sliding.hpp"
+#include "denhartog/stick_slip/motion_record.hpp"
 
 namespace denhartog {
 

@@ -1,7 +1,8 @@
-// Is an orbit stable? `multipliers_of` finds the eigenvalues of the derivative of the map with a bound of the error of each
-// size. It makes the matrix triangular by a unitary one, then diagonal but for what couples eigenvalues of nearly the same value.
-// Gershgorin's discs of what the error leaves beside the diagonal hold as many eigenvalues of the true matrix as they are discs, also
-// if it is scaled so that couplings shrink: a multiple zero without as many eigenvectors is known to a root of the error.
+// The multipliers of an orbit, which say whether it is stable. `multipliers_of` finds the eigenvalues of the derivative of the map with a
+// bound of the error of each size. It makes the matrix triangular by a unitary one, then diagonal but for what couples eigenvalues of
+// nearly the same value. Gershgorin's discs of what the error leaves beside the diagonal hold as many eigenvalues of the true matrix as
+// they are discs, also if it is scaled so that couplings shrink: a multiple zero without as many eigenvectors is known to a root of
+// the error.
 #include "denhartog/orbit/floquet.hpp"
 
 #include <Eigen/Eigenvalues>

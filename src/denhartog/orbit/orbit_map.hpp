@@ -87,6 +87,7 @@ public:
 private:
     [[nodiscard]] double omega(Eigen::Index i) const; // natural frequency over that of the force
     [[nodiscard]] Column largest_energies() const;
+    void bound_rounding(); // of the last application
     [[nodiscard]] Matrix<double> errors_between_modes(double units, bool mode_errors) const;
     [[nodiscard]] double rounding_of_coupled_modes() const;
 

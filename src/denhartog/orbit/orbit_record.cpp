@@ -1,5 +1,5 @@
-// What is said of an orbit that was found? `orbit_of` reads stops, amplitudes, phases and multipliers off it, `errors_of` bounds
-// how far it may be from the true one, and `rest_of` does the same for a contact at rest.
+// The record of an orbit that was found: `orbit_of` reads stops, amplitudes, phases and multipliers off it, and `rest_of` does so
+// for a contact at rest. Their bounds come from `bounds_of_orbit.cpp`.
 #include "denhartog/orbit/periodic_orbit.hpp"
 
 #include <algorithm>
@@ -77,61 +77,7 @@ MassMotion contact_motion(const OrbitMap& map, double error) {
     return contact;
 }
 
-// The multipliers of a Jacobian between energies, if no event lets deviations grow by more than `growth`.
-std::vector<Multiplier> multipliers_in_energy(const OrbitMap& map, const Matrix<double>& jacobian, double error, double growth) {
-    const long n = jacobian.rows();
-    map.solver().effort().spend(n * n * n / 32); // what making the matrix diagonal takes
-    const bool is_known = error >= 0;            // else it is no number
-    return multipliers_of(jacobian, is_known ? error : std::numeric_limits<double>::infinity(), growth * (1 + double_epsilon));
-}
-
-// Multipliers of the others, over the stretch of the map that was applied to a motion whose contact rested throughout.
-std::vector<Multiplier> multipliers_of_rest(const OrbitMap& map) {
-    const ContactSystem& s = map.solver().system();
-    if (map.N == 1) return {};
-    const double r = map.solver().excitation().r, slowest = s.stuck.r_n.front(), fastest = s.stuck.r_n.back();
-    // A stiffness that is off by some units of the largest, over the stretch, and products with mode shapes.
-    const double phases = static_cast<int>(map.motion().phases.size());
-    const double turn = map.half_periods() * pi<double>() * fastest / r;
-    const double error =
-        4 * (static_cast<int>(map.N) + 8) * double_epsilon * (phases + turn) * static_cast<int>(map.N) * (fastest / slowest);
-    return multipliers_in_energy(map, in_energy_coordinates(map.jacobian(), s.stuck.momentum, s.stuck.shapes, s.stuck.r_n, r),
-                                 error, 1);
-}
-
 } // namespace
-
-std::optional<ErrorsOfOrbit> errors_of(const OrbitMap& map) {
-    const Matrix<double>& jacobian = map.energy_jacobian();
-    const LinearSystem system(Matrix<double>(Matrix<double>::Identity(2 * map.N, 2 * map.N) - jacobian));
-    if (!system.is_regular()) return std::nullopt;
-    const Matrix<double> inverse = system.inverse();
-    const Column apart = map.in_energy(map.difference()).cwiseAbs();
-    const double growth = map.solver().excitation().mu > 1 ? std::max(1.0, jacobian.norm()) : 1.0;
-    const auto energy = [&](bool mode_errors) {
-        return growth * product_of_sizes(inverse, Column(apart + map.rounding_in_energy(mode_errors))).norm();
-    };
-    const ContactSystem& s = map.solver().system();
-    const Contact& contact = s.stuck.contact;
-    double sizes = 1; // of the terms of the displacement of the contact
-    for (const BesideContact& other : contact.others) sizes += std::abs(other.share);
-    const double terms = std::max(1.0, std::abs(contact.w_a) * sizes);
-    const auto displacement = [&](double by_energy, const Column& rounding) {
-        return map.displacement_of_energy() * by_energy + terms * rounding.head(map.N).maxCoeff();
-    };
-    const double with_modes = energy(true);
-    const Column rounding = map.rounding(true);
-    ErrorsOfOrbit errors{displacement(energy(false), map.rounding(false)), displacement(with_modes, rounding), {}};
-    for (Eigen::Index k = 0; k < map.N; ++k)
-        errors.velocity.push_back(s.basis.phi.row(k).norm() * with_modes + rounding(map.N + k));
-    if (contact.has_own_row()) {
-        const auto of = [&](std::size_t k) { return rounding(map.N + static_cast<Eigen::Index>(k)); };
-        double sum = s.contact_shape.norm() * with_modes + std::abs(contact.w_a) * of(contact.a);
-        for (const BesideContact& other : contact.others) sum += std::abs(other.w) * of(other.k);
-        errors.velocity.push_back(sum);
-    }
-    return errors;
-}
 
 std::optional<PeriodicOrbit> orbit_of(const OrbitMap& map, const State& z, const OrbitSearch& search) {
     const std::optional<ErrorsOfOrbit> errors = errors_of(map);
@@ -191,62 +137,6 @@ std::optional<PeriodicOrbit> rest_of(OrbitMap& map, const LastingRest& rest, dou
         orbit.stable = every_motion_is_damped(map.solver().system().basis) || map.N == 1 || are_inside(orbit.multipliers);
     }
     return orbit;
-}
-
-std::vector<Multiplier> multipliers_next_to(const OrbitMap& map) {
-    const double growth = map.solver().excitation().mu == 1 ? 1 : std::numeric_limits<double>::infinity();
-    return multipliers_in_energy(map, map.energy_jacobian(), map.rounding_of_jacobian(), growth);
-}
-
-// The Jacobian is as far off as rounding makes it and as the instants of events are off: a phase that is longer by delta turns it by
-// delta times the rate of the fastest mode, and what an event makes of deviations depends on the acceleration, or the rate of the
-// load, at its instant. In the norm of the energy neither a phase nor, with mu = 1, an event lets deviations grow, so that the
-// errors add up; for mu > 1 the product of the growths is allowed for.
-std::vector<Multiplier> multipliers_of_orbit(const OrbitMap& map, const ErrorsOfOrbit& errors) {
-    const ExactMotion& motion = map.motion();
-    ExactSolver& solver = map.solver();
-    const ContactSystem& s = solver.system();
-    const Excitation& e = solver.excitation();
-    const ModalBasis<double>& basis = s.basis;
-    double damping = basis.coupled() ? largest_row_sum(basis.D) : 0;
-    for (std::size_t i = 0; i < basis.r_n.size() && !basis.coupled(); ++i)
-        damping = std::max(damping, 2 * std::abs(basis.zeta[i]) * basis.r_n[i]);
-    const double fastest = solver.highest_over_force(), rate = fastest + damping / e.r; // how fast phases turn deviations
-    const double inertia = s.contact_shape.squaredNorm();                               // w^T M^-1 w
-    std::vector<double> velocities;                                                     // for a unit of energy
-    for (Eigen::Index k = 0; k < map.N; ++k) velocities.push_back(basis.phi.row(k).norm());
-    velocities.push_back(s.contact_shape.norm()); // where the contact has a row of its own
-    const double load =
-        solver.error_at_ends(false, map.displacement_of_energy(), velocities); // of a contact that sticks, likewise
-    const double error_of_velocity = solver.error_at_ends(true, errors.displacement, errors.velocity),
-                 error_of_load_at_end = solver.error_at_ends(false, errors.displacement, errors.velocity);
-    const bool tied = std::ranges::any_of(s.stuck.m_j, [](double tie) { return tie != 0; });
-    double error = map.rounding_of_jacobian(), growth = 1; // of the derivative, of all events; of deviations
-    const auto take = [&](double error_of_event, double factor) {
-        error += error_of_event;
-        if (e.mu > 1) growth *= factor;
-    };
-    for (std::size_t n = 0; n + 1 < motion.phases.size(); ++n) {
-        const bool slides = motion.phases[n].direction != 0;
-        const EndOfPhase end = solver.end_of(n);
-        const double apart =
-            end.error_of_instant(slides ? error_of_velocity : error_of_load_at_end); // infinite where the rate may vanish
-        error += 2 * rate * apart;
-        // That of the rate at the event, relative.
-        const double off = (2 * end.second * apart + fastest * (slides ? error_of_velocity : error_of_load_at_end)) / end.rate;
-        if (!slides) { // static friction ends, and the force drops: d load / rate is by how much the instant shifts
-            if (e.mu == 1) continue;
-            const double drop = (e.mu - 1) * e.beta * sqrt(inertia) / e.r * load / end.rate;
-            take(drop * off, 1 + drop);
-        } else if (motion.phases[n + 1].direction != 0) { // the force changes sides, and the acceleration keeps its sign
-            const double jump = 2 * e.beta * inertia / (e.r * e.r) / end.rate;
-            take(jump * off, std::max(1.0, jump - 1));
-        } else if (tied) {
-            take(off + error_of_load_at_end * inertia / (e.r * e.r) / end.rate, 1);
-        }
-    }
-    if (motion.touching > 0) error = std::numeric_limits<double>::infinity();
-    return multipliers_in_energy(map, map.energy_jacobian(), growth * error, growth);
 }
 
 } // namespace denhartog

@@ -1,4 +1,4 @@
-// What is the steady motion, in any regime? `SearchFromStart::follow` follows the motion from its start and tries, ever more
+// The steady motion, in any regime. `SearchFromStart::follow` follows the motion from its start and tries, ever more
 // rarely, Newton's method on what it has come to. `settle` decides whether an orbit that was found is the answer: with mu = 1
 // and damping any orbit is, otherwise the motion must be seen to approach it.
 #include "denhartog/orbit/periodic_orbit.hpp"

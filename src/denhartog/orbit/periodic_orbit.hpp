@@ -101,6 +101,9 @@ struct ErrorsOfOrbit {
 /// known. With mu = 1 no deviation grows, wherever they are.
 [[nodiscard]] std::vector<Multiplier> multipliers_next_to(const OrbitMap& map);
 
+/// @brief Multipliers of the other masses, over the stretch of the map that was applied to a motion whose contact rested throughout.
+[[nodiscard]] std::vector<Multiplier> multipliers_of_rest(const OrbitMap& map);
+
 /// @brief Floquet multipliers of the orbit to which the map was applied last, over its stretch, with the errors of its events too.
 [[nodiscard]] std::vector<Multiplier> multipliers_of_orbit(const OrbitMap& map, const ErrorsOfOrbit& errors);
 

@@ -1,4 +1,4 @@
-// How much energy does friction dissipate in a period, what do load, dampers and base do, and with which force? Read
+// The energy that friction dissipates in a period, the work of load, dampers and base, and the largest forces. Read
 // `energies_of_orbit` first. The work of the load is that of the first harmonic of the motion, which `HarmonicMotions` takes
 // from the equation of motion (6); `balance` fills in the rest.
 #include "denhartog/reference/energy.hpp"

@@ -1,4 +1,4 @@
-// Where does a motion without a load come to rest? Read `followed` first: it follows (6) from one standstill to the next, and
+// The motion without a load, until it comes to rest. Read `followed` first: it follows (6) from one standstill to the next, and
 // `after_standstill` decides by (74) whether the contact moves on. An energy bound proves that a contact at rest stays.
 #include "denhartog/reference/free_decay.hpp"
 

@@ -1,4 +1,4 @@
-// What do load and friction add to the motion? If each mode moves by itself V, U, G and H by (23), (28), (29), (33) to (35) and
+// The shares of load and friction in the motion. If each mode moves by itself V, U, G and H by (23), (28), (29), (33) to (35) and
 // (64): read `responses_of_modes`; `FrictionMotionOfMode` is the brace of (40) and (41) as a function of time. If damping couples
 // the modes, the motion with the symmetry (25) of z' = A z + b, the state form of (6), over a half-period: `responses_of_state`.
 #include "denhartog/reference/friction.hpp"
@@ -44,35 +44,13 @@ FrictionInTime friction_of_modes(const ModesInBalls& m, const std::vector<Fricti
     f.modes = motions;
     f.effort = m.effort;
     using AllModes = std::vector<Series>;
-    f.shared = std::make_shared<Remembered<AllModes>>(
-        [motions, effort = m.effort](const Ball& tau) {
-            pay(effort, cost_of_evaluations(motions.size()));
-            AllModes e;
-            for (const FrictionMotionOfMode& F : motions) e.push_back(F.at(tau));
-            return e;
-        },
-        [motions](const AllModes& in_the_middle, const Ball& tau) {
-            AllModes e;
-            for (std::size_t i = 0; i < motions.size(); ++i) e.push_back(motions[i].over(in_the_middle[i], tau));
-            return e;
-        });
+    f.shared = std::make_shared<Remembered<AllModes>>([motions, effort = m.effort](const Ball& tau) {
+        pay(effort, cost_of_evaluations(motions.size()));
+        AllModes e;
+        for (const FrictionMotionOfMode& F : motions) e.push_back(F.at(tau));
+        return e;
+    });
     return f;
-}
-
-// Bounds of a motion that dies out and of its derivatives over n!, over a stretch.
-std::array<Ball, 6> most_of_parts(const std::vector<MotionThatDiesOut>& parts, const Ball& tau) {
-    const Bits few(64);
-    std::array<Ball, 6> most;
-    for (const MotionThatDiesOut& p : parts) {
-        const Ball left = upper_bound_of(exp(p.rate * Ball(tau.low()))), factor = abs(p.factor) + abs(p.slope) * Ball(tau.high());
-        Ball powers(1), before(0); // of the rate, over n!, and over (n - 1)!
-        for (int n = 0; n < 6; ++n) {
-            most[n] += left * (factor * powers + abs(p.slope) * before);
-            before = powers;
-            powers = powers * abs(p.rate) / (n + 1);
-        }
-    }
-    return most;
 }
 
 // (65): the sum of (w^T psi_i)^2 over the modes is w^T M^-1 w / r^2.
@@ -198,8 +176,7 @@ void add_states(const SceneInBalls& s, const StateMatrix& m, FrictionInTime& f) 
         f.weight.back()[k] = s.w(k);
     }
     const auto z = [A = m.A, begin, effort = s.effort](const Ball& tau) { return states_in_time(A, begin, tau, effort); };
-    f.shared =
-        std::make_shared<Remembered<std::vector<Series>>>(z, [z](const std::vector<Series>&, const Ball& tau) { return z(tau); });
+    f.shared = std::make_shared<Remembered<std::vector<Series>>>(z);
 }
 
 } // namespace
@@ -316,12 +293,6 @@ Series FrictionMotionOfMode::at(const Ball& tau) const {
     go_on(c, series.c.size());
     std::ranges::copy(c, series.c.begin());
     return series;
-}
-
-Series FrictionMotionOfMode::over(const Series& in_the_middle, const Ball& tau) const {
-    const Ball off = tau - middle(tau);
-    if (!parts.empty()) return over_stretch(in_the_middle, off, Ball(1), most_of_parts(parts, tau));
-    return over_stretch(in_the_middle, off, Ball(1), most_of(tau), speed);
 }
 
 Ball FrictionMotionOfMode::most_of(const Ball& tau) const {

@@ -41,8 +41,6 @@ struct FrictionMotionOfMode {
     FrictionMotionOfMode(const Ball& R, const Ball& zeta);
     /// @brief The motion and its derivatives at an instant, exact.
     [[nodiscard]] Series at(const Ball& tau) const;
-    /// @brief The motion over a stretch, from its series in the middle.
-    [[nodiscard]] Series over(const Series& in_the_middle, const Ball& tau) const;
     /// @brief Bound of F - 1 over a stretch and later, below critical damping: it is e^(-zeta tau / R) times a cosine.
     [[nodiscard]] Ball most_of(const Ball& tau) const;
     /// @brief Largest difference, at any instant, of \f$ y = R^2F \f$ of two modes whose R is in the ball.

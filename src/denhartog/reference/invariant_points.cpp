@@ -1,9 +1,7 @@
-// Where does the amplitude of a mass not depend on friction? At the zeros of (87) without damping. Read `add_zeros` first, which
+// The frequencies at which the amplitude of a mass does not depend on friction: the zeros of (87) without damping. Read `add_zeros` first, which
 // divides the range of 1/r; `TransmissibilityInBalls` is the function whose zeros are proved. V and U have a pole for each mode: those
 // next to a stretch of x = 1/r are multiplied out, see `terms`, so that both are sums over modes of power series.
 #include "denhartog/reference/invariant_points.hpp"
-
-#include <arb_poly.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,51 +17,10 @@
 namespace denhartog::reference {
 namespace {
 
-constexpr slong taylor_order = 8;           // of the Taylor polynomials
 constexpr std::size_t most_seen = 8192;     // modes that are remembered, over all stretches
 constexpr double margin_of_range = 0x1p-40; // by which the search goes on behind the ends of the range
 constexpr double narrowest = 0x1p-46;       // part of x to which a stretch is divided
 constexpr double most_poles = 100'000;
-
-// c_0 + c_1 theta + ..., as many terms as are wanted. Operands have equally many.
-struct PolynomialInBalls {
-    std::vector<Ball> c{};
-
-    explicit PolynomialInBalls(slong terms = 0) : c(terms) {}
-    PolynomialInBalls(slong terms, const Ball& value, const Ball& slope) : PolynomialInBalls(terms) {
-        c[0] = value;
-        if (terms > 1) c[1] = slope;
-    }
-    [[nodiscard]] slong terms() const { return static_cast<slong>(c.size()); }
-    [[nodiscard]] arb_ptr a() { return reinterpret_cast<arb_ptr>(c.data()); } // as Arb has them
-    [[nodiscard]] arb_srcptr a() const { return reinterpret_cast<arb_srcptr>(c.data()); }
-
-    friend PolynomialInBalls operator-(PolynomialInBalls x, const PolynomialInBalls& y) {
-        for (std::size_t n = 0; n < x.c.size(); ++n) x.c[n] -= y.c[n];
-        return x;
-    }
-    friend PolynomialInBalls operator*(const Ball& s, PolynomialInBalls x) {
-        for (Ball& each : x.c) each *= s;
-        return x;
-    }
-    friend PolynomialInBalls operator*(const PolynomialInBalls& x, const PolynomialInBalls& y) {
-        PolynomialInBalls r(x.terms());
-        _arb_poly_mullow(r.a(), x.a(), x.terms(), y.a(), x.terms(), x.terms(), ball_bits);
-        return r;
-    }
-    friend PolynomialInBalls operator/(const PolynomialInBalls& x, const PolynomialInBalls& y) {
-        PolynomialInBalls r(x.terms());
-        _arb_poly_div_series(r.a(), x.a(), x.terms(), y.a(), x.terms(), x.terms(), ball_bits);
-        return r;
-    }
-};
-
-// The range of a function over a stretch, from its terms in the middle, the last one over the whole stretch.
-Ball range_of(const PolynomialInBalls& f, const Ball& off) {
-    Ball value = f.c.back();
-    for (std::size_t n = f.c.size() - 1; n-- > 0;) value = value * off + f.c[n];
-    return value;
-}
 
 // Masses that hang together: no other mass is coupled to them.
 using CoupledMasses = std::vector<slong>;
@@ -108,8 +65,9 @@ SceneInBalls part_of(const SceneInBalls& s, const CoupledMasses& masses) {
 }
 
 // A term of each mode over its own factor, times all factors that are multiplied out.
-std::vector<PolynomialInBalls> multiplied_out(std::vector<PolynomialInBalls> numerators,
-                                              const std::vector<PolynomialInBalls>& factors, const std::vector<bool>& out) {
+template <int terms>
+std::vector<SeriesOf<terms>> multiplied_out(std::vector<SeriesOf<terms>> numerators, const std::vector<SeriesOf<terms>>& factors,
+                                            const std::vector<bool>& out) {
     for (std::size_t i = 0; i < numerators.size(); ++i) {
         if (!out[i]) numerators[i] = numerators[i] / factors[i];
         for (std::size_t n = 0; n < factors.size(); ++n)
@@ -130,23 +88,22 @@ struct WeightsInBalls {
 };
 
 // The sum over modes of weights times functions.
-PolynomialInBalls sum_over_modes(const WeightsInBalls& w, const std::vector<PolynomialInBalls>& f) {
-    PolynomialInBalls total(f.empty() ? 1 : f.front().terms());
-    for (std::size_t i = 0; i < f.size(); ++i) {
-        for (std::size_t n = 0; n < f[i].c.size() && !w.sum[i].is_zero(); ++n)
-            arb_addmul(total.c[n].a, w.sum[i].a, f[i].c[n].a, ball_bits);
+template <int terms>
+SeriesOf<terms> sum_over_modes(const WeightsInBalls& w, const std::vector<SeriesOf<terms>>& f) {
+    SeriesOf<terms> total = weighted_sum(w.sum, f, SeriesOf<terms>());
+    for (std::size_t i = 0; i < f.size(); ++i)
         for (std::size_t n = 0; n < f[i].c.size() && !w.open[i].is_zero(); ++n)
             total.c[n] = widened(total.c[n], upper_bound_of(w.open[i] * radius_of(f[i].c[n])));
-    }
     return total;
 }
 
 // v and u of each mode or cluster over x. Up to a common factor, V = x^2 sum w_i v_i and U = sum w_i u_i.
+template <int terms>
 struct TermsOverX {
-    std::vector<PolynomialInBalls> v{}, u{}; // 1 / (r_n^2 x^2 - 1) and tan(pi r_n x / 2) / r_n, times what is multiplied out
+    std::vector<SeriesOf<terms>> v{}, u{}; // 1 / (r_n^2 x^2 - 1) and tan(pi r_n x / 2) / r_n, times what is multiplied out
 };
 
-// Which modes or clusters have their poles multiplied out: r_n^2 x^2 - 1 of V, cos(pi r_n x / 2) of U.
+// The modes or clusters whose poles are multiplied out: r_n^2 x^2 - 1 of V, cos(pi r_n x / 2) of U.
 struct FactorsOverX {
     std::vector<bool> V{}, U{};
 };
@@ -155,7 +112,8 @@ struct FactorsOverX {
 struct SeenOverX {
     FactorsOverX factors{};
     Ball off{};
-    TermsOverX middle{}, over{}, at_a{}, at_b{};
+    TermsOverX<9> middle{}, over{};
+    TermsOverX<1> at_a{}, at_b{};
 };
 
 // The modes of parts of a system, proved as those of `modes_in_balls`. A row is a mass, N for the contact, N + 1 for the load.
@@ -200,22 +158,22 @@ public:
     }
 
     // The functions of the modes at x = 1/r or over a stretch of it.
-    [[nodiscard]] TermsOverX terms(const Ball& x, slong terms, const FactorsOverX& factors) const {
-        std::vector<PolynomialInBalls> one, sines, cosines, q;
+    template <int count>
+    [[nodiscard]] TermsOverX<count> terms(const Ball& x, const FactorsOverX& factors) const {
+        using Series = SeriesOf<count>;
+        const Series time = Series::time(x);
+        std::vector<Series> one, sines, cosines, q;
         for (const Ball& r : r_n_) {
-            const Ball rate = pi<Ball>() * r / 2;
-            const PolynomialInBalls angle(terms, rate * x, rate);
-            PolynomialInBalls s(terms), c(terms);
-            _arb_poly_sin_cos_series(s.a(), c.a(), angle.a(), std::min<slong>(terms, 2), terms, ball_bits);
-            sines.push_back((1 / r) * std::move(s));
-            cosines.push_back(std::move(c));
-            q.push_back(PolynomialInBalls(terms, r * x - 1, r) * PolynomialInBalls(terms, r * x + 1, r));
-            one.emplace_back(terms, Ball(1), Ball(0));
+            const auto [sine, cosine] = sine_cosine(Series(pi<Ball>() * r / 2) * time);
+            sines.push_back(Series(1 / r) * sine);
+            cosines.push_back(cosine);
+            q.push_back((Series(r) * time - 1) * (Series(r) * time + 1));
+            one.emplace_back(1);
         }
         return {multiplied_out(std::move(one), q, factors.V), multiplied_out(std::move(sines), cosines, factors.U)};
     }
     // Their values, with nothing multiplied out.
-    [[nodiscard]] TermsOverX values(const Ball& x) const { return terms(x, 1, nothing_); }
+    [[nodiscard]] TermsOverX<1> values(const Ball& x) const { return terms<1>(x, nothing_); }
 
     // A stretch, remembered for searches of other masses; it lasts until the next call.
     const SeenOverX& seen(double a, double b, Effort& effort) {
@@ -231,9 +189,8 @@ public:
             poles.U[i] = nearly_vanishes(cos(pi<Ball>() * r_n_[i] * X / 2));
         }
         return all_
-            .insert_or_assign({a, b},
-                              SeenOverX{poles, X - m, terms(m, taylor_order + 1, poles), terms(X, taylor_order + 1, poles),
-                                        terms(Ball(a), 1, poles), terms(Ball(b), 1, poles)})
+            .insert_or_assign({a, b}, SeenOverX{poles, X - m, terms<9>(m, poles), terms<9>(X, poles), terms<1>(Ball(a), poles),
+                                                terms<1>(Ball(b), poles)})
             .first->second;
     }
 
@@ -273,22 +230,21 @@ public:
           effort_(effort), w_{modes.weights(N, N + 1), modes.weights(k, N + 1), modes.weights(N, N), modes.weights(k, N)},
           kind_(kind) {}
 
-    [[nodiscard]] PolynomialInBalls value(const TermsOverX& t) const {
-        const PolynomialInBalls U_k = sum_over_modes(w_.U_k, t.u);
+    template <int terms>
+    [[nodiscard]] SeriesOf<terms> value(const TermsOverX<terms>& t) const {
+        const SeriesOf<terms> U_k = sum_over_modes(w_.U_k, t.u);
         if (kind_ == InvariantPointKind::friction_leaves_it_alone) return U_k;
-        return sum_over_modes(w_.V_j, t.v) * U_k - Ball(2) * (sum_over_modes(w_.V_k, t.v) * sum_over_modes(w_.U_j, t.u));
+        return sum_over_modes(w_.V_j, t.v) * U_k - 2 * (sum_over_modes(w_.V_k, t.v) * sum_over_modes(w_.U_j, t.u));
     }
 
     [[nodiscard]] ZerosInStretch look(double a, double b) const {
         if (effort_.exhausted()) return ZerosInStretch::hidden;
         effort_.spend(static_cast<long>(modes_.r_n().size()) * 10);
         const SeenOverX& s = modes_.seen(a, b, effort_);
-        PolynomialInBalls f = value(s.middle);
+        SeriesOf<9> f = value(s.middle);
         const Ball in_the_middle = f.c[0];
         f.c.back() = value(s.over).c.back();
-        PolynomialInBalls rate(f.terms() - 1);
-        _arb_poly_derivative(rate.a(), f.a(), f.terms(), ball_bits);
-        const Ball range = range_of(f, s.off), slope = range_of(rate, s.off);
+        const Ball range = f.at(s.off), slope = f.derivative().at(s.off);
         if (!range.may_vanish()) return ZerosInStretch::none;
         if (!slope.may_vanish()) {
             const Ball at_a = value(s.at_a).c[0], at_b = value(s.at_b).c[0];
@@ -307,7 +263,7 @@ public:
         }();
         const bool falls = value(seen.at_a).c[0] > Ball(0);
         return place_of_zero(Ball::within(s.from, s.to), [&](const Ball& x) {
-            const PolynomialInBalls f = value(modes_.terms(x, 2, seen.factors));
+            const SeriesOf<2> f = value(modes_.terms<2>(x, seen.factors));
             return falls ? ValueAndSlope{f.c[0], f.c[1]} : ValueAndSlope{-f.c[0], -f.c[1]};
         });
     }
@@ -325,10 +281,8 @@ public:
     }
 
     [[nodiscard]] ResponsesAtX<Ball> responses(const Ball& x) const {
-        const TermsOverX t = modes_.values(x);
-        const auto sum = [](const WeightsInBalls& w, const std::vector<PolynomialInBalls>& f) {
-            return sum_over_modes(w, f).c[0];
-        };
+        const TermsOverX<1> t = modes_.values(x);
+        const auto sum = [](const WeightsInBalls& w, const std::vector<SeriesOf<1>>& f) { return sum_over_modes(w, f).c[0]; };
         return {x * x * sum(w_.V_j, t.v), x * x * sum(w_.V_k, t.v), sum(w_.U_j, t.u), sum(w_.U_k, t.u)};
     }
 

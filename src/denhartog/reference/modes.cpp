@@ -1,4 +1,4 @@
-// What are the equations of motion, and their natural modes, proved? `in_matrices` has (1), (8) and (73), `natural_modes` (15): it
+// The equations of motion and their natural modes, proved. `in_matrices` has (1), (8) and (73), `natural_modes` (15): it
 // makes the matrix nearly diagonal and bounds what is left; modes that are not proved distinct stay together in a cluster.
 // `damping_matrix_in_balls` is (19).
 #include "denhartog/reference/modes.hpp"

@@ -1,4 +1,4 @@
-// What is a proved motion with stops? Read `proved_orbit` first: it takes a guess from double, proves the motion
+// A motion with stops, proved. Read `proved_orbit` first: it takes a guess from double, proves the motion
 // (orbit_equations.cpp), the law of friction and amplitudes (orbit_proof.cpp), and how deviations grow over a period:
 // `map_of_deviations` multiplies the parts of phases and events, and `sizes_of_eigenvalues` encloses the multipliers, in double by
 // Gershgorin's discs or by Arb.

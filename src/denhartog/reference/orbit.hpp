@@ -13,8 +13,8 @@
 #include <optional>
 #include <vector>
 
-#include "denhartog/reference/orbit_guess_data.hpp"
 #include "denhartog/reference/phases.hpp"
+#include "denhartog/stick_slip/motion_record.hpp"
 
 namespace denhartog::reference {
 
@@ -123,7 +123,7 @@ struct CurveInBalls {
 /// @brief A derivative of a curve, of order 0 to 2, over an interval of theta.
 [[nodiscard]] Ball derivative(const CurveInBalls& c, int order, const Ball& theta);
 
-/// @brief The same from a to b, by Taylor's formula about the middle: where a curve only just stays positive it is flat.
+/// @brief That derivative from a to b, by Taylor's formula about the middle: where a curve only just stays positive it is flat.
 [[nodiscard]] Ball derivative_over(const CurveInBalls& c, int order, double a, double b);
 
 /// @brief Orders to which a curve vanishes at the ends of a stretch.

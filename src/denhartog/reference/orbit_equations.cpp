@@ -1,4 +1,4 @@
-// Which equations does a motion with stops solve, and is there one near a guess, and only one? One equation for each phase, by (6),
+// The equations of a motion with stops, and the proof that there is one near a guess, and only one. One equation for each phase, by (6),
 // and one for each event, by (3) and (74). The unknowns are the states and the instants of the events; `linearised` gives the
 // derivatives over a box of unknowns. Newton's method, with few bits in the slopes, comes near a motion, and Krawczyk's operator
 // proves it: read `NewtonSearch::proved` first.

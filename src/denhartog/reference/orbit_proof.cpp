@@ -1,4 +1,4 @@
-// Does a proved orbit obey Coulomb's law (3) and (74) at every instant, and how far does each mass go? `require_friction` asks of each
+// The proof that an orbit obeys Coulomb's law (3) and (74) at every instant, and the largest displacements. `require_friction` asks of each
 // phase that the contact slides one way or that static friction holds it; `require_positive` proves it of a curve that vanishes at
 // the ends. `peak_of_mass` searches all phases by branch and bound, so that no maximum is missed.
 #include <algorithm>

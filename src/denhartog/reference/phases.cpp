@@ -1,4 +1,4 @@
-// What is the state at the end of a phase? `ContactMechanics` makes the matrices of (6). `after_sliding` has (21) for each mode, if
+// The state at the end of a phase. `ContactMechanics` makes the matrices of (6). `after_sliding` has (21) for each mode, if
 // each moves by itself. `FreeMotions` solves z' = B z by simple eigenvalues, which it proves: `shares_of` splits a state
 // among them, `weights` and `weighted_sum` put a number together again. `FastPhases` adds to it what force and friction bring.
 #include "denhartog/reference/phases.hpp"
@@ -44,13 +44,6 @@ void add_free_motion(const ComplexBall& lambda, const Ball& tau, std::vector<Ser
     }
     e.push_back(std::move(re));
     e.push_back(std::move(im));
-}
-
-// Adds a free motion over a stretch, from its series in the middle.
-void add_over_stretch(const ComplexBall& lambda, const Series& re, const Series& im, const Ball& tau, std::vector<Series>& e) {
-    const Ball speed = root_of_positive(lambda.re() * lambda.re() + lambda.im() * lambda.im()), off = tau - middle(tau);
-    const Ball size = upper_bound_of(exp(larger(lambda.re() * Ball(tau.low()), lambda.re() * Ball(tau.high()))));
-    for (const Series* part : {&re, &im}) e.push_back(over_stretch(*part, off, Ball(0), size, speed));
 }
 
 constexpr slong inputs_count = 4;
@@ -168,7 +161,7 @@ BallMatrix ContactMechanics::after_sliding(const BallMatrix& Z, const Ball& leng
 BallMatrix ContactMechanics::propagator(int direction, const Ball& h) const {
     if (sliding && direction != 0) return after_sliding(unit_matrix(n()), h, direction);
     pay(effort, cost_of_ball_products(20 * static_cast<double>(n() * n() * n())));
-    return exp_of_sparse(rounded(phase(direction)) * h);
+    return exp(rounded(phase(direction)) * h);
 }
 
 FreeMotions::FreeMotions(const BallMatrix& B, Effort* effort) : effort_(effort) {
@@ -229,25 +222,12 @@ BallMatrix FreeMotions::state(std::vector<ComplexBall> shares, const Ball& t) co
 
 std::shared_ptr<Remembered<std::vector<Series>>> FreeMotions::in_time() const {
     using All = std::vector<Series>;
-    return std::make_shared<Remembered<All>>(
-        [lambda = lambda_, effort = effort_](const Ball& tau) {
-            pay(effort, cost_of_evaluations(lambda.size()));
-            All e;
-            for (const ComplexBall& each : lambda) add_free_motion(each, tau, e);
-            return e;
-        },
-        [lambda = lambda_](const All& in_the_middle, const Ball& tau) {
-            All e;
-            for (std::size_t i = 0; i < lambda.size(); ++i)
-                add_over_stretch(lambda[i], in_the_middle[2 * i], in_the_middle[2 * i + 1], tau, e);
-            return e;
-        });
-}
-
-Series weighted_sum(const std::vector<Ball>& weights, const std::vector<Series>& e, Series sum) {
-    for (std::size_t i = 0; i < e.size(); ++i)
-        for (std::size_t n = 0; n < 5; ++n) arb_addmul(sum.c[n].a, weights[i].a, e[i].c[n].a, ball_bits);
-    return sum;
+    return std::make_shared<Remembered<All>>([lambda = lambda_, effort = effort_](const Ball& tau) {
+        pay(effort, cost_of_evaluations(lambda.size()));
+        All e;
+        for (const ComplexBall& each : lambda) add_free_motion(each, tau, e);
+        return e;
+    });
 }
 
 FastPhases::FastPhases(const ContactMechanics& s, int direction) : N_(s.N), lead_(s.lead), slides_(direction != 0), w_(s.w) {

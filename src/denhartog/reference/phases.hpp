@@ -39,9 +39,6 @@ private:
     Effort* effort_;
 };
 
-// The sum of numbers times functions of time.
-[[nodiscard]] Series weighted_sum(const std::vector<Ball>& weights, const std::vector<Series>& e, Series sum);
-
 // A number that changes in time, counted from the start of a phase.
 using NumberInTime = std::function<Series(const Ball& t)>;
 
@@ -118,7 +115,7 @@ struct ContactMechanics {
     // Displacement and velocity of the contact, w^T x and w^T x' / sigma, as rows over Z.
     [[nodiscard]] BallMatrix place() const;
     [[nodiscard]] BallMatrix speed() const;
-    // What is zero at the end of a phase: the velocity of a contact that slides, or the load on a contact that sticks less static
+    // The number that is zero at the end of a phase: the velocity of a contact that slides, or the load on a contact that sticks less static
     // friction, (74); as a row over Z. The directions are those of the phases before and after.
     [[nodiscard]] BallMatrix ending(int before, int after) const;
 

@@ -2,6 +2,8 @@
 // functions, as searches for several masses look at the same stretches; and their largest value, proved.
 #pragma once
 
+#include <arb_poly.h>
+
 #include <array>
 #include <functional>
 #include <map>
@@ -23,85 +25,106 @@ namespace denhartog::reference {
 // Bits with which this thread searches for maxima. Newton's method then finds them with all current bits. The driver doubles both.
 inline thread_local slong bits_of_search = 64;
 
-// c_0 + c_1 theta + ... + c_4 theta^4; the terms beyond are left out. c_n is the n-th derivative over n!. If the instant is a ball, it
-// is a stretch of time, and c_n holds the derivative over n! at every instant of it.
-struct Series {
-    std::array<Ball, 5> c{};
+// c_0 + c_1 theta + c_2 theta^2 + ..., some first terms; those beyond are left out. c_n is the n-th derivative over n!. If the instant
+// is a ball, it is a stretch of time, and c_n holds the derivative over n! at every instant of it.
+template <int terms>
+struct SeriesOf {
+    std::array<Ball, terms> c{};
 
-    Series() = default;
-    Series(int n) { c[0] = Ball(n); }
-    Series(const Ball& x) { c[0] = x; }
+    SeriesOf() = default;
+    SeriesOf(int n) { c[0] = Ball(n); }
+    SeriesOf(const Ball& x) { c[0] = x; }
     // Time itself, from an instant or a stretch.
-    [[nodiscard]] static Series time(const Ball& instant) {
-        Series t(instant);
-        t.c[1] = Ball(1);
+    [[nodiscard]] static SeriesOf time(const Ball& instant) {
+        SeriesOf t(instant);
+        if (terms > 1) t.c.at(1) = Ball(1);
         return t;
     }
-    // Whether it is time itself, or differs from it by a constant.
-    [[nodiscard]] bool is_time() const { return arb_is_one(c[1].a) != 0 && c[2].is_zero() && c[3].is_zero() && c[4].is_zero(); }
+    [[nodiscard]] arb_ptr a() { return reinterpret_cast<arb_ptr>(c.data()); } // as Arb has them
+    [[nodiscard]] arb_srcptr a() const { return reinterpret_cast<arb_srcptr>(c.data()); }
+    // Number of terms up to the last that is not zero.
+    [[nodiscard]] slong length() const {
+        slong n = terms;
+        while (n > 1 && c[n - 1].is_zero()) --n;
+        return n;
+    }
     // The derivative. Its last coefficient is not known and is zero.
-    [[nodiscard]] Series derivative() const {
-        Series d;
-        for (int n = 0; n < 4; ++n) d.c[n] = (n + 1) * c[n + 1];
+    [[nodiscard]] SeriesOf derivative() const {
+        SeriesOf d;
+        for (int n = 0; n + 1 < terms; ++n) d.c[n] = (n + 1) * c[n + 1];
         return d;
+    }
+    // The sum of the terms.
+    [[nodiscard]] Ball at(const Ball& theta) const {
+        Ball sum = c.back();
+        for (int n = terms - 2; n >= 0; --n) sum = sum * theta + c[n];
+        return sum;
     }
     // Value, slope and curvature: the derivative of order n.
     [[nodiscard]] Ball rate(int n) const { return n < 2 ? c[n] : 2 * c[2]; }
 
-    friend Series operator+(const Series& x, const Series& y) {
-        Series r;
-        for (int n = 0; n < 5; ++n) r.c[n] = x.c[n] + y.c[n];
+    friend SeriesOf operator+(SeriesOf x, const SeriesOf& y) {
+        for (int n = 0; n < terms; ++n) x.c[n] += y.c[n];
+        return x;
+    }
+    friend SeriesOf operator-(SeriesOf x, const SeriesOf& y) {
+        for (int n = 0; n < terms; ++n) x.c[n] -= y.c[n];
+        return x;
+    }
+    friend SeriesOf operator-(const SeriesOf& x) { return SeriesOf() - x; }
+    friend SeriesOf operator*(const SeriesOf& x, const SeriesOf& y) {
+        SeriesOf r;
+        for (int n = 0; n < terms; ++n) arb_dot(r.c[n].a, nullptr, 0, x.a(), 1, y.a() + n, -1, n + 1, ball_bits);
         return r;
     }
-    friend Series operator-(const Series& x, const Series& y) {
-        Series r;
-        for (int n = 0; n < 5; ++n) r.c[n] = x.c[n] - y.c[n];
+    friend SeriesOf operator/(const SeriesOf& x, const SeriesOf& y) {
+        SeriesOf r;
+        _arb_poly_div_series(r.a(), x.a(), x.length(), y.a(), y.length(), terms, ball_bits);
         return r;
     }
-    friend Series operator-(const Series& x) { return Series() - x; }
-    friend Series operator*(const Series& x, const Series& y) {
-        Series r;
-        for (int n = 0; n < 5; ++n)
-            for (int k = 0; k <= n; ++k)
-                if (!x.c[k].is_zero() && !y.c[n - k].is_zero()) r.c[n] += x.c[k] * y.c[n - k];
-        return r;
+    friend SineCosine<SeriesOf> sine_cosine(const SeriesOf& x) {
+        SineCosine<SeriesOf> both;
+        _arb_poly_sin_cos_series(both.s.a(), both.c.a(), x.a(), x.length(), terms, ball_bits);
+        return both;
+    }
+    friend SeriesOf sin(const SeriesOf& x) { return sine_cosine(x).s; }
+    friend SeriesOf cos(const SeriesOf& x) { return sine_cosine(x).c; }
+    friend SeriesOf exp(const SeriesOf& x) {
+        SeriesOf e;
+        _arb_poly_exp_series(e.a(), x.a(), x.length(), terms, ball_bits);
+        return e;
     }
 };
+using Series = SeriesOf<5>;
 
-// A function over a stretch by its series in the middle, with a bound of each derivative over n! of its difference from a constant.
-// `off` are the instants of the stretch less the middle.
-[[nodiscard]] Series over_stretch(const Series& at_middle, const Ball& off, const Ball& constant,
-                                  const std::array<Ball, 6>& most);
-// The same, if the derivative of order n is at most size times speed to the n.
-[[nodiscard]] Series over_stretch(const Series& at_middle, const Ball& off, const Ball& constant, const Ball& size,
-                                  const Ball& speed);
-
-[[nodiscard]] SineCosine<Series> sine_cosine(const Series& x);
-[[nodiscard]] inline Series sin(const Series& x) { return sine_cosine(x).s; }
-[[nodiscard]] inline Series cos(const Series& x) { return sine_cosine(x).c; }
-[[nodiscard]] Series exp(const Series& x);
+// The sum of numbers times functions of time; none of those whose number is zero.
+template <int terms>
+[[nodiscard]] SeriesOf<terms> weighted_sum(const std::vector<Ball>& weights, const std::vector<SeriesOf<terms>>& e,
+                                           SeriesOf<terms> sum) {
+    for (std::size_t i = 0; i < e.size(); ++i)
+        for (std::size_t n = 0; n < terms && !weights[i].is_zero(); ++n)
+            arb_addmul(sum.c[n].a, weights[i].a, e[i].c[n].a, ball_bits);
+    return sum;
+}
 
 // A function of time with a memory of all that was asked with the few bits of a search, and of the last that was asked.
 template <class Value>
 class Remembered {
 public:
-    using AtInstant = std::function<Value(const Ball& tau)>; // at an instant, exact
-    using OverStretch = std::function<Value(const Value& in_the_middle, const Ball& tau)>;
-
-    Remembered(AtInstant at, OverStretch over) : at_(std::move(at)), over_(std::move(over)) {}
+    explicit Remembered(std::function<Value(const Ball& tau)> at) : at_(std::move(at)) {}
     // Its value at an instant or over a stretch, which lasts until the next call.
     const Value& operator()(const Ball& tau) {
         // two balls may be so near that their ends are the same in double: each has a value of its own
         const auto is = [&](const Known& k) { return k.bits == ball_bits && arb_equal(k.tau.a, tau.a) != 0; };
         if (is(last_)) return last_.value;
         if (ball_bits > bits_of_search) {
-            last_ = known(tau);
+            last_ = {tau, ball_bits, at_(tau)};
             return last_.value;
         }
         const std::pair stretch{tau.low(), tau.high()};
         const auto found = all_.find(stretch);
         if (found != all_.end() && is(found->second)) return found->second.value;
-        Known now = known(tau);
+        Known now{tau, ball_bits, at_(tau)};
         if (all_.size() >= most_remembered) all_.clear(); // a search next to a resonance looks at tens of thousands
         return all_.insert_or_assign(stretch, std::move(now)).first->second.value;
     }
@@ -115,13 +138,7 @@ private:
 
     static constexpr std::size_t most_remembered = 4096;
 
-    Known known(const Ball& tau) {
-        if (arb_is_exact(tau.a) != 0) return {tau, ball_bits, at_(tau)};
-        return {tau, ball_bits, over_((*this)(middle(tau)), tau)};
-    }
-
-    AtInstant at_;
-    OverStretch over_;
+    std::function<Value(const Ball& tau)> at_;
     Known last_{};
     std::map<std::pair<double, double>, Known> all_{};
 };

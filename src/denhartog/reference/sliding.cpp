@@ -1,4 +1,4 @@
-// What is the motion if the contact slides throughout, up to which friction ratio does it, and from which one is it held for ever?
+// The motion if the contact slides throughout, the friction ratio up to which it does, and the one from which it is held for ever.
 // (38) and (39) for the contact, `contact_in_balls`; (44) and (45) for the start of the others; (46) at any instant.
 // `boundary_in_balls` has (56), (67) and (69) as they stand, `stuck_in_balls` the equation of motion without row j.
 #include "denhartog/reference/sliding.hpp"
@@ -160,12 +160,10 @@ Ball sum_of_largest(const ResponsesInBalls& r) {
         }
         const Ball R = m.R[i];
         const FrictionMotionOfMode mode(R, m.zeta[i]);
-        Remembered<Series> F(
-            [&](const Ball& tau) {
-                pay(m.effort, cost_of_evaluations(1));
-                return mode.at(tau);
-            },
-            [&](const Series& in_the_middle, const Ball& tau) { return mode.over(in_the_middle, tau); });
+        Remembered<Series> F([&](const Ball& tau) {
+            pay(m.effort, cost_of_evaluations(1));
+            return mode.at(tau);
+        });
         const auto numerator_of_mode = [&](const Ball& tau) { return numerator(mode.u, F(tau), tau); };
         const auto Z = [&](const Ball& tau) { return mode.rate_and_third(F(tau)); };
         const bool hides = is_hidden(Z, numerator_of_mode, mode.u);

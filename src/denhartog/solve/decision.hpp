@@ -15,8 +15,8 @@
 #include "denhartog/number/tried.hpp"
 #include "denhartog/number/why.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
-#include "denhartog/reference/orbit_guess_data.hpp"
 #include "denhartog/solve/solve.hpp"
+#include "denhartog/stick_slip/motion_record.hpp"
 
 namespace denhartog {
 

@@ -1,4 +1,4 @@
-// What is certain of a motion with stops in double? `velocity_ahead` and `load_ahead` bound what ends a phase, so that no event is
+// Bounds of a motion with stops in double. `velocity_ahead` and `load_ahead` bound what ends a phase, so that no event is
 // missed; `end_of` and `error_at_ends` bound the instants of events, `sliding_reach` the distance within which motions slide for
 // ever, and `largest_displacements` how far each mass goes, between two samples too.
 #include <algorithm>

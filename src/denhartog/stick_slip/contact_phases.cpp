@@ -1,4 +1,4 @@
-// How do the masses move in one phase, and what ends it? `LinearMotion` moves them by (21), in closed form, or by the exponential of
+// One phase of a motion with stops, and its end. `LinearMotion` moves them by (21), in closed form, or by the exponential of
 // a matrix if damping couples the modes. Sliding ends if the velocity of the contact is zero, sticking if the load (75) on it
 // exceeds static friction, (74): `velocity` and `load` give these with three derivatives, `end_of_sliding` and `end_of_sticking`
 // find their first zero with none missed. `set` comes before: what one frequency and friction ratio make of (6).

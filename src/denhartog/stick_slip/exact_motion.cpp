@@ -1,4 +1,4 @@
-// How does the motion go on from a start, phase by phase? Read `ExactSolver::follow` first: it follows (6) with (2) and (3) from event
+// The motion from a start, phase by phase. Read `ExactSolver::follow` first: it follows (6) with (2) and (3) from event
 // to event. `Deviations::carry` takes small deviations of the state through a phase and over the event at its end;
 // `contact_system` prepares a system.
 #include "denhartog/stick_slip/exact_motion.hpp"
@@ -24,26 +24,6 @@ constexpr int most_phases_a_period = 20000;
 // The acceleration before the event exceeds that after it by jump times w; the event comes d_tau later.
 void shift(const Column& w, double jump, const Matrix<double>& d_tau, Matrix<double>& dv) {
     if (jump != 0) dv += jump * w * d_tau;
-}
-
-// Error of each entry of the damping in the modes of sliding: of modes that were found in double or, `held`, are known to more digits;
-// and what the stuck modes leave out of it.
-Matrix<double> error_of_damping(const System<double>& s, const ModalBasis<double>& basis, const StuckConfiguration& stuck,
-                                bool held) {
-    const double unit = unit_of<double>();
-    Matrix<double> D;
-    if (held) {
-        D = Matrix<double>::Zero(basis.phi.cols(), basis.phi.cols());
-        for (std::size_t i = 0; i < basis.r_n.size(); ++i) D(i, i) += 4 * unit * basis.zeta[i] * basis.r_n[i];
-        if (basis.coupled()) D += unit * basis.D.cwiseAbs();
-    } else if (s.damping_matrix.size() > 0) {
-        const Matrix<double> sizes = basis.phi.cwiseAbs(), C = s.damping_matrix.cwiseAbs();
-        D = in_coordinates(sizes, C) * ((static_cast<int>(sizes.cols()) + 2) * unit);
-    }
-    if (stuck.left_out.size() == 0 || !(stuck.left_out.maxCoeff() > 0)) return D;
-    const Matrix<double> shares = product(stuck.momentum, basis.phi).cwiseAbs(),
-                         left_out = in_coordinates(shares, stuck.left_out);
-    return D.size() > 0 ? Matrix<double>(D + left_out) : left_out;
 }
 
 } // namespace
@@ -230,14 +210,11 @@ void Deviations::carry_stuck(ExactSolver& at, const Event& event) {
     dv = product(s.shapes, dp);
 }
 
-ContactSystem contact_system(const System<double>& s) { return contact_system(s, with_errors(s, modal_basis(s))); }
-
-ContactSystem contact_system(const System<double>& s, const ModalBasis<Bounded<double>>& modes, const RoundedModes* held,
-                             Effort* effort) {
+ContactSystem contact_system(const System<double>& s, ModalBasis<double> basis, const RoundedModes* held, Effort* effort) {
     ContactSystem out;
     out.contact = contact_row(s);
     out.load = load_row(s);
-    out.basis = values_of(modes);
+    out.basis = std::move(basis);
     Matrix<double>& phi = out.basis.phi;
     const std::optional<Mass> load_im = load_rows(s).im;
     for (Eigen::Index i = 0; i < phi.cols(); ++i)
@@ -247,8 +224,6 @@ ContactSystem contact_system(const System<double>& s, const ModalBasis<Bounded<d
     out.stuck = stuck_configuration(s, out.basis, held, effort);
     phi.conservativeResize(phi.cols(), Eigen::NoChange);
     out.stuck_load = load_on_stuck_modes(out.stuck, s.load);
-    for (const Bounded<double>& r_n : modes.r_n) out.detuned.push_back(r_n.e / r_n.x);
-    out.damping_error = error_of_damping(s, out.basis, out.stuck, held != nullptr);
     out.damping_fixes_modes = damping_matrix_counts(s, out.basis);
     // phi^T M phi = 1, so that phi^T M is the inverse of phi; the mass matrix keeps it free of an inversion.
     const std::size_t N = out.basis.r_n.size();

@@ -151,6 +151,10 @@ struct ContactSystem {
 [[nodiscard]] ContactSystem contact_system(const System<double>& s, const ModalBasis<Bounded<double>>& modes,
                                            const RoundedModes* held = nullptr, Effort* effort = nullptr);
 
+/// @brief A system whose modes are taken for exact: `detuned` and `damping_error` are left empty.
+[[nodiscard]] ContactSystem contact_system(const System<double>& s, ModalBasis<double> basis, const RoundedModes* held,
+                                           Effort* effort);
+
 /// @brief Adds a constant force on each mass, N values in units of P.
 void add_static_load(ContactSystem& system, const std::vector<double>& s);
 

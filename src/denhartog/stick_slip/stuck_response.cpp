@@ -1,7 +1,7 @@
-// How do the masses move while the contact is held, and which friction ratio holds it? The stuck modes under the load, each by
-// itself or coupled by damping, and (88). Does a contact at rest stay for ever? The load on it is that of this motion, a constant,
-// and what is left of the start, which loses energy: `LastingRest::verdict` compares their sum with mu beta. Read `stuck_response`
-// first.
+// The motion while the contact is held, and the friction ratio that holds it: the stuck modes under the load, each by itself or
+// coupled by damping, and (88). The load on a contact at rest is that of this
+// motion, a constant, and what is left of the start, which loses energy: `LastingRest::verdict` compares their sum with mu beta, and
+// says whether the rest lasts. Read `stuck_response` first.
 #include "denhartog/stick_slip/stuck_response.hpp"
 
 #include <algorithm>
@@ -100,20 +100,12 @@ StuckResponse stuck_response(const StuckConfiguration& stuck, Mass load, double 
             for (std::size_t i = 0; i < n; ++i)
                 X[k] = X[k] + stuck.shapes(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)) * q[i];
     }
-    std::vector<double> C_j, K_j;
     std::vector<Complex<double>> others;
-    for (std::size_t k = 0; k < n; ++k) {
-        others.push_back(X[stuck.masses[k].index]);
-        C_j.push_back(r * stuck.c_j[k]);
-        K_j.push_back(stuck.k_j[k] - r * r * stuck.m_j[k]);
-    }
-    const Complex<double> direct = direct_load(stuck, load);
-    const auto load_with = [&](const std::vector<double>& C) {
-        return paper::load_on_held_contact(std::span<const double>(C), std::span<const double>(K_j),
-                                           std::span<const Complex<double>>(others), direct);
-    };
-    response.contact_load = load_with(C_j);
-    response.elastic_load = load_with(std::vector<double>(n, 0));
+    for (const Mass& k : stuck.masses) others.push_back(X[k.index]);
+    HeldRow<double> row{stuck.k_j, stuck.c_j, stuck.m_j, direct_load(stuck, load)};
+    response.contact_load = row.load(r, others);
+    row.c.assign(n, 0);
+    response.elastic_load = row.load(r, others);
     for (const Complex<double>& X_k : X) response.masses.push_back(motion_of(X_k));
     for (const StuckMass& mass : response.masses)
         if (!std::isfinite(mass.amplitude)) throw PrecisionError(Why::stuck_response_out_of_range, Outcome::out_of_range);

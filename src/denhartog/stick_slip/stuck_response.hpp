@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "denhartog/formulas/complex.hpp"
+#include "denhartog/formulas/stuck.hpp"
 #include "denhartog/model/stuck_configuration.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 
@@ -35,6 +36,44 @@ struct StuckResponse {
 /// the loaded mass, l; none of them if the load acts on several, which the stuck configuration then has. InputError if r or
 /// l breaks its rule; DomainError if the load excites the resonance of an undamped stuck mode. @eq{88}
 [[nodiscard]] StuckResponse stuck_response(const StuckConfiguration& stuck, Mass load, double r);
+
+/// @brief The row of (6) that belongs to a held contact: what the other masses and the load bring to it.
+template <class Number>
+struct HeldRow {
+    std::vector<Number> k;  ///< stiffness between the contact and each other mass
+    std::vector<Number> c;  ///< damping likewise
+    std::vector<Number> m;  ///< mass likewise
+    Complex<Number> direct; ///< part of the force that acts on the contact itself, in units of P
+
+    /// @brief Complex amplitude of the load on the contact, if the others move by X. @eq{88}
+    [[nodiscard]] Complex<Number> load(const Number& r, const std::vector<Complex<Number>>& X) const {
+        std::vector<Number> C_j, K_j;
+        for (std::size_t i = 0; i < k.size(); ++i) {
+            C_j.push_back(r * c[i]);
+            K_j.push_back(k[i] - r * r * m[i]);
+        }
+        return paper::load_on_held_contact<Number>(C_j, K_j, X, direct);
+    }
+};
+
+/// @brief The response with the contact held at zero, by (6) without its row.
+template <class Number>
+struct HeldEquations {
+    std::vector<Complex<Number>> others; ///< complex amplitudes of the masses that move freely
+    HeldRow<Number> row;                 ///< the row that was left out
+    std::vector<Number> shares;          ///< of a contact that is not of one mass: what mass a goes with each mass beside it
+};
+
+/// @brief These with bounds, of a damping matrix whose entries may be off by `error_of_C`. DomainError where the load excites the
+/// resonance of an undamped stuck mode.
+[[nodiscard]] HeldEquations<Bounded<double>> held_equations(const Scene<double>& scene, const StuckConfiguration& stuck,
+                                                            Matrix<double> error_of_C);
+
+/// @brief Bounds of what errors of the modes make of the damping matrix (19), zero where the matrix was given.
+[[nodiscard]] Matrix<double> errors_of_C(const System<double>& s, const ModalBasis<Bounded<double>>& basis);
+
+/// @brief The static compliance of the contact, (K^-1)_jj, with its bound.
+[[nodiscard]] Bounded<double> compliance_of(const StuckConfiguration& stuck);
 
 /// @brief The masses of a chain that move by (88) while the contact is held: those on the load's side of it.
 struct StuckChain {
