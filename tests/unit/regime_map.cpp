@@ -25,7 +25,8 @@ std::vector<double> values(double from, double to, int count) {
     return all;
 }
 
-const char* proved_stops = "double precision does not tell whether the contact stops, and the reference proves that it does";
+constexpr const char* proved_stops =
+    "double precision does not tell whether the contact stops, and the reference proves that it does";
 
 MapRequest request(int columns, int rows) {
     return {values(0.25, 2.25, columns), values(0, 1.125, rows), {Mass{1}, Mass{0}}, MapStart::rest, 1};
@@ -142,8 +143,8 @@ TEST_CASE("where static friction is hardly larger, stops too short for double ar
     for (const std::size_t N : {41u, 201u}) {
         const bool seen = N == 41;
         const std::string words = seen ? "the reference proves that it does" : "the motion shows no stop";
-        Scene<double> long_chain = chain(std::vector<double>(N, 1), std::vector<double>(N, 1), std::vector<double>(N, 0.02), 2, 3,
-                                         1, 1.7, boundary(sums_of(long_chain), 1.0).exact * (1 + 4e-15));
+        Scene<double> long_chain = equal_masses(N, 0.02, 1.7);
+        long_chain.beta = boundary(sums_of(long_chain), 1.0).exact * (1 + 4e-15);
         const Solution next_to_boundary = solve(scene_source(long_chain), {});
         CHECK(next_to_boundary.regime.regime == Regime::stick_slip);
         CHECK(next_to_boundary.stops.size() == (seen ? 2 : 0));
