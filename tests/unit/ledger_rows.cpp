@@ -216,6 +216,7 @@ TEST_CASE("a tag in a doc comment gives the function behind it, with namespace a
     const std::string header = R"cpp(/// @file
 /// @brief (28), (29) of something.
 #pragma once
+#include <vector>
 namespace outer {
 /// @eq{24}
 template <class T>
