@@ -8,10 +8,11 @@
 
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/denhartog.hpp"
-#include "denhartog/solve/solve.hpp"
 #include "denhartog/solve/decision.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/speed_accuracy/answer_numbers.hpp"
+#include "tests/support/named_scenes.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;
@@ -64,9 +65,9 @@ void check_without_contradictions(const AdversarialSurvey& survey) {
     CHECK(survey.quantities.size() > 20);
 }
 
-bool is_answered_or_refused(const std::string& json) {
+bool is_answered_or_refused(const std::string& scene) {
     try {
-        (void)solve(scene(json));
+        (void)solve(named_scene(scene));
     } catch (const DomainError&) {
     } catch (const PrecisionError&) {
     }
@@ -98,29 +99,22 @@ TEST_CASE("questions to scenes of any doubles that may spend little are answered
     const AdversarialSurvey survey = sample(100, 5, true, any_double, 30'000);
     check_little_is_spent(survey);
     // From an instant of 0 on the search for the end of a stop in 50 digits had a billion steps to shorten.
-    CHECK(is_answered_or_refused(
-        R"({"mass_ratios":[1,1e155,5.28125,1.4375],"stiffness_ratios":[1,0.15625,3.21875,3.1875],"damping_ratios":)"
-        R"([0.23046875,0.216796875,0.23828125,1.2925064546919817e279],"contact":2,"load":4,"r":3.625,"beta":3.625,"mu":6.96875})"));
+    CHECK(is_answered_or_refused("billion steps"));
 }
 
 TEST_CASE("beyond the range of a double no bound is zero, and none is no number", "[accuracy]") {
     // A displacement of 1e-579 to 30 digits, which in double is zero.
-    const Scene<double> far_above = scene(
-        R"({"mass_ratios":[1,1,1,1,1,1],"stiffness_ratios":[1,1,1,1,1,1],"damping_matrix":[[0.04,-0.02,0,0,0,0],)"
-        R"([-0.02,0.04,-0.02,0,0,0],[0,-0.02,0.04,-0.02,0,0],[0,0,-0.02,0.04,-0.02,0],[0,0,0,-0.02,0.04,-0.02],)"
-        R"([0,0,0,0,-0.02,0.02]],"contact":5,"load":6,"r":3e81,"beta":0})");
-    const Solution sliding = sliding_answer(scene_source(far_above), Question{Asked::motion, 30});
+    const Solution sliding = sliding_answer(scene_source(named_scene("far above")), Question{Asked::motion, 30});
     CHECK(sliding.masses[0].amplitude.value == 0);
     CHECK(sliding.masses[0].amplitude.error > 0);
     CHECK(faults_of(sliding).empty());
     // Friction of 7e299: squares of it overflow in the bound of where the contact rests.
-    for (const char* text :
-         {R"({"mass_ratios":[1.0],"stiffness_ratios":[1.0],"damping_ratios":[0.9999999999863517],"contact":1,"load":1,)"
-          R"("mu":179.9784218711654,"r":5.439988966263014e-70,"beta":6.696928794914171e+299})",
-          R"({"mass_ratios":[1.0],"stiffness_ratios":[1.0],"damping_ratios":[0.07058154281311652],"contact":1,"load":1,)"
-          R"("mu":1.0000000000000004,"r":2.627139795186739e-23,"beta":6.696928794914171e+299})"})
+    for (const std::string change :
+         {R"("damping_ratios": 0.9999999999863517, "mu": 179.9784218711654, "r": 5.439988966263014e-70)",
+          R"("damping_ratios": 0.07058154281311652, "mu": 1.0000000000000004, "r": 2.627139795186739e-23)"})
         for (const bool all : {false, true}) {
-            const Solution held = solve(scene(text), {Asked::motion, {}, all});
+            const Solution held =
+                solve(named_scene(R"(one {"beta": 6.696928794914171e+299, )" + change + "}"), {Asked::motion, {}, all});
             CHECK(held.regime.regime == Regime::permanent_sticking);
             for (const std::string& fault : faults_of(held)) FAIL_CHECK(fault);
         }
@@ -128,10 +122,12 @@ TEST_CASE("beyond the range of a double no bound is zero, and none is no number"
 
 TEST_CASE("a single mass under a load that is a number moves as under that number times the unit load",
           "[accuracy][exact-solver]") {
-    const std::string mass = R"({"mass_ratios":[1],"stiffness_ratios":[1],"damping_ratios":[0.5],"contact":1,"mu":1,"r":0.859,)";
-    const Solution unit = solve(scene(mass + R"("load":1,"beta":0.78125})"));
-    for (const char* load : {R"("load":[0.75],"beta":0.5859375})", R"("load":[-0.75],"beta":0.5859375})"}) {
-        const Solution found = solve(scene(mass + load));
+    const auto answer = [](const std::string& load) {
+        return solve(named_scene(R"(one {"damping_ratios": 0.5, "r": 0.859, )" + load + "}"));
+    };
+    const Solution unit = answer(R"("load": 1, "beta": 0.78125)");
+    for (const char* load : {R"("load": [0.75], "beta": 0.5859375)", R"("load": [-0.75], "beta": 0.5859375)"}) {
+        const Solution found = answer(load);
         CHECK(found.stops.size() == 2);
         CHECK(found.masses[0].amplitude.value == Approx(0.75 * unit.masses[0].amplitude.value).epsilon(1e-12));
     }
@@ -152,8 +148,7 @@ TEST_CASE("answers about systems as users give them, in units, contradict each o
 TEST_CASE("an answer whose boundaries are out of order, or whose displacement is beyond its amplitude, contradicts itself",
           "[accuracy]") {
     const auto number = [](double x) { return Certified{x, 0.125, {}}; };
-    Solution s = solve(scene(R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": [0.05], "contact": 1, "load": 1,
-        "r": 0.5, "beta": 0.1})"));
+    Solution s = solve(named_scene(R"(one {"r": 0.5, "beta": 0.1})"));
     Limits& limits = s.limits.value();
     limits.exact = number(2);
     limits.paper = number(2.25);
@@ -177,8 +172,7 @@ TEST_CASE("an answer whose boundaries are out of order, or whose displacement is
 }
 
 TEST_CASE("samples beyond an amplitude, without a mirror image, not finite, or of too few masses are faults", "[accuracy]") {
-    const Scene<double> at = scene(R"({"mass_ratios": [1, 1], "stiffness_ratios": [1, 1], "damping_ratios": [0.05, 0.05],
-        "contact": 2, "load": 1, "r": 0.5, "beta": 0.4})");
+    const Scene<double> at = named_scene(R"(two {"damping_ratios": 0.05, "beta": 0.4})");
     const Solution s = solve(at);
     REQUIRE(s.symmetric);
     const std::vector<State> states = motion(at, 16).states();
@@ -199,15 +193,12 @@ TEST_CASE("samples beyond an amplitude, without a mirror image, not finite, or o
 TEST_CASE("a point at the end of a double's range is answered or refused by an error of the project's own", "[accuracy]") {
     for (const std::string r : {"5e-324", "1e300"}) {
         INFO("r = " << r);
-        CHECK(is_answered_or_refused(R"({"mass_ratios": [1, 1], "stiffness_ratios": [1, 1], "damping_ratios": [0.05, 0.05],
-            "contact": 1, "load": 1, "beta": 0.5, "r": )" +
-                                     r + "}"));
+        CHECK(is_answered_or_refused(R"(long period {"r": )" + r + "}"));
     }
 }
 
 TEST_CASE("far above its frequency a mass has finite boundaries whatever is asked", "[accuracy][eq:69]") {
-    const Scene<double> at = scene(R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": [0.05], "contact": 1,
-        "load": 1, "r": 1e82, "beta": 2})");
+    const Scene<double> at = named_scene(R"(one {"r": 1e82, "beta": 2})");
     for (const Asked asked : {Asked::regime, Asked::amplitude, Asked::phase, Asked::motion}) {
         const Solution s = solve(at, {asked, {}});
         REQUIRE(s.limits);
@@ -219,19 +210,12 @@ TEST_CASE("far above its frequency a mass has finite boundaries whatever is aske
 TEST_CASE("modes of nearly one frequency, a stop without deceleration and a weak spring widen the bounds they make wide",
           "[accuracy]") {
     // Each of these had a number whose error was 4 to 10000 times its bound.
-    const std::string chain =
-        R"({"mass_ratios": [1, 1.157251219317279], "stiffness_ratios": [1, 1.9586561810150112], "damping_ratios":
-            [0.0009968711124831863, 7.161726662108899e-06], "contact": 1, "load": 2, "r": 9.291014134935727, "beta": 0.010895909958133146})";
-    const std::string pair =
-        R"({"mass_ratios": [1, 1], "stiffness_matrix": [[1.000001017422192, -6.062467090397835e-09],
-            [-6.062467090397835e-09, 1.000000012901482]], "damping_ratios": [0.0014052799853100585, 0.09949757655848342],
-            "contact": 2, "load": 1, "r": 1.0000000064309804, "beta": 64})";
-    for (const std::string& json : {chain, pair}) {
-        const Scene<double> at = scene(json);
+    for (const std::string name : {"nearly one frequency", "weakly joined"}) {
+        const Scene<double> at = named_scene(name);
         const Solution few = solve(at), many = solve(at, {Asked::motion, 25});
         for (std::size_t k = 0; k < 2; ++k) {
             const SolvedMass &a = few.masses[k], &b = many.masses[k];
-            INFO("mass " << k + 1 << " at " << json);
+            INFO("mass " << k + 1 << " of " << name);
             CHECK(std::abs(a.amplitude.value - b.amplitude.value) <=
                   a.amplitude.error + b.amplitude.error + 1e-16 * b.amplitude.value);
             if (a.phase) CHECK(std::abs(a.phase->value - b.phase->value) <= a.phase->error + b.phase->error + 4e-16);

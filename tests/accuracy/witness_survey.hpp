@@ -15,8 +15,6 @@
 namespace denhartog::tests {
 
 /// @brief Random scenes with their beta: the fraction of the boundary, as double finds it, rounded to a short binary fraction.
-/// @param seed  seed of `random_scenes`
-/// @return      the scenes, the same in every number type
 template <class T>
 [[nodiscard]] std::vector<NamedScene<T>> random_sliding_scenes(std::uint64_t seed) {
     const std::vector<RandomScene<double>> in_double = random_scenes<double>(seed);
@@ -45,10 +43,6 @@ struct ModeCondition {
 
 /// @brief Condition of a mode: a chain's frequencies are known relatively, and its shapes to the relative gap to the next
 /// frequency; with matrices given, squared frequencies and their gaps are known against the largest one.
-/// @param sums   modes at a frequency ratio
-/// @param chain  whether the system is a chain given by ratios
-/// @param i      a mode
-/// @return       its condition
 template <class T>
 [[nodiscard]] ModeCondition<T> condition_of_mode(const ModeSums<T>& sums, bool chain, std::size_t i) {
     const T omega = 1 / sums.R[i], highest = 1 / sums.R.back();
@@ -67,10 +61,6 @@ template <class T>
 /// mass; for the contact, whose V_dj every mass depends on, (33) also by |V_dj|. The derivatives:
 /// \f$ |v'| = 2R|R-i\zeta||v|^2 \f$; (28) and (29) are parts of \f$ \tanh\frac{\delta+i\theta}{2} \f$, whose derivative is
 /// \f$ \frac{\pi}{R}\,/\,(\cosh\delta+\cos\theta) \f$ in size; the motion's phases turn by at most \f$ \pi/R \f$.
-/// @param sums   modes at a frequency ratio
-/// @param state  the steady state there
-/// @param chain  whether the system is a chain given by ratios
-/// @return       the largest over the masses
 template <class T>
 [[nodiscard]] double condition(const ModeSums<T>& sums, const SteadyState<T>& state, bool chain) {
     const auto size = [](const T& x) { return x < 0 ? T(-x) : x; };

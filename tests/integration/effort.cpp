@@ -95,10 +95,7 @@ TEST_CASE("an orbit whose effort is spent says how far it came", "[effort][exact
 
 TEST_CASE("far above resonance, where the functions of (87) cancel, the invariant points are found all the same",
           "[effort][invariant][eq:87]") {
-    Scene<double> scene;
-    scene.system = chain_of({1, 1, 1}, {1, 1, 1}, 0.05, 1, 1);
-    scene.r = 1;
-    const SceneSource source = scene_source(scene);
+    const SceneSource source = scene_source(scene_of(chain_of({1, 1, 1}, {1, 1, 1}, 0.05, 1, 1), 1));
     for (const char* const r : {"20", "50", "200"}) {
         QuestionEffort enough(3);
         std::size_t points = 0;
@@ -116,10 +113,7 @@ TEST_CASE("far above resonance, where the functions of (87) cancel, the invarian
 
 TEST_CASE("finding modes is paid for, and ends where nothing is left to pay or somebody cancels", "[effort][eq:15]") {
     const System<double> chain = chain_of(std::vector<double>(60, 1), std::vector<double>(60, 1), 0.01, 2, 1);
-    System<double> general = chain, graded = chain;
-    general.stiffness_matrix = graded.stiffness_matrix = matrix_of_chain(chain.stiffness_ratios);
-    general.stiffness_ratios.clear();
-    graded.stiffness_ratios.clear();
+    System<double> general = with_stiffness_matrix(chain), graded = general;
     graded.mass_ratios.back() = 1e-9;
     const auto need_end = [&](const char* what, long most, const System<double>& system) {
         INFO(what);
@@ -140,11 +134,7 @@ TEST_CASE("many masses with stops have their digits, or the answer says that the
           "[effort][solve][exact-solver]") {
     const auto building = [](std::size_t N) {
         const std::vector<double> same(N, 1);
-        Scene<double> scene;
-        scene.system = chain_of(same, same, 0.01, 3, 1);
-        scene.r = 0.5;
-        scene.beta = 0.3;
-        return scene_source(scene);
+        return scene_source(scene_of(chain_of(same, same, 0.01, 3, 1), 0.5, 0.3));
     };
     const Solution found = solve(building(40), {.digits = 20});
     CHECK(found.digits_reached);
@@ -190,11 +180,7 @@ TEST_CASE("a question has one budget for all its searches, and what is given to 
 }
 
 TEST_CASE("solve ends where its work is spent and says what is certain until then", "[effort][solve]") {
-    Scene<double> scene;
-    scene.system = two_masses(0.001);
-    scene.mu = 2.5;
-    scene.r = 0.3;
-    scene.beta = 0.4;
+    const Scene<double> scene = scene_of(two_masses(0.001), 0.3, 0.4, 2.5);
     const Question question{Asked::motion, std::nullopt, false};
     QuestionEffort little(2, 2000);
     CHECK_THROWS_WITH(solve(with_effort(scene_source(scene), &little), question),
@@ -263,15 +249,8 @@ TEST_CASE("everyday questions cost no more operations than they were seen to", "
                                  Everyday{"one mass, sliding", single_mass(0.01), {0.9}, 0.2, 0, 0}}) {
         QuestionEffort effort(number_of_masses(each.system));
         const long phases = phases_propagated();
-        Question amplitude;
-        amplitude.asked = Asked::amplitude;
-        Scene<double> scene;
-        scene.system = each.system;
-        scene.beta = each.beta;
-        for (const double r : each.r) {
-            scene.r = r;
-            (void)solve(with_effort(scene_source(scene), &effort), amplitude);
-        }
+        for (const double r : each.r)
+            (void)solve(with_effort(scene_source(scene_of(each.system, r, each.beta)), &effort), {Asked::amplitude, {}});
         INFO(each.what << ": " << effort.spent << " operations");
         CHECK(effort.spent <= each.operations);
         CHECK(phases_propagated() - phases <= each.phases);

@@ -19,7 +19,7 @@ struct Given {
     Mass contact, load;
 };
 
-tests::Prepared prepared(const Given& g, double r, double beta, double mu) {
+tests::PreparedMotion prepared(const Given& g, double r, double beta, double mu) {
     System<double> s;
     s.mass_matrix = g.M;
     s.damping_matrix = g.C;
@@ -66,7 +66,7 @@ void check_phases(const Given& g, double r, double tolerance) {
     }
     for (const int direction : {1, -1}) {
         start.x_prime[j] = 8 * direction; // fast enough not to turn round
-        const tests::Prepared p = prepared(g, r, 0.25, 1);
+        const tests::PreparedMotion p = prepared(g, r, 0.25, 1);
         ExactSolver solver(p.system, p.excitation);
         const double tau_0 = 0.375, tau_1 = tau_0 + std::min(1.0, r) * 3 / 8;
         const ExactMotion& motion = solver.run(start, tau_0, tau_1);
@@ -75,7 +75,7 @@ void check_phases(const Given& g, double r, double tolerance) {
         CHECK(distance(motion.end, by_exponential(g, p.excitation, direction, start, tau_0, tau_1 - tau_0)) < tolerance);
     }
     start.x_prime[j] = 0;
-    const tests::Prepared p = prepared(g, r, 1000, 1); // held
+    const tests::PreparedMotion p = prepared(g, r, 1000, 1); // held
     ExactSolver solver(p.system, p.excitation);
     const double tau_0 = 0.375, t = 5.5;
     const ExactMotion& motion = solver.run(start, tau_0, tau_0 + t);
@@ -108,7 +108,7 @@ Given chain_of(std::size_t N, std::size_t j, std::size_t l, double a, double b) 
 }
 
 /// The Jacobian of a stretch against central differences of the fourth order.
-void check_jacobian(const tests::Prepared& p, const State& start, int directions_seen) {
+void check_jacobian(const tests::PreparedMotion& p, const State& start, int directions_seen) {
     ExactSolver solver(p.system, p.excitation);
     const std::size_t N = start.x.size();
     const double tau_0 = 0.0625, tau_1 = 6, h = 0x1p-12;
@@ -169,7 +169,7 @@ TEST_CASE("stuck modes that damping couples or that are overdamped move as the e
         for (const std::vector<double>& zeta :
              {std::vector<double>{0.03125, 0.0625, 0.25}, {0.9375, 0.03125, 0.96875}, {0.0, 0.5, 0.0}}) {
             INFO("r " << hexadecimal(r));
-            const tests::Prepared p = prepared_chain({1, 2, 1}, {1, 0.25, 0.75}, zeta, 2, 1, r, 1000);
+            const tests::PreparedMotion p = prepared_chain({1, 2, 1}, {1, 0.25, 0.75}, zeta, 2, 1, r, 1000);
             Scene<double> at_1 = p.scene;
             at_1.r = 1;
             at_1.beta = 0;

@@ -9,15 +9,17 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
+#include "denhartog/paper_algorithm/paper_algorithm.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/plain_response.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/support/scene_builder.hpp"
+#include "tests/unit/response_fixtures.hpp"
 
 namespace denhartog::tests {
 
 /// @brief A system with excitation and the name that a failing message shows.
-struct Prepared {
+struct PreparedMotion {
     std::string name;      ///< where the scene is from
     ContactSystem system;  ///< the system
     Excitation excitation; ///< frequency and friction
@@ -25,30 +27,26 @@ struct Prepared {
 };
 
 /// @brief A chain with contact and load counted from 1; numbers are exact in binary.
-inline Prepared prepared_chain(const std::vector<double>& gamma, const std::vector<double>& kappa,
-                               const std::vector<double>& zeta, std::size_t j, std::size_t l, double r, double beta,
-                               double mu = 1) {
+inline PreparedMotion prepared_chain(const std::vector<double>& gamma, const std::vector<double>& kappa,
+                                     const std::vector<double>& zeta, std::size_t j, std::size_t l, double r, double beta,
+                                     double mu = 1) {
     const Scene<double> scene = scene_of(chain_of(gamma, kappa, zeta, j, l), r, beta, mu);
     return {"", contact_system(scene.system), {r, beta, mu}, scene};
 }
 
 /// @brief One mass.
-inline Prepared prepared_oscillator(double zeta, double r, double beta, double mu = 1) {
+inline PreparedMotion prepared_oscillator(double zeta, double r, double beta, double mu = 1) {
     return prepared_chain({1}, {1}, {zeta}, 1, 1, r, beta, mu);
 }
 
 /// @brief Three masses whose stuck modes do not diagonalise their damping.
-inline Prepared prepared_three_masses(double r, double beta, double mu = 1) {
+inline PreparedMotion prepared_three_masses(double r, double beta, double mu = 1) {
     return prepared_chain({1, 2.5, 0.75}, {1, 0.625, 1.875}, {0.03125, 0.0625, 0.09375}, 2, 1, r, beta, mu);
 }
 
 /// @brief Random scenes between the boundary of sliding and that of sticking.
-/// @param seed    their seed
-/// @param most_N  most masses
-/// @param mu      static over kinetic friction; 0 for that of the scene
-/// @return        the scenes
-inline std::vector<Prepared> between_the_boundaries(std::uint64_t seed, std::size_t most_N, double mu) {
-    std::vector<Prepared> all;
+inline std::vector<PreparedMotion> between_the_boundaries(std::uint64_t seed, std::size_t most_N, double mu) {
+    std::vector<PreparedMotion> all;
     for (const RandomScene<double>& random : random_scenes<double>(seed)) {
         Scene<double> scene = random.scene;
         if (number_of_masses(scene.system) > most_N) break;
@@ -70,18 +68,18 @@ inline std::vector<Prepared> between_the_boundaries(std::uint64_t seed, std::siz
 }
 
 /// @brief The orbit from a start.
-inline PeriodicOrbit orbit_from(const Prepared& p, const State& start, const OrbitSearch& search = {}) {
+inline PeriodicOrbit orbit_from(const PreparedMotion& p, const State& start, const OrbitSearch& search = {}) {
     ExactSolver solver(p.system, p.excitation);
     return periodic_orbit(solver, start, search);
 }
 
 /// @brief The orbit from rest.
-inline PeriodicOrbit orbit_of(const Prepared& p, const OrbitSearch& search = {}) {
+inline PeriodicOrbit orbit_of(const PreparedMotion& p, const OrbitSearch& search = {}) {
     return orbit_from(p, at_rest(p.system.basis.r_n.size()), search);
 }
 
 /// @brief State after a number of half-periods of propagation alone, mirrored where the number is odd.
-inline State propagated(const Prepared& p, State z, int half_periods) {
+inline State propagated(const PreparedMotion& p, State z, int half_periods) {
     ExactSolver solver(p.system, p.excitation);
     for (int n = 0; n < half_periods; ++n) {
         z = solver.run(z, 0, pi<double>()).end;
@@ -91,12 +89,12 @@ inline State propagated(const Prepared& p, State z, int half_periods) {
     return z;
 }
 
-/// @brief Largest difference of two states.
-inline double distance(const State& a, const State& b) {
-    double largest = 0;
-    for (std::size_t k = 0; k < a.x.size(); ++k)
-        largest = std::max({largest, std::abs(a.x[k] - b.x[k]), std::abs(a.x_prime[k] - b.x_prime[k])});
-    return largest;
+/// @brief Settings of the paper's algorithm.
+inline PaperSettings settings_with(double tolerance, int cycles = 200) {
+    PaperSettings settings;
+    settings.absolute_tolerance = tolerance;
+    settings.cycles = cycles;
+    return settings;
 }
 
 } // namespace denhartog::tests

@@ -145,7 +145,7 @@ TEST_CASE("a map with an overdamped mode is what solve answers, in all three reg
 
 TEST_CASE("solve gives the digits asked for at critical damping, and goes on across it", "[solve][overdamped]") {
     const auto amplitude = [](double zeta, int digits) {
-        const Scene<double> scene = with_beta(chain({1, 1}, {1, 1}, {0.125, zeta}, 2, 1, 1, 0.75), 0.0625);
+        const Scene<double> scene = chain({1, 1}, {1, 1}, {0.125, zeta}, 2, 1, 1, 0.75, 0.0625);
         return solve(scene_source(scene), {Asked::amplitude, digits, false});
     };
     const auto wide = [](const Solution& s) {

@@ -7,21 +7,14 @@
 #include "denhartog/answer/from_a_start.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
 #include "tests/catch.hpp"
+#include "tests/integration/orbit_scenes.hpp"
 #include "tests/support/half_period.hpp"
 #include "tests/support/paper_systems.hpp"
-#include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;
 
 namespace {
-
-PaperSettings settings_with(double tolerance, int cycles = 200) {
-    PaperSettings settings;
-    settings.absolute_tolerance = tolerance;
-    settings.cycles = cycles;
-    return settings;
-}
 
 // Largest difference of two motions: amplitudes, final states, places of stops; and of the instants of stops.
 struct Difference {

@@ -20,7 +20,7 @@ double angle_between(double a, double b) { return std::abs(std::remainder(a - b,
 
 TEST_CASE("an oscillator driven at a tenth of its frequency stops four times a period, whatever the start",
           "[eq:2][eq:74][exact-solver][shooting]") {
-    const Prepared p = prepared_oscillator(0.01, 0.1, 0.2);
+    const PreparedMotion p = prepared_oscillator(0.01, 0.1, 0.2);
     const PeriodicOrbit orbit = orbit_of(p);
     REQUIRE(orbit.status == OrbitStatus::periodic);
     CHECK(orbit.symmetric);
@@ -108,7 +108,7 @@ TEST_CASE("in the sliding regime the orbit is the closed form", "[eq:38][eq:39][
 
 TEST_CASE("where the stuck modes are coupled by damping, shooting ends where long propagation does",
           "[eq:74][exact-solver][shooting]") {
-    const Prepared p = prepared_three_masses(0.6875, 0.25);
+    const PreparedMotion p = prepared_three_masses(0.6875, 0.25);
     REQUIRE_FALSE(p.system.stuck.modes_diagonalise_damping);
     const PeriodicOrbit orbit = orbit_of(p);
     REQUIRE(orbit.status == OrbitStatus::periodic);
@@ -119,7 +119,7 @@ TEST_CASE("where the stuck modes are coupled by damping, shooting ends where lon
 
 TEST_CASE("a contact that comes to rest for ever stays within the interval of rest", "[eq:74][eq:88][exact-solver][shooting]") {
     const double r = 0.75, beta = 4;
-    const Prepared p = prepared_three_masses(r, beta);
+    const PreparedMotion p = prepared_three_masses(r, beta);
     const StuckResponse stuck = stuck_response(p.system.stuck, Mass{0}, r);
     const double reach = paper::sticking_margin(modulus(stuck.contact_load), 1.0, beta) / p.system.stuck.k_contact;
     const PeriodicOrbit from_rest = orbit_of(p);
@@ -144,7 +144,7 @@ TEST_CASE("a contact that comes to rest for ever stays within the interval of re
 }
 
 TEST_CASE("one oscillator, two motions: it rests from rest and slides from far out", "[eq:3][eq:74][exact-solver][shooting]") {
-    const Prepared p = prepared_oscillator(0.05, 1, 0.55, 2);
+    const PreparedMotion p = prepared_oscillator(0.05, 1, 0.55, 2);
     const PeriodicOrbit rests = orbit_of(p);
     CHECK(rests.status == OrbitStatus::permanently_stuck);
     CHECK(rests.contact.amplitude == 0);

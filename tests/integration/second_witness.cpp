@@ -1,15 +1,20 @@
-// The comparison by itself: what it measures, and that nothing slips through it.
-#include "tests/support/second_witness.hpp"
-
 #include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <set>
+#include <tuple>
 
 #include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/multiprecision.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/support/scene_builder.hpp"
+#include "tests/support/second_witness.hpp"
 
 using namespace denhartog;
+
+// The comparison by itself: what it measures, and that nothing slips through it.
 
 namespace {
 
@@ -114,4 +119,127 @@ TEST_CASE("a scene without r or beta, or beyond the boundary, is not compared", 
     scene.r.reset();
     CHECK_THROWS_AS(half_period_problem(scene), InputError);
     CHECK_THROWS_AS(compare_with_second_witness(scene), InputError);
+}
+
+// The scenes that are computed on: what the sets hold, and that they are the same in every number type.
+
+namespace {
+
+template <class T>
+bool same(const std::vector<double>& a, const std::vector<T>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, const T& y) { return T(x) == y; });
+}
+
+template <class T>
+bool same(const Matrix<double>& a, const Matrix<T>& b) {
+    return a.rows() == b.rows() && a.cols() == b.cols() && Matrix<T>(a.template cast<T>()) == b;
+}
+
+bool some_without_damping(const System<double>& s) {
+    return std::any_of(s.damping_ratios.begin(), s.damping_ratios.end(), [](double zeta) { return zeta == 0; });
+}
+
+} // namespace
+
+TEST_CASE("the paper's scenes obey the rules, have names of their own and are those of Figs. 4 to 10", "[scenes]") {
+    std::set<std::string> names;
+    int of_one_mass = 0, of_two = 0, of_five = 0;
+    for (const NamedScene<double>& named : paper_scenes<double>()) {
+        INFO(named.name);
+        CHECK(names.insert(named.name).second);
+        REQUIRE_NOTHROW(check(named.scene));
+        REQUIRE(named.scene.r);
+        REQUIRE(named.scene.beta);
+        CHECK(named.scene.mu == 1);
+        const System<double>& s = named.scene.system;
+        const std::size_t N = number_of_masses(s);
+        (N == 1 ? of_one_mass : N == 2 ? of_two : of_five) += 1;
+        if (N == 2) {
+            CHECK(s.contact == Mass{1});
+            CHECK(s.load == Mass{0});
+            CHECK(s.damping_ratios[0] / s.damping_ratios[1] == Approx((3 + std::sqrt(5.0)) / 2).epsilon(1e-14));
+        }
+        if (N != 5) continue;
+        CHECK(named.scene.r == 0.9);
+        CHECK(named.scene.beta == 0.2);
+        CHECK(s.load == Mass{0});
+    }
+    CHECK(of_one_mass == of_two);
+    CHECK(of_five == 4);
+}
+
+TEST_CASE("decimal fractions of the paper's scenes are rounded correctly in every number type", "[scenes]") {
+    CHECK(paper_scenes<Real50>().back().scene.r == Real50("0.9"));
+    CHECK(paper_scenes<Real100>().back().scene.beta == Real100("0.2"));
+    CHECK(paper_scenes<Real50>().front().scene.system.damping_ratios[0] == Real50("0.001"));
+}
+
+TEST_CASE("random scenes hold every placing of contact and load, and everything that they promise", "[scenes]") {
+    std::set<std::tuple<std::size_t, std::size_t, std::size_t>> placings;
+    std::set<std::string> names;
+    int damping_matrices = 0, undamped = 0, networks = 0, coupled = 0;
+    for (const RandomScene<double>& named : random_scenes<double>(1)) {
+        const Scene<double>& scene = named.scene;
+        const System<double>& s = scene.system;
+        INFO(named.name);
+        REQUIRE_NOTHROW(check(scene));
+        CHECK(names.insert(named.name).second);
+        placings.emplace(number_of_masses(s), s.contact.index, s.load.index);
+        damping_matrices += s.damping_matrix.size() > 0;
+        undamped += some_without_damping(s);
+        networks += s.stiffness_matrix.size() > 0;
+        coupled += s.mass_matrix.size() > 0;
+        CHECK(scene.mu >= 1);
+        CHECK(scene.mu <= 3);
+        CHECK(*scene.r >= 0.1);
+        CHECK(*scene.r <= 3);
+        CHECK_FALSE(scene.beta);
+        CHECK(named.fraction_of_limit > 0);
+        CHECK(named.fraction_of_limit < 1);
+    }
+    CHECK(names.size() == 534);
+    CHECK(placings.size() == 385); // 1 + 4 + 9 + ... + 100
+    CHECK(damping_matrices >= 50);
+    CHECK(undamped >= 50);
+    CHECK(networks >= 50);
+    CHECK(coupled >= 15);
+}
+
+TEST_CASE("random scenes are the same in every number type, and others for another seed", "[scenes]") {
+    const std::vector<RandomScene<double>> in_double = random_scenes<double>(7);
+    const std::vector<RandomScene<Real100>> in_100_digits = random_scenes<Real100>(7);
+    REQUIRE(in_double.size() == in_100_digits.size());
+    for (std::size_t n = 0; n < in_double.size(); ++n) {
+        const System<double>& a = in_double[n].scene.system;
+        const System<Real100>& b = in_100_digits[n].scene.system;
+        INFO(in_double[n].name);
+        CHECK(same(a.mass_ratios, b.mass_ratios));
+        CHECK(same(a.stiffness_ratios, b.stiffness_ratios));
+        CHECK(same(a.damping_ratios, b.damping_ratios));
+        CHECK(same(a.mass_matrix, b.mass_matrix));
+        CHECK(same(a.stiffness_matrix, b.stiffness_matrix));
+        CHECK(same(a.damping_matrix, b.damping_matrix));
+        CHECK(Real100(*in_double[n].scene.r) == *in_100_digits[n].scene.r);
+        CHECK(Real100(in_double[n].scene.mu) == in_100_digits[n].scene.mu);
+    }
+    CHECK(random_scenes<double>(8)[300].scene.system.mass_ratios != in_double[300].scene.system.mass_ratios);
+}
+
+TEST_CASE("the generator gives the numbers that it has always given", "[scenes]") {
+    const RandomScene<double> named = random_scenes<double>(1)[200];
+    INFO(named.name);
+    CHECK(named.scene.mu == 1.875);
+    CHECK(*named.scene.r == 1.640625);
+    CHECK(named.fraction_of_limit == 0.734375);
+}
+
+TEST_CASE("a friction ratio at a fraction of the boundary is short and never above it", "[scenes]") {
+    for (const double beta_lim : {1e-9, 0.1, 0.7, 1.0, 3.5}) {
+        const double beta = friction_ratio_at(0.75, beta_lim);
+        CHECK(beta <= 0.75 * beta_lim);
+        CHECK(beta > 0.75 * beta_lim * (1 - 0x1p-19));
+        int exponent = 0;
+        const double mantissa = std::ldexp(std::frexp(beta, &exponent), 20);
+        CHECK(mantissa == std::floor(mantissa));
+    }
 }

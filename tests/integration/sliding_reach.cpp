@@ -24,7 +24,7 @@ struct Turning {
     double reach;
 };
 
-std::optional<Turning> turning_of(const Prepared& p, ExactSolver& solver) {
+std::optional<Turning> turning_of(const PreparedMotion& p, ExactSolver& solver) {
     const PeriodicOrbit orbit = orbit_of(p);
     if (orbit.status != OrbitStatus::periodic || !orbit.stops.empty() || orbit.periods != 1) return std::nullopt;
     const ExactMotion& motion = solver.run(orbit.start, 0, pi<double>());
@@ -39,7 +39,7 @@ std::optional<Turning> turning_of(const Prepared& p, ExactSolver& solver) {
 }
 
 /// The state that is a distance away in modal displacements times frequencies and modal velocities.
-State moved(const Prepared& p, State z, const std::vector<double>& direction, double distance) {
+State moved(const PreparedMotion& p, State z, const std::vector<double>& direction, double distance) {
     const std::size_t N = z.x.size();
     double size = 0;
     for (const double each : direction) size = std::hypot(size, each);
@@ -73,7 +73,7 @@ TEST_CASE("a motion within the reach of the sliding one never stops, and one som
         } catch (const DomainError&) {
             return false; // at a pole of a mode without damping
         }
-        const Prepared p{each.name, contact_system(scene.system), {*scene.r, *scene.beta, scene.mu}};
+        const PreparedMotion p{each.name, contact_system(scene.system), {*scene.r, *scene.beta, scene.mu}};
         if (!(*scene.beta > 0) || !every_motion_is_damped(p.system.basis)) return false;
         ExactSolver solver(p.system, p.excitation);
         const std::optional<Turning> turning = turning_of(p, solver);
@@ -145,13 +145,13 @@ TEST_CASE("a motion within the reach of the sliding one never stops, and one som
 
 TEST_CASE("with mu above 1 a guess spares work and decides nothing", "[eq:3][eq:74][exact-solver][shooting][counter]") {
     // From rest the contact stays at rest; the guess is the sliding motion, which attracts as well.
-    const Prepared two_motions = prepared_oscillator(0.05, 1, 0.55, 2);
+    const PreparedMotion two_motions = prepared_oscillator(0.05, 1, 0.55, 2);
     OrbitSearch search;
     const State slides = orbit_from(two_motions, {{5}, {0}}).start;
     search.guess = &slides;
     CHECK(orbit_of(two_motions, search).status == OrbitStatus::permanently_stuck);
     // From rest the motion comes to one that needs two periods to repeat itself; the symmetric one is there and does not attract.
-    const Prepared asymmetric = prepared_oscillator(0.03125, 0.5, 0.1875, 2);
+    const PreparedMotion asymmetric = prepared_oscillator(0.03125, 0.5, 0.1875, 2);
     OrbitSearch any;
     any.follow_start = false;
     const State symmetric = orbit_of(asymmetric, any).start;
@@ -163,7 +163,7 @@ TEST_CASE("with mu above 1 a guess spares work and decides nothing", "[eq:3][eq:
     CHECK(guided.periods == from_rest.periods);
     CHECK(std::abs(guided.contact.amplitude - from_rest.contact.amplitude) <= guided.error_bound + from_rest.error_bound);
     // Where the motion from rest slides in the end, the closed form as a guess ends the search once the motion is near.
-    const Prepared sliding = prepared_chain({1, 1}, {1, 1}, {0.02, 0.05}, 2, 1, 0.5, 0.2, 1.2);
+    const PreparedMotion sliding = prepared_chain({1, 1}, {1, 1}, {0.02, 0.05}, 2, 1, 0.5, 0.2, 1.2);
     const PeriodicOrbit slowly = orbit_of(sliding);
     search.guess = &slowly.start;
     const PeriodicOrbit quickly = orbit_of(sliding, search);
@@ -175,7 +175,7 @@ TEST_CASE("with mu above 1 a guess spares work and decides nothing", "[eq:3][eq:
 
 TEST_CASE("a motion that comes to a subharmonic one slowly is seen to do so, where the contact rests for whole half-periods",
           "[eq:3][exact-solver][shooting]") {
-    const Prepared p = prepared_chain({1, 1}, {1, 1}, {0.02, 0.05}, 2, 1, 0.47085427135678387, 0.46937875751503005, 1.2);
+    const PreparedMotion p = prepared_chain({1, 1}, {1, 1}, {0.02, 0.05}, 2, 1, 0.47085427135678387, 0.46937875751503005, 1.2);
     const PeriodicOrbit orbit = orbit_of(p);
     INFO(in_words(orbit.reason));
     REQUIRE(orbit.status == OrbitStatus::periodic);

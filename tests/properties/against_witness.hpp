@@ -34,9 +34,6 @@ W number_of(const Certified& x) {
 inline double tolerance_of_witness(int digits) { return digits < 45 ? std::pow(10.0, -digits) : 5e-45; }
 
 /// @brief Amplitudes and phases of all masses, and of the contact, against the half-period in coordinates of the masses.
-/// @param random  the scene
-/// @param digits  asked for
-/// @param found   gets what it comes to
 template <class T>
 void compare_with_witness(const RandomScene<double>& random, int digits, Found& found) {
     using W = WitnessOf<T>;
@@ -73,11 +70,6 @@ void compare_with_witness(const RandomScene<double>& random, int digits, Found& 
 }
 
 /// @brief Some of the scenes against the second witness: the differences are below what the digits allow.
-/// @tparam T      the number type of the witness
-/// @param scenes  the scenes
-/// @param every   one in so many is taken
-/// @param digits  asked for
-/// @param least   as many must be comparable
 template <class T>
 void check_by_witness(const std::vector<RandomScene<double>>& scenes, std::size_t every, int digits, int least) {
     Found found;
@@ -87,11 +79,6 @@ void check_by_witness(const std::vector<RandomScene<double>>& scenes, std::size_
 }
 
 /// @brief Every scene against the second witness, with a line of what was found.
-/// @tparam T      the number type of the witness
-/// @param scenes  the scenes
-/// @param digits  asked for
-/// @param most    scenes of more masses are left out
-/// @return        how many were compared
 template <class T>
 int survey_by_witness(const std::vector<RandomScene<double>>& scenes, int digits, std::size_t most) {
     Found found;
@@ -104,10 +91,6 @@ int survey_by_witness(const std::vector<RandomScene<double>>& scenes, int digits
 }
 
 /// @brief The points of a map, and the motions there, against `solve`.
-/// @param scene  the system
-/// @param r      frequency ratios
-/// @param beta   friction ratios
-/// @return       number of stops at all points
 inline int check_map_by_solve(Scene<double> scene, const std::vector<double>& r, const std::vector<double>& beta) {
     const RegimeMap all = map(scene, r, beta);
     const std::size_t N = number_of_masses(scene.system);
@@ -135,10 +118,6 @@ inline int check_map_by_solve(Scene<double> scene, const std::vector<double>& r,
 }
 
 /// @brief Motions of scenes in stick-slip against the paper's Runge-Kutta over their own period, to 1e-6.
-/// @param scenes  the scenes
-/// @param every   one in so many is taken
-/// @param most    the comparison ends after so many
-/// @return        how many were compared
 inline int compare_stick_slip_with_paper(const std::vector<RandomScene<double>>& scenes, std::size_t every, int most) {
     int compared = 0;
     for (std::size_t n = 0; n < scenes.size() && compared < most; n += every) {

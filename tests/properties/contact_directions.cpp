@@ -1,14 +1,18 @@
-// A contact of any direction: what a change of coordinates by hand makes of it, a scene with its contact on one mass.
 #include <cmath>
 
 #include "denhartog/denhartog.hpp"
 #include "denhartog/model/contact_and_load.hpp"
+#include "tests/catch.hpp"
 #include "tests/properties/against_witness.hpp"
+#include "tests/support/named_scenes.hpp"
 #include "tests/support/phased_scenes.hpp"
 #include "tests/support/rotations.hpp"
 #include "tests/support/split_mix.hpp"
 
 using namespace denhartog;
+using namespace denhartog::tests;
+
+// A contact of any direction: what a change of coordinates by hand makes of it, a scene with its contact on one mass.
 
 namespace {
 
@@ -174,12 +178,12 @@ TEST_CASE("matrices with a contact held along any direction are off by two units
 }
 
 TEST_CASE("a direction twice as long moves the contact twice as far and needs half the friction ratio", "[direction][vectors]") {
-    const std::string chain =
-        R"({"mass_ratios": [1, 2, 1.5], "stiffness_ratios": [1, 0.75, 1.25], "damping_ratios": [0.05, 0.04, 0.06],
-            "load": [0.25, 1, 0.5], "r": 0.75, "contact": {"direction": )";
+    const auto answer = [](const std::string& direction, double beta) {
+        return solve(named_scene(R"(storeys {"load": [0.25, 1, 0.5], "contact": {"direction": )" + direction + R"(}, "beta": )" +
+                                 std::to_string(beta) + "}"));
+    };
     for (const double beta : {0.0625, 0.25, 4.0}) {
-        const Solution a = solve(scene(chain + "[1, -0.75, 0.5]}, \"beta\": " + std::to_string(beta) + "}"));
-        const Solution b = solve(scene(chain + "[2, -1.5, 1]}, \"beta\": " + std::to_string(beta / 2) + "}"));
+        const Solution a = answer("[1, -0.75, 0.5]", beta), b = answer("[2, -1.5, 1]", beta / 2);
         CHECK(a.regime.regime == b.regime.regime);
         for (std::size_t k = 0; k < 3; ++k)
             CHECK(b.amplitude(Mass{k}).value == Approx(a.amplitude(Mass{k}).value).epsilon(1e-12));
@@ -189,9 +193,7 @@ TEST_CASE("a direction twice as long moves the contact twice as far and needs ha
 }
 
 TEST_CASE("a direction of one mass, or of two with opposite signs, is read as these", "[direction]") {
-    const std::string chain =
-        R"({"mass_ratios": [1, 2, 1.5], "stiffness_ratios": [1, 0.75, 1.25], "damping_ratios": 0.05, "load": 1, "contact": )";
-    const auto contact = [&](const std::string& text) { return scene(chain + text + "}").system; };
+    const auto contact = [&](const std::string& text) { return named_scene(R"(storeys {"contact": )" + text + "}").system; };
     CHECK(contact(R"({"direction": [0, 1, 0]})").contact == Mass{1});
     CHECK(contact(R"({"direction": [0, 1.0, 0]})").contact_direction.empty());
     CHECK(contact(R"({"direction": [-1, 0, 1]})").contact == Mass{2});
@@ -208,8 +210,7 @@ TEST_CASE("a direction of one mass, or of two with opposite signs, is read as th
 }
 
 TEST_CASE("a direction along two masses answers as these do", "[direction][vectors]") {
-    Scene<double> named = scene(R"({"mass_ratios": [1, 2, 1.5], "stiffness_ratios": [1, 0.75, 1.25], "damping_ratios": 0.05,
-        "load": 1, "contact": [2, 1], "r": 0.75, "beta": 0.1})");
+    Scene<double> named = named_scene(R"(storeys {"damping_ratios": 0.05, "contact": [2, 1]})");
     Scene<double> general = named;
     general.system.contact_with.reset();
     general.system.contact_direction = {-1, 1, 0};
@@ -224,8 +225,9 @@ TEST_CASE("a direction along two masses answers as these do", "[direction][vecto
 
 TEST_CASE("a wall that moves is seen along any direction", "[direction][base]") {
     // Against the general load: in the wall's frame the masses carry -(K + i r C - r^2 M) 1, by their phases.
-    const Scene<double> wall = scene(R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 0.75], "damping_matrix":
-        [[0.1, -0.05], [-0.05, 0.05]], "contact": {"direction": [0.5, 1]}, "base_motion": "wall", "r": 0.75, "beta": 0.1})");
+    const Scene<double> wall =
+        named_scene(R"(pair on a base {"damping_ratios": null, "damping_matrix": [[0.1, -0.05], [-0.05, 0.05]],
+        "contact": {"direction": [0.5, 1]}, "base_motion": "wall", "r": 0.75, "beta": 0.1})");
     Scene<double> loaded = wall;
     loaded.system.base_motion = BaseMotion::none;
     const double r = *wall.r;
@@ -243,5 +245,35 @@ TEST_CASE("a wall that moves is seen along any direction", "[direction][base]") 
         CHECK(seen.regime.regime == expected.regime.regime);
         for (std::size_t k = 0; k < 2; ++k)
             CHECK(seen.amplitude(Mass{k}).value == Approx(expected.amplitude(Mass{k}).value).epsilon(1e-9));
+    }
+}
+
+// Contacts between two masses and loads on several: what must be the same, named or built otherwise.
+
+TEST_CASE("two masses that rub against each other may be named in either order", "[vectors]") {
+    const auto answer = [](const std::string& contact, const std::string& beta) {
+        return solve(named_scene(R"(storeys {"load": [0.25, 1, 0.5], "contact": )" + contact + R"(, "beta": )" + beta + "}"));
+    };
+    for (const std::string beta : {"0.0625", "0.25"}) {
+        const Solution a = answer("[1, 3]", beta), b = answer("[3, 1]", beta);
+        INFO("beta = " << beta);
+        CHECK(b.between.value().amplitude.value == Approx(a.between.value().amplitude.value).epsilon(1e-9));
+        CHECK(std::abs(std::cos(b.between->phase.value().value - a.between->phase.value().value) + 1) < 1e-9);
+        for (std::size_t k = 0; k < 3; ++k) CHECK(b.amplitude(Mass{k}).value == Approx(a.amplitude(Mass{k}).value).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("a mass that cannot move is a wall", "[vectors]") {
+    // The last mass of three is heavy: rubbing against it is rubbing against a wall, as a chain of two does.
+    const auto at = [](const std::string& name, const std::string& beta) {
+        return solve(named_scene(name + R"( {"beta": )" + beta + "}"));
+    };
+    for (const std::string beta : {"0.125", "0.5", "2"}) {
+        const Solution a = at("against a heavy mass", beta), b = at("against a wall", beta);
+        INFO("beta = " << beta);
+        CHECK(a.regime.regime == b.regime.regime);
+        CHECK(a.stops.size() == b.stops.size());
+        for (std::size_t k = 0; k < 2; ++k)
+            CHECK(a.masses[k].amplitude.value == Approx(b.masses[k].amplitude.value).margin(1e-4)); // it moves by a millionth
     }
 }

@@ -1,16 +1,16 @@
 // Damping that couples the modes, beside damping that leaves them by themselves.
 #include "denhartog/answer/modes_in_double.hpp"
 #include "tests/properties/against_witness.hpp"
+#include "tests/support/named_scenes.hpp"
 
 using namespace denhartog;
+using namespace denhartog::tests;
 
 namespace {
 
 // A chain with dashpots 20, 0, 60: the figure error_of_neglected_coupling says how far it is off where the coupling is left out.
 Scene<double> chain_with_dashpots(double beta, double tolerance = 0) {
-    Scene<double> s =
-        scene(R"({"masses": [10, 10, 10], "stiffnesses": [1000, 1000, 1000], "force": 100, "friction": 1, "frequency": 4,
-        "damping_matrix": [[20, 0, 0], [0, 60, -60], [0, -60, 60]], "contact": 2, "load": 1})");
+    Scene<double> s = named_scene("dashpots");
     s.beta = beta;
     s.system.damping_tolerance = tolerance;
     return s;
@@ -40,9 +40,12 @@ std::pair<Scene<double>, Scene<double>> proportional(std::size_t contact, std::s
 
 TEST_CASE("damping of proportions, one coefficient changed in its last place, is nearly that of its ratios",
           "[eq:18][coupled-damping]") {
-    const std::string text = R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 0.75], "contact": 2, "load": 1, "r": 0.75,
-        "beta": 0.125, "damping_matrix": [[0.275, -0.075], [-0.075, )";
-    const Solution classical = solve(scene(text + "0.275]]}")), coupled = solve(scene(text + "0.27500000001]]}"));
+    const auto with = [](const std::string& last) {
+        return solve(named_scene(R"(coupled {"mass_ratios": [1, 2], "stiffness_ratios": [1, 0.75], "r": 0.75, "beta": 0.125,
+            "damping_matrix": [[0.275, -0.075], [-0.075, )" +
+                                 last + "]]}"));
+    };
+    const Solution classical = with("0.275"), coupled = with("0.27500000001");
     CHECK(coupled.regime.regime == Regime::continuous);
     for (std::size_t k = 0; k < 2; ++k) {
         CHECK(coupled.masses[k].amplitude.value != classical.masses[k].amplitude.value);
@@ -116,10 +119,7 @@ TEST_CASE("a tolerance of the damping matrix takes the ratios of its diagonal", 
 
 TEST_CASE("dashpots that leave a motion undamped but for the rounding of their sums are answered to any digits",
           "[coupled-damping]") {
-    const Solution s =
-        solve(scene(R"({"mass_ratios": [1, 1.5, 2], "stiffness_ratios": [1, 0.75, 1.25], "contact": 1, "load": 3, "r": 0.7,
-        "beta": 0.01, "damping_matrix": [[0.1, -0.1, 0], [-0.1, 0.30000000000000004, -0.2], [0, -0.2, 0.2]]})"),
-              {.digits = 30});
+    const Solution s = solve(named_scene("undamped but for rounding"), {.digits = 30});
     CHECK(s.regime.regime == Regime::continuous);
     CHECK_FALSE(s.unique);
 }

@@ -5,6 +5,7 @@
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/properties/against_witness.hpp"
+#include "tests/support/named_scenes.hpp"
 #include "tests/support/phased_scenes.hpp"
 
 using namespace denhartog;
@@ -144,8 +145,7 @@ TEST_CASE("the dampers' energy of the half-period problem is that of the balance
 
 TEST_CASE("one mass without damping: 4 F X, and the textbooks' amplitude", "[energy]") {
     const double r = 1.75, beta = 0.25;
-    Scene<double> at = scene(R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": 0, "contact": 1, "load": 1,
-                                 "r": 1.75, "beta": 0.25})");
+    Scene<double> at = named_scene(R"(undamped {"r": 1.75, "beta": 0.25})");
     const double X = solve(at, {Asked::motion, 14}).masses.front().amplitude.value;
     const Energies e = energies(at, 14);
     CHECK(e.contact.value == Approx(4 * beta * X).epsilon(1e-13));
@@ -164,8 +164,7 @@ TEST_CASE("one mass without damping: 4 F X, and the textbooks' amplitude", "[ene
 }
 
 TEST_CASE("a contact that rests dissipates nothing, and takes up the force that holds it", "[energy]") {
-    const Scene<double> at = scene(R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 1], "damping_ratios": 0.05, "contact": 1,
-                                       "load": 2, "r": 0.5, "beta": 9})");
+    const Scene<double> at = named_scene(R"(loaded beyond {"r": 0.5, "beta": 9, "mu": 1})");
     const Energies e = energies(at);
     CHECK(e.contact.value == 0);
     CHECK_FALSE(e.equivalent);
@@ -174,8 +173,7 @@ TEST_CASE("a contact that rests dissipates nothing, and takes up the force that 
 }
 
 TEST_CASE("energies grow to any number of digits, and those of fewer lie within their bounds", "[energy]") {
-    const Scene<double> at = scene(R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 1], "damping_ratios": 0.05, "contact": 1,
-                                       "load": 2, "r": 0.75, "beta": 0.9, "mu": 1.25})");
+    const Scene<double> at = named_scene("loaded beyond");
     const Energies few = energies(at), many = energies(at, 40);
     CHECK(many.contact.decimal.size() >= 40);
     for (const auto& [a, b] : {std::pair{few.contact, many.contact}, {few.dampers, many.dampers}, {few.on_base, many.on_base}})
@@ -183,8 +181,7 @@ TEST_CASE("energies grow to any number of digits, and those of fewer lie within 
 }
 
 TEST_CASE("energies of an answer that is no whole motion are refused", "[energy][bad-input]") {
-    const SceneSource source = scene_source(scene(
-        R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 1], "damping_ratios": 0.05, "contact": 1, "load": 2, "r": 0.5, "beta": 0.1})"));
+    const SceneSource source = scene_source(named_scene(R"(loaded beyond {"r": 0.5, "beta": 0.1, "mu": 1})"));
     Question of_one;
     of_one.mass = Mass{1};
     for (const Question& question : {Question{Asked::amplitude, {}}, Question{Asked::regime, {}}, of_one})
@@ -192,8 +189,7 @@ TEST_CASE("energies of an answer that is no whole motion are refused", "[energy]
 }
 
 TEST_CASE("energies are not those of another motion than that of the answer", "[energy][twin]") {
-    const SceneSource sticks = scene_source(scene(
-        R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 1], "damping_ratios": 0.05, "contact": 1, "load": 2, "r": 0.75, "beta": 0.9, "mu": 1.25})"));
+    const SceneSource sticks = scene_source(named_scene("loaded beyond"));
     const Solution right = solve(sticks, {});
     REQUIRE(right.regime.regime == Regime::stick_slip);
     CHECK(energies(sticks, right).contact.proved);

@@ -5,6 +5,7 @@
 #include "denhartog/answer/reference.hpp"
 #include "tests/properties/against_witness.hpp"
 #include "tests/support/event_integrator.hpp"
+#include "tests/support/named_scenes.hpp"
 #include "tests/support/phased_scenes.hpp"
 
 using namespace denhartog;
@@ -108,8 +109,11 @@ int compare_stuck(const std::vector<RandomScene<double>>& scenes, std::size_t ev
     return compared;
 }
 
-const std::string phased_chain = R"({"mass_ratios": [1, 2, 1.5], "stiffness_ratios": [1, 0.75, 1.25], "contact": 2, "r": 0.75,
-    "damping_ratios": )";
+// Storeys under forces with or without phases, at a friction ratio.
+Scene<double> phased(const std::string& damping, const std::string& phases, const std::string& beta) {
+    return named_scene(R"(storeys {"load": [1, 0.5, 0.25], "damping_ratios": )" + damping + R"(, "load_phases": )" + phases +
+                       R"(, "beta": )" + beta + "}");
+}
 
 } // namespace
 
@@ -131,10 +135,7 @@ TEST_CASE("forces that all lead by one angle are forces in phase, that much earl
     for (const char* damping : {"[0.05, 0.04, 0.06]", "[0, 0, 0]"})
         for (const char* beta : {"0.0625", "0.25", "4"}) {
             INFO(damping << " " << beta);
-            const std::string rest = std::string(R"(, "beta": )") + beta + "}";
-            const Solution a = solve(scene(phased_chain + damping + R"(, "load": [1, 0.5, 0.25])" + rest)),
-                           b = solve(scene(phased_chain + damping +
-                                           R"(, "load": [1, 0.5, 0.25], "load_phases": [0.75, 0.75, 0.75])" + rest));
+            const Solution a = solve(phased(damping, "null", beta)), b = solve(phased(damping, "[0.75, 0.75, 0.75]", beta));
             CHECK(a.regime.regime == b.regime.regime);
             CHECK(a.stops.size() == b.stops.size());
             for (std::size_t k = 0; k < 3; ++k) {
@@ -147,8 +148,7 @@ TEST_CASE("forces that all lead by one angle are forces in phase, that much earl
 }
 
 TEST_CASE("invariant points, (86) and (88) as printed are refused or left out where forces are out of phase", "[eq:87][phases]") {
-    const Scene<double> at =
-        scene(phased_chain + R"([0, 0, 0], "load": [1, 0.5, 0.25], "load_phases": [0, 1.25, -2], "beta": 4})");
+    const Scene<double> at = phased("[0, 0, 0]", "[0, 1.25, -2]", "4");
     CHECK_THROWS_WITH(invariant_points(scene_source(at), {"0.25", "2"}, std::nullopt),
                       Catch::Matchers::Contains("load_phases must not be given for invariant points"));
     CHECK(!solve(at).sticking_by_88);

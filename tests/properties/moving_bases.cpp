@@ -4,6 +4,7 @@
 #include "denhartog/answer/reference.hpp"
 #include "denhartog/scene/scene_json.hpp"
 #include "tests/properties/against_witness.hpp"
+#include "tests/support/named_scenes.hpp"
 #include "tests/support/phased_scenes.hpp"
 
 using namespace denhartog;
@@ -125,13 +126,11 @@ TEST_CASE("absolute displacements, transmissibilities and phases agree with the 
 TEST_CASE("a base, a wall and both that move are what an integration in absolute displacements gives", "[base]") {
     const std::array<double, 2> m{2, 3}, k{800, 500}, c{6, 9};
     constexpr double omega = 17, X = 0.01;
-    const std::string system =
-        R"({"masses": [2, 3], "stiffnesses": [800, 500], "damping_matrix": [[15, -9], [-9, 9]], "contact": 2,
-        "frequency": 17, "base_displacement": 0.01, "base_motion": )";
     for (const auto& [name, base, wall] : {std::tuple{"with_wall", X, X}, {"alone", X, 0.0}, {"wall", 0.0, X}})
         for (const double friction : {0.4, 1.5}) {
             INFO(name << " friction " << friction);
-            const Scene<double> at = scene(system + "\"" + name + R"(", "friction": )" + std::to_string(friction) + "}");
+            const Scene<double> at = named_scene(R"(shaken dashpots {"base_motion": ")" + std::string(name) +
+                                                 R"(", "friction": )" + std::to_string(friction) + "}");
             const Solution s = solve(at);
             REQUIRE(s.from_ground.size() == 2);
             const double length = at.units.value().force.value() / 800;
@@ -147,11 +146,8 @@ TEST_CASE("absolute displacements in double lie within their bounds of those tha
     for (const char* base : {"with_wall", "alone", "wall"})
         for (const char* beta : {"0.05", "0.5", "6"}) {
             INFO(base << " " << beta);
-            const Scene<double> at = scene(
-                std::string(
-                    R"({"mass_ratios": [1, 2, 1.5], "stiffness_ratios": [1, 0.75, 1.25], "damping_ratios": [0.05, 0.04, 0.06],
-                    "contact": 2, "r": 0.75, "base_motion": ")") +
-                base + R"(", "beta": )" + beta + "}");
+            const Scene<double> at =
+                named_scene(R"(storeys {"load": null, "base_motion": ")" + std::string(base) + R"(", "beta": )" + beta + "}");
             const Solution fast = solve(at), proved = solve(at, {Asked::motion, 17});
             CHECK(fast.regime.regime == proved.regime.regime);
             REQUIRE(fast.from_ground.size() == 3);
@@ -170,12 +166,8 @@ TEST_CASE("absolute displacements in double lie within their bounds of those tha
 
 TEST_CASE("a map of absolute amplitudes has those of solve", "[base]") {
     Scene<double> at =
-        scene(R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 0.75], "damping_ratios": [0.05, 0.04], "contact": 2,
-        "r": 0.75, "beta": 0.1, "base_motion": "wall"})");
-    MapRequest request;
-    request.r = {0.5, 1.5};
-    request.beta = {0.05, 0.4, 8};
-    request.masses = {Mass{1}, Mass{0}};
+        named_scene(R"(pair on a base {"damping_ratios": [0.05, 0.04], "r": 0.75, "beta": 0.1, "base_motion": "wall"})");
+    MapRequest request{{0.5, 1.5}, {0.05, 0.4, 8}, {Mass{1}, Mass{0}}, MapStart::rest, 1};
     request.from_ground = true;
     const std::atomic<bool> stop{false};
     const RegimeMap all = regime_map(at, request, stop);
@@ -196,21 +188,18 @@ TEST_CASE("a map of absolute amplitudes has those of solve", "[base]") {
 
 TEST_CASE("a wall that nothing rubs against, and one that loads nothing, are refused", "[base][bad-input]") {
     CHECK_THROWS_WITH(
-        scene(R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 1], "damping_ratios": 0, "contact": [1, 2], "r": 0.5,
-                                "beta": 0.1, "base_motion": "wall"})"),
+        named_scene(R"(pair on a base {"contact": [1, 2], "r": 0.5, "beta": 0.1, "base_motion": "wall"})"),
         Catch::Matchers::Contains("base_motion must be \"with_wall\" or \"alone\" where the contact is between two masses"));
-    CHECK_THROWS_WITH(solve(scene(R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": 0, "contact": 1, "r": 1,
-                                      "beta": 0.1, "base_motion": "wall"})")),
+    CHECK_THROWS_WITH(solve(named_scene(R"(undamped {"load": null, "r": 1, "beta": 0.1, "base_motion": "wall"})")),
                       Catch::Matchers::Contains("loads no mass"));
 }
 
 TEST_CASE("invariant points of a base alone are those of its springs, damped or not, and a wall alone is refused by name",
           "[base][eq:87]") {
     const auto points = [](const std::string& load, const std::string& zeta) {
-        const std::string text =
-            R"({"mass_ratios": [1, 2, 1.5], "stiffness_ratios": [1, 0.75, 1.25], "contact": 2, "damping_ratios": )" + zeta +
-            ", " + load + "}";
-        return invariant_points(scene_source(SceneText{text}), {"0.2", "2"}, std::nullopt);
+        const SceneSource source =
+            named_source(R"(storeys {"load": null, "r": null, "damping_ratios": )" + zeta + ", " + load + "}");
+        return invariant_points(source, {"0.2", "2"}, std::nullopt);
     };
     const auto of_load = points(R"("load": 1)", "0"); // the base holds mass 1 alone, by the spring k_1
     std::size_t count = 0;

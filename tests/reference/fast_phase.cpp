@@ -4,6 +4,7 @@
 #include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/reference/proofs.hpp"
+#include "tests/support/named_scenes.hpp"
 
 using namespace denhartog;
 using namespace denhartog::reference;
@@ -11,21 +12,16 @@ using namespace denhartog::tests;
 
 namespace {
 
-constexpr const char* scenes[] = {
-    R"({"mass_ratios": [1, 2.5, 0.5], "stiffness_ratios": [1, 0.625, 2], "damping_ratios": [0.01, 0.2, 0.05], "contact": 2,
-        "load": 1, "r": 0.05, "beta": 0.3, "mu": 1.25})",
-    R"({"mass_ratios": [1, 2.5, 0.5], "stiffness_ratios": [1, 0.625, 2], "damping_ratios": [0.01, 0.2, 0.05], "contact": [3, 1],
-        "load": [0.5, -1, 0.25], "r": 0.7, "beta": 0.3})",
-    R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 2], "damping_matrix": [[0.2, -0.1], [-0.1, 0.3]], "contact": 1, "load": 2,
-        "r": 0.2, "beta": 0.1})",
-    R"({"mass_ratios": 1, "stiffness_ratios": 1, "damping_ratios": 1.5, "contact": 1, "load": 1, "r": 0.01, "beta": 0.1})"};
+const std::string scenes[] = {
+    "slow", R"(slow {"contact": [3, 1], "load": [0.5, -1, 0.25], "r": 0.7, "mu": null})",
+    R"(coupled {"mass_ratios": [1, 2], "stiffness_ratios": [1, 2], "damping_matrix": [[0.2, -0.1], [-0.1, 0.3]], "contact": 1,
+        "load": 2, "r": 0.2, "beta": 0.1})",
+    R"(one critical {"damping_ratios": 1.5, "beta": 0.1})"};
+const std::string out_of_phase =
+    R"(pair {"stiffness_ratios": [1, 2], "damping_ratios": 0.05, "load": [1, 0.5], "load_phases": [0, 1.25], "r": 0.6, "beta": 0.2})";
 
-constexpr const char* out_of_phase =
-    R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 2], "damping_ratios": 0.05, "contact": 1, "load": [1, 0.5],
-        "load_phases": [0, 1.25], "r": 0.6, "beta": 0.2})";
-
-ContactMechanics mechanics_of(const char* text) {
-    SceneInBalls s = matrices_of_text(text);
+ContactMechanics mechanics_of(const std::string& scene) {
+    SceneInBalls s = matrices_of_text(text_of_scene(scene));
     if (!s.zeta.empty()) s.C = damping_matrix_in_balls(s, modes_in_balls(s));
     return ContactMechanics(s);
 }
@@ -51,7 +47,7 @@ BallMatrix by_exponential(const ContactMechanics& s, int direction, const Ball& 
 
 TEST_CASE("a phase by its free motions ends as by the exponential of its matrix", "[reference][fast_phase]") {
     const Bits enough(256);
-    for (const char* text : scenes)
+    for (const std::string& text : scenes)
         for (const int direction : {1, -1, 0}) {
             const ContactMechanics s = mechanics_of(text);
             const FastPhases fast(s, direction);
@@ -75,7 +71,7 @@ TEST_CASE("a phase by its free motions ends as by the exponential of its matrix"
 
 TEST_CASE("a number over a phase has the rates of its matrix, at every instant of a stretch", "[reference][fast_phase]") {
     const Bits enough(256);
-    for (const char* text : scenes)
+    for (const std::string& text : scenes)
         for (const int direction : {1, 0}) {
             INFO(text << ", direction " << direction);
             const ContactMechanics s = mechanics_of(text);
@@ -104,7 +100,7 @@ TEST_CASE("a phase of sliding by its modes is the phase by the exponential of it
           "[reference][fast_phase][eq:20][eq:21]") {
     const Bits enough(256);
     int compared = 0;
-    for (const char* text : {scenes[0], scenes[1], out_of_phase})
+    for (const std::string& text : {scenes[0], scenes[1], out_of_phase})
         for (const int direction : {1, -1}) {
             const ContactMechanics s = mechanics_of(text);
             REQUIRE(s.sliding);
@@ -133,37 +129,28 @@ TEST_CASE(
     const Bits enough(128);
     CHECK(!mechanics_of(scenes[2]).sliding);
     CHECK(!mechanics_of(scenes[3]).sliding);
-    CHECK(!mechanics_of(R"({"mass_ratios": 1, "stiffness_ratios": 1, "damping_ratios": 0, "contact": 1, "load": 1, "r": 1,
-                            "beta": 0.1})")
-               .sliding);
-    CHECK(!mechanics_of(R"({"mass_matrix": [[1, 0], [0, 1]], "stiffness_matrix": [[1, 0], [0, 1]], "damping_ratios": 0.1,
-                            "contact": 1, "load": [1, 1], "r": 0.5, "beta": 0.1})")
-               .sliding);
+    CHECK(!mechanics_of(R"(undamped {"r": 1, "beta": 0.1})").sliding);
+    CHECK(!mechanics_of(R"(unloaded contact {"damping_ratios": 0.1, "load": [1, 1], "r": 0.5, "beta": 0.1})").sliding);
 }
 
 TEST_CASE("free motions that coincide, and a resonance without damping, are not followed", "[reference][fast_phase]") {
     const Bits enough(128);
-    const auto with = [](const std::string& changed) {
-        return R"({"mass_ratios": 1, "stiffness_ratios": 1, "contact": 1, "load": 1, "beta": 0.1, )" + changed + "}";
-    };
-    CHECK_THROWS_WITH(FastPhases(mechanics_of(with(R"("damping_ratios": 1, "r": 0.01)").c_str()), 1),
-                      Catch::Contains("free motions are not told apart"));
-    CHECK_THROWS_WITH(FastPhases(mechanics_of(with(R"("damping_ratios": 0, "r": 1)").c_str()), 1),
+    CHECK_THROWS_WITH(FastPhases(mechanics_of("one critical"), 1), Catch::Contains("free motions are not told apart"));
+    CHECK_THROWS_WITH(FastPhases(mechanics_of(R"(undamped {"r": 1, "beta": 0.1})"), 1),
                       Catch::Contains("resonance without damping"));
-    CHECK_NOTHROW(FastPhases(mechanics_of(with(R"("damping_ratios": 0.5, "r": 0.01)").c_str()), 1));
+    CHECK_NOTHROW(FastPhases(mechanics_of(R"(one critical {"damping_ratios": 0.5})"), 1));
 }
 
 TEST_CASE("long phases whose free motions coincide are followed by series", "[reference][fast_phase][orbit]") {
-    const char* scene = R"({"mass_ratios": 1, "stiffness_ratios": 1, "contact": 1, "load": 1, "damping_ratios": 1, "r": 0.01,
-                            "beta": 0.125})";
+    const std::string scene = "one critical";
     const Bits enough(128);
     const ContactMechanics s = mechanics_of(scene);
     CHECK(s.by_free_motions(1) == nullptr);
     CHECK(s.by_free_motions(0) != nullptr); // nothing moves while the contact sticks
     Question question{Asked::motion, 12};
     question.proved = true;
-    const Solution proved = solve(scene_source(SceneText{scene}), question);
-    const Solution in_double = solve(scene_source(SceneText{scene}), {Asked::motion, 6});
+    const Solution proved = solve(named_source(scene), question);
+    const Solution in_double = solve(named_source(scene), {Asked::motion, 6});
     REQUIRE(proved.stops.size() == 2);
     CHECK(in_double.method.precision == "double");
     for (std::size_t n = 0; n < 2; ++n) {
@@ -171,16 +158,13 @@ TEST_CASE("long phases whose free motions coincide are followed by series", "[re
         CHECK(std::abs(in_double.stops[n].x.value - proved.stops[n].x.value) <= in_double.stops[n].x.error);
     }
     // so fast that series are too many
-    CHECK_THROWS_WITH(solve(scene_source(SceneText{R"({"mass_ratios": 1, "stiffness_ratios": 1, "contact": 1, "load": 1,
-                                "damping_ratios": 1, "r": 1e-5, "beta": 1e-6})"}),
-                            question),
+    CHECK_THROWS_WITH(solve(named_source(R"(one critical {"r": 1e-5, "beta": 1e-6})"), question),
                       Catch::Contains("too fast to be followed otherwise"));
 }
 
 TEST_CASE("motions with stops whose modes are a thousand times as fast as the force are proved",
           "[reference][fast_phase][orbit]") {
-    const SceneSource source = scene_source(SceneText{R"({"mass_ratios": [1, 0.8631], "stiffness_ratios": [1, 0.7844],
-        "damping_ratios": [0.00443, 0.00294], "contact": 1, "load": [-0.633, -0.818], "r": 0.0015124, "beta": 0.00414})"});
+    const SceneSource source = named_source("thousandfold");
     Question question{Asked::motion, 12};
     question.proved = true;
     const Solution few = solve(source, question);

@@ -15,6 +15,7 @@
 #include "denhartog/reference/modes.hpp"
 #include "denhartog/search/zeros.hpp"
 #include "tests/reference/surveyed_scenes.hpp"
+#include "tests/support/named_scenes.hpp"
 #include "tests/support/sample_scenes.hpp"
 
 using namespace denhartog;
@@ -25,15 +26,7 @@ namespace {
 using Points = std::vector<InvariantPointsOfMass<Certified>>;
 
 // A contact between two masses, loads on several, masses that only friction couples, and modes of one frequency but for a part.
-constexpr const char* further_systems[] = {
-    R"({"mass_matrix": [[1.923, 0, 0], [0, 0.658, 0], [0, 0, 2.402]], "stiffness_matrix": [[2.202, -0.499, 0],
-        [-0.499, 1.176, 0], [0, 0, 1.208]], "damping_ratios": 0.01, "contact": [3, 2], "load": [0.182, -0.796, -0.365], "r": 1})",
-    R"({"mass_ratios": [1, 2, 0.5], "stiffness_ratios": [1, 0.75, 1.5], "damping_ratios": 0, "contact": [1, 3],
-        "load": [0.5, -1, 0.25], "r": 1})",
-    R"({"mass_matrix": [[1, 0.125], [0.125, 2]], "stiffness_matrix": [[2, -0.5], [-0.5, 1.25]], "damping_ratios": 0.1,
-        "contact": 1, "load": [1, 2], "r": 1})",
-    R"({"mass_ratios": [1, 1.5], "stiffness_matrix": [[1, 0], [0, 0.5]], "damping_ratios": 0.1, "contact": [1, 2], "load": 1,
-        "r": 1})"};
+const std::string further_systems[] = {"parted", "loaded apart", "joined by mass", "joined by friction"};
 
 Points proved_points(const SceneSource& source, const char* from, const char* to, int digits) {
     return invariant_points(source, {from, to}, digits);
@@ -159,8 +152,6 @@ std::size_t undecided_in(const Points& points) {
     return count;
 }
 
-SceneSource source_of_text(const std::string& text) { return scene_source(SceneText{text}); }
-
 // sin(pi x) as a search sees it, from its values and slopes at the ends of stretches.
 FunctionWithZeros sine_of_turns() {
     const auto f = [](const Ball& x) { return sin(pi<Ball>() * x); };
@@ -234,7 +225,7 @@ TEST_CASE("between two frequency ratios the paper's functions change their sign 
     const std::vector<RandomScene<double>> some = random_scenes<double>(87);
     for (std::size_t n = 0; n < some.size(); n += 3)
         if (number_of_masses(some[n].scene.system) < 5) add(some[n].name, scene_source(some[n].scene));
-    for (const char* text : further_systems) add(text, source_of_text(text));
+    for (const std::string& text : further_systems) add(text, named_source(text));
     for (const std::string& what : all.amiss) UNSCOPED_INFO(what);
     CHECK(all.amiss.empty());
     CHECK(all.changes > 1000);
@@ -249,7 +240,7 @@ TEST_CASE("at a proved point the paper's own formulas vanish, and a twin with a 
         to = {to.vanish + c.vanish, to.all + c.all, to.by_87 + c.by_87};
     };
     std::vector<SceneSource> sources;
-    for (const char* text : further_systems) sources.push_back(source_of_text(text));
+    for (const std::string& text : further_systems) sources.push_back(named_source(text));
     for (const NamedScene<double>& each : paper_scenes<double>())
         if (number_of_masses(each.scene.system) == 5) sources.push_back(scene_source(each.scene));
     for (const SceneSource& source : sources) {
@@ -265,9 +256,9 @@ TEST_CASE("at a proved point the paper's own formulas vanish, and a twin with a 
 
 TEST_CASE("60 and 200 digits of invariant points agree to 60", "[invariant][eq:87]") {
     int points = 0;
-    for (const char* text : further_systems) {
-        const Points a = proved_points(source_of_text(text), "0.4", "2.5", 60);
-        const Points b = proved_points(source_of_text(text), "0.4", "2.5", 200);
+    for (const std::string& text : further_systems) {
+        const Points a = proved_points(named_source(text), "0.4", "2.5", 60);
+        const Points b = proved_points(named_source(text), "0.4", "2.5", 200);
         const Bits enough(800);
         REQUIRE(a.size() == b.size());
         for (std::size_t k = 0; k < a.size(); ++k) {
@@ -287,8 +278,7 @@ TEST_CASE("60 and 200 digits of invariant points agree to 60", "[invariant][eq:8
 
 TEST_CASE("the points of one mass are r = 1/2, 1/4, 1/6 and so on, the ends of the range included, to all digits",
           "[invariant][eq:87]") {
-    const SceneSource source =
-        source_of_text(R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": 0, "contact": 1, "load": 1, "r": 1})");
+    const SceneSource source = named_source(R"(undamped {"r": 1})");
     const Points found = proved_points(source, "0.125", "0.5", 95);
     const Bits enough(400);
     REQUIRE(found.size() == 1);
@@ -305,19 +295,19 @@ TEST_CASE("the points of one mass are r = 1/2, 1/4, 1/6 and so on, the ends of t
 
 TEST_CASE("masses that friction does not reach have no proved points, and a contact that the load does not reach leaves none",
           "[invariant][eq:87]") {
-    const std::string system = R"({"mass_ratios": [1, 1], "stiffness_matrix": [[2, 0], [0, 1]], "damping_ratios": 0, "r": 1, )";
-    const Points apart_from_it = proved_points(source_of_text(system + R"("contact": 2, "load": 2})"), "0.2", "2.5", 30);
+    const std::string system = R"(unloaded contact {"stiffness_matrix": [[2, 0], [0, 1]], "r": 1, "contact": 2, "load": )";
+    const Points apart_from_it = proved_points(named_source(system + "2}"), "0.2", "2.5", 30);
     CHECK(apart_from_it[0].points.empty());
     CHECK(apart_from_it[1].points.size() == 2); // r = 1/2, 1/4
     CHECK(undecided_in(apart_from_it) == 0);
-    const Points unloaded = proved_points(source_of_text(system + R"("contact": 2, "load": 1})"), "0.2", "2.5", 30);
+    const Points unloaded = proved_points(named_source(system + "1}"), "0.2", "2.5", 30);
     CHECK((unloaded[0].points.empty() && unloaded[1].points.empty() && undecided_in(unloaded) == 0));
 }
 
 TEST_CASE("where a mass beside the contact absorbs the load, V_j and V_k vanish and (87) has no root", "[invariant][eq:87]") {
     // Mass 1 is at resonance between its springs, r = sqrt(2), so the loaded mass 2 and all behind it are at rest.
-    const SceneSource source = source_of_text(R"({"mass_ratios": [1, 1, 1], "stiffness_ratios": [1, 1, 1], "damping_ratios": 0,
-        "contact": 3, "load": 2, "r": 1})");
+    const SceneSource source =
+        named_source(R"(undamped {"mass_ratios": [1, 1, 1], "stiffness_ratios": [1, 1, 1], "contact": 3, "load": 2, "r": 1})");
     const Points found = proved_points(source, "0.4", "2.5", 30);
     CHECK(undecided_in(found) == 0);
     CHECK(found[1].points.size() > 4);
@@ -327,8 +317,8 @@ TEST_CASE("where a mass beside the contact absorbs the load, V_j and V_k vanish 
 
 TEST_CASE("a pole of a mode whose node may be the contact is an undecided stretch", "[invariant][eq:87]") {
     // In a chain of four equal masses mass 3 does not move in the mode of r = 1.
-    const SceneSource source = source_of_text(R"({"mass_ratios": [1, 1, 1, 1], "stiffness_ratios": [1, 1, 1, 1],
-        "damping_ratios": 0, "contact": 3, "load": 2, "r": 1.5})");
+    const SceneSource source = named_source(
+        R"(undamped {"mass_ratios": [1, 1, 1, 1], "stiffness_ratios": [1, 1, 1, 1], "contact": 3, "load": 2, "r": 1.5})");
     const Points found = proved_points(source, "0.5", "2.5", 30);
     CHECK(undecided_in(found) > 0);
     CHECK(undecided_in(found) < 10);
@@ -342,7 +332,7 @@ TEST_CASE("a pole of a mode whose node may be the contact is an undecided stretc
 TEST_CASE(
     "invariant points are proved, to more digits than double has too, and refused where the work is spent or a rule is broken",
     "[invariant][eq:87]") {
-    const SceneSource source = source_of_text(further_systems[1]);
+    const SceneSource source = named_source(further_systems[1]);
     for (const int digits : {6, 15, 95, 1000}) {
         const Points found = invariant_points(source, {"0.5", "2"}, digits);
         for (const InvariantPointsOfMass<Certified>& mass : found)

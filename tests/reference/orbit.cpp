@@ -83,35 +83,27 @@ void check_orbit(const Scene<double>& scene) {
     CHECK(benchmark::agreement(motion, benchmark::physical_motion(scene, motion)) >= 30);
 }
 
-System<double> two_masses() { return chain_of({1, 1}, {1, 1}, {0.02, 0.01}, 2, 1); }
-
 TEST_CASE("a proved motion of one mass with two stops has the numbers of the exact solver", "[reference][orbit]") {
-    check_orbit(at_point(chain_of({1}, {1}, 0.01), 0.75, 0.75));
-    check_orbit(at_point(chain_of({1}, {1}, 0.01), 0.125, 0.25));
+    check_orbit(scene_of(chain_of({1}, {1}, 0.01), 0.75, 0.75));
+    check_orbit(scene_of(chain_of({1}, {1}, 0.01), 0.125, 0.25));
 }
 
 TEST_CASE("a proved motion with more static than kinetic friction has the numbers of the exact solver", "[reference][orbit]") {
-    check_orbit(at_point(chain_of({1}, {1}, 0.03125), 0.25, 0.25, 1.5));
-    check_orbit(at_point(two_masses(), 0.375, 0.3125, 1.25));
+    check_orbit(scene_of(chain_of({1}, {1}, 0.03125), 0.25, 0.25, 1.5));
+    check_orbit(scene_of(two_masses(), 0.375, 0.3125, 1.25));
 }
 
 TEST_CASE("a proved motion of several masses has the numbers of the exact solver", "[reference][orbit]") {
-    check_orbit(at_point(two_masses(), 0.3125, 0.25));
-    check_orbit(at_point(chain_of({1, 2, 0.5, 1.5}, {1, 0.75, 2, 1}, 0.03125, 3, 1), 0.4375, 0.3125));
+    check_orbit(scene_of(two_masses(), 0.3125, 0.25));
+    check_orbit(scene_of(chain_of({1, 2, 0.5, 1.5}, {1, 0.75, 2, 1}, 0.03125, 3, 1), 0.4375, 0.3125));
 }
 
 TEST_CASE("a proved motion with coupled damping has the numbers of the exact solver", "[reference][orbit]") {
-    System<double> s = chain_of({1, 1, 1}, {1, 1, 1}, 0, 2, 3);
-    s.damping_ratios.clear();
-    s.damping_matrix = matrix_of_chain<double>({0.125, 0.0625, 0.03125});
-    check_orbit(at_point(s, 0.375, 0.25));
+    check_orbit(scene_of(coupled_masses(), 0.375, 0.25));
 }
 
 TEST_CASE("a proved motion with a contact between two masses has the numbers of the exact solver", "[reference][orbit]") {
-    System<double> s = chain_of({1, 2, 1}, {1, 1, 0.5}, 0.03125, 1, 1);
-    s.contact_with = Mass{2};
-    s.load_vector = {1, 0, -0.5};
-    check_in_double(at_point(s, 0.4375, 0.25));
+    check_in_double(scene_of(rubbing_masses(), 0.4375, 0.25));
 }
 
 TEST_CASE("a proved motion without stops is the closed form to 45 digits",
@@ -145,22 +137,22 @@ TEST_CASE("a proved motion without stops is the closed form to 45 digits",
 }
 
 TEST_CASE("a motion without damping is proved", "[reference][orbit]") {
-    const Scene<double> scene = at_point(chain_of({1}, {1}, 0.0), 0.25, 0.5);
+    const Scene<double> scene = scene_of(chain_of({1}, {1}, 0.0), 0.25, 0.5);
     const OrbitInBalls proved = proved_orbit(in_bits(scene), guess_for(scene), bits);
     CHECK(proved.stops.size() == 2);
     CHECK(proved.stable);
 }
 
 TEST_CASE("a motion that does not mirror itself has the numbers of the exact solver", "[reference][orbit]") {
-    check_orbit(at_point(chain_of({1}, {1}, 0.03125), 0.125, 0.1875, 1.5));
+    check_orbit(scene_of(chain_of({1}, {1}, 0.03125), 0.125, 0.1875, 1.5));
 }
 
 TEST_CASE("a motion to which no start leads is proved, and that it is unstable", "[reference][orbit]") {
     // Where the contact mirrors itself with more friction, the motion that does so is still there with less, beside another.
     const System<double> one = chain_of({1}, {1}, 0.0);
-    const OrbitGuess guess = guess_for(at_point(one, 0.4375, 0.3125, 1.5));
+    const OrbitGuess guess = guess_for(scene_of(one, 0.4375, 0.3125, 1.5));
     REQUIRE(guess.mirrored);
-    const OrbitInBalls proved = proved_orbit(in_bits(at_point(one, 0.4375, 0.25, 1.5)), guess, bits);
+    const OrbitInBalls proved = proved_orbit(in_bits(scene_of(one, 0.4375, 0.25, 1.5)), guess, bits);
     CHECK(proved.unstable);
     CHECK(!proved.stable);
     CHECK(proved.multipliers.front() > Ball(1));
@@ -168,9 +160,9 @@ TEST_CASE("a motion to which no start leads is proved, and that it is unstable",
 
 TEST_CASE("a motion that only just stops is proved, whatever double precision sees of the stop", "[reference][orbit]") {
     const System<double> one = chain_of({1}, {1}, 0.125);
-    const double limit = boundary(at_point(one, 0.75, 0)).exact.value;
+    const double limit = boundary(scene_of(one, 0.75, 0)).exact.value;
     for (const double above : {1e-6, 1e-10, 1e-13, 0x1p-53}) {
-        const Scene<double> scene = at_point(one, 0.75, limit * (1 + 2 * above));
+        const Scene<double> scene = scene_of(one, 0.75, limit * (1 + 2 * above));
         const OrbitGuess guess = guess_for(scene);
         REQUIRE(!guess.directions.empty());
         std::vector<OrbitGuess> all{guess};
@@ -186,7 +178,7 @@ TEST_CASE("a motion that only just stops is proved, whatever double precision se
 }
 
 TEST_CASE("a wrong guess is refused", "[reference][orbit]") {
-    const Scene<double> scene = at_point(two_masses(), 0.3125, 0.25);
+    const Scene<double> scene = scene_of(two_masses(), 0.3125, 0.25);
     const OrbitGuess guess = guess_for(scene);
     REQUIRE(guess.directions.size() > 1);
     REQUIRE_NOTHROW(proved_orbit(in_bits(scene), guess, 128));
@@ -221,7 +213,7 @@ TEST_CASE("a wrong guess is refused", "[reference][orbit]") {
         }
     }
     SECTION("where it is said to mirror itself and does not") {
-        const Scene<double> lopsided = at_point(chain_of({1}, {1}, 0.03125), 0.125, 0.1875, 1.5);
+        const Scene<double> lopsided = scene_of(chain_of({1}, {1}, 0.03125), 0.125, 0.1875, 1.5);
         OrbitGuess wrong = guess_for(lopsided);
         REQUIRE(!wrong.mirrored);
         REQUIRE_NOTHROW(proved_orbit(in_bits(lopsided), wrong, 128));
@@ -250,14 +242,14 @@ TEST_CASE("a wrong guess is refused", "[reference][orbit]") {
         }
     }
     SECTION("where friction is another") {
-        const Scene<double> stuck = at_point(two_masses(), 0.3125, 4), sliding = at_point(two_masses(), 0.3125, 0.015625);
+        const Scene<double> stuck = scene_of(two_masses(), 0.3125, 4), sliding = scene_of(two_masses(), 0.3125, 0.015625);
         CHECK_THROWS_AS(proved_orbit(in_bits(stuck), guess, 128), Unproved);
         CHECK_THROWS_AS(proved_orbit(in_bits(sliding), guess, 128), Unproved);
     }
 }
 
 TEST_CASE("an order of phases that no contact has is disproved", "[reference][orbit]") {
-    const Scene<double> scene = at_point(two_masses(), 0.3125, 0.25);
+    const Scene<double> scene = scene_of(two_masses(), 0.3125, 0.25);
     const OrbitGuess guess = guess_for(scene);
     for (int n = 0; n < 4; ++n) {
         OrbitGuess wrong = guess;
@@ -276,8 +268,8 @@ TEST_CASE("a mass that no force reaches has no phase", "[reference][orbit]") {
     s.stiffness_matrix = Matrix<double>::Identity(2, 2);
     s.damping_matrix = Matrix<double>::Identity(2, 2) / 16;
     s.stiffness_matrix(1, 1) = 3;
-    const Scene<double> scene = at_point(s, 0.5, 0.5);
-    OrbitGuess guess = guess_for(at_point(chain_of({1}, {1}, 0.03125), 0.5, 0.5));
+    const Scene<double> scene = scene_of(s, 0.5, 0.5);
+    OrbitGuess guess = guess_for(scene_of(chain_of({1}, {1}, 0.03125), 0.5, 0.5));
     guess.x.push_back(0);
     guess.x_prime.push_back(0);
     const OrbitInBalls proved = proved_orbit(in_bits(scene), guess, 128);
@@ -287,7 +279,7 @@ TEST_CASE("a mass that no force reaches has no phase", "[reference][orbit]") {
 }
 
 TEST_CASE("where a mass is as far out at several instants its phase may be that of any", "[reference][orbit]") {
-    const Scene<double> scene = at_point(chain_of({1, 1}, {1, 1}, {0, 0}, 2, 2), 0.1, 0.9);
+    const Scene<double> scene = scene_of(chain_of({1, 1}, {1, 1}, {0, 0}, 2, 2), 0.1, 0.9);
     const OrbitInBalls proved = proved_orbit(in_bits(scene), guess_for(scene), bits);
     CHECK(proved.amplitude[0].radius() < 1e-15);
     REQUIRE(proved.phase[0]);
@@ -297,7 +289,7 @@ TEST_CASE("where a mass is as far out at several instants its phase may be that 
 }
 
 TEST_CASE("only the masses asked for are given", "[reference][orbit]") {
-    const Scene<double> scene = at_point(two_masses(), 0.3125, 0.25);
+    const Scene<double> scene = scene_of(two_masses(), 0.3125, 0.25);
     const OrbitInBalls proved = proved_orbit(in_bits(scene), guess_for(scene), 128, {0}, false);
     CHECK(proved.phase[0]);
     CHECK(!proved.phase[1]);
@@ -306,7 +298,7 @@ TEST_CASE("only the masses asked for are given", "[reference][orbit]") {
 }
 
 TEST_CASE("a proof ends with the budget of its question", "[reference][orbit]") {
-    const Scene<double> scene = at_point(two_masses(), 0.3125, 0.25);
+    const Scene<double> scene = scene_of(two_masses(), 0.3125, 0.25);
     const OrbitGuess guess = guess_for(scene);
     QuestionEffort question(2, 1000);
     const auto paid = [&] {

@@ -16,14 +16,23 @@
 
 namespace denhartog::tests {
 
-/// @brief A scene at a point. @param system its system @param r @param beta @param mu @return the scene
-inline Scene<double> at_point(System<double> system, double r, double beta, double mu = 1) {
-    Scene<double> scene;
-    scene.system = std::move(system);
-    scene.mu = mu;
-    scene.r = r;
-    scene.beta = beta;
-    return scene;
+/// @brief Two equal masses and springs, the contact on the second, the load on the first.
+inline System<double> two_masses() { return chain_of({1, 1}, {1, 1}, {0.02, 0.01}, 2, 1); }
+
+/// @brief Three masses whose dashpots couple the modes.
+inline System<double> coupled_masses() {
+    System<double> s = chain_of({1, 1, 1}, {1, 1, 1}, 0, 2, 3);
+    s.damping_ratios.clear();
+    s.damping_matrix = matrix_of_chain<double>({0.125, 0.0625, 0.03125});
+    return s;
+}
+
+/// @brief Three masses, the contact between the first and the last, a load on both.
+inline System<double> rubbing_masses() {
+    System<double> s = chain_of({1, 2, 1}, {1, 1, 0.5}, 0.03125, 1, 1);
+    s.contact_with = Mass{2};
+    s.load_vector = {1, 0, -0.5};
+    return s;
 }
 
 /// @brief What makes a scene in balls, its damping matrix filled. @param scene the scene @return the maker

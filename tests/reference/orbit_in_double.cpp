@@ -16,7 +16,7 @@ using reference::OrbitInBalls;
 constexpr slong bits = 256;
 
 // The motion near one in double, proved.
-OrbitInBalls proved(const Prepared& p, const PeriodicOrbit& orbit, bool with_multipliers = false) {
+OrbitInBalls proved(const PreparedMotion& p, const PeriodicOrbit& orbit, bool with_multipliers = false) {
     ExactSolver solver(p.system, p.excitation);
     return reference::proved_orbit(in_bits(p.scene), guess_of(solver, orbit), bits, {}, with_multipliers);
 }
@@ -24,7 +24,7 @@ OrbitInBalls proved(const Prepared& p, const PeriodicOrbit& orbit, bool with_mul
 double apart(const Ball& truth, double x) { return std::abs(static_cast<double>(truth - Ball(x))); }
 
 // Eigenvalues of the proved map over the period, of which balls give the sizes alone.
-std::vector<std::complex<double>> proved_eigenvalues(const Prepared& p, const PeriodicOrbit& orbit) {
+std::vector<std::complex<double>> proved_eigenvalues(const PreparedMotion& p, const PeriodicOrbit& orbit) {
     ExactSolver solver(p.system, p.excitation);
     const reference::ProvedOrbit motion = reference::proved_near(in_bits(p.scene), guess_of(solver, orbit), bits);
     const Bits enough(bits);
@@ -50,7 +50,7 @@ TEST_CASE("in stick-slip double agrees with the proved motion, within the bound 
     double worst = 0, tightest = 0, product = 0;
     std::string where, tightest_where;
     for (const double mu : {1.0, 0.0}) {
-        for (const Prepared& p : between_the_boundaries(mu == 1 ? 7 : 8, 3, mu)) {
+        for (const PreparedMotion& p : between_the_boundaries(mu == 1 ? 7 : 8, 3, mu)) {
             OrbitSearch search;
             search.most_periods = 100;
             const PeriodicOrbit orbit = orbit_of(p, search);
@@ -92,7 +92,7 @@ TEST_CASE("in stick-slip double agrees with the proved motion, within the bound 
 }
 
 TEST_CASE("the phase of a contact that stops is where it comes to rest, proved as in double", "[eq:39][exact-solver][shooting]") {
-    const Prepared p = prepared_chain({1, 3.125}, {1, 2}, {0.09375, 0.203125}, 1, 2, 0.8125, 3.984375);
+    const PreparedMotion p = prepared_chain({1, 3.125}, {1, 2}, {0.09375, 0.203125}, 1, 2, 0.8125, 3.984375);
     const PeriodicOrbit orbit = orbit_of(p);
     REQUIRE(orbit.status == OrbitStatus::periodic);
     const OrbitInBalls exact = proved(p, orbit);
@@ -106,9 +106,9 @@ TEST_CASE("the phase of a contact that stops is where it comes to rest, proved a
 }
 
 TEST_CASE("Floquet multipliers are the eigenvalues of the proved map of deviations", "[exact-solver][shooting]") {
-    for (const Prepared& p : {prepared_oscillator(0.01, 0.125, 0.1875), prepared_oscillator(0.03125, 0.5, 0.1875, 2),
-                              prepared_three_masses(1.125, 0.0625), prepared_three_masses(0.6875, 0.25),
-                              prepared_three_masses(0.6875, 0.1875, 1.25)}) {
+    for (const PreparedMotion& p : {prepared_oscillator(0.01, 0.125, 0.1875), prepared_oscillator(0.03125, 0.5, 0.1875, 2),
+                                    prepared_three_masses(1.125, 0.0625), prepared_three_masses(0.6875, 0.25),
+                                    prepared_three_masses(0.6875, 0.1875, 1.25)}) {
         const PeriodicOrbit orbit = orbit_of(p);
         REQUIRE(orbit.status == OrbitStatus::periodic);
         REQUIRE(orbit.periods == 1);
@@ -128,7 +128,7 @@ TEST_CASE("Floquet multipliers are the eigenvalues of the proved map of deviatio
 TEST_CASE("the sizes of Floquet multipliers are within their bounds of the proved ones", "[exact-solver][shooting]") {
     std::size_t compared = 0, close = 0, closer = 0;
     for (const double mu : {1.0, 1.25})
-        for (const Prepared& p : between_the_boundaries(mu == 1 ? 31 : 32, 3, mu)) {
+        for (const PreparedMotion& p : between_the_boundaries(mu == 1 ? 31 : 32, 3, mu)) {
             OrbitSearch any;
             any.follow_start = false;
             const PeriodicOrbit orbit = orbit_of(p, any);

@@ -23,7 +23,7 @@ struct TwoStops {
     std::vector<PhaseInStretches> phases;
 
     explicit TwoStops(double mu = 1)
-        : scene(at_point(chain_of({1, 1}, {1, 1}, {0.02, 0.01}, 2, 1), 0.3125, 0.25, mu)),
+        : scene(scene_of(chain_of({1, 1}, {1, 1}, {0.02, 0.01}, 2, 1), 0.3125, 0.25, mu)),
           orbit(proved_near(in_bits(scene), guess_for(scene), bits)), phases(in_stretches(orbit, 64)) {}
 
     // The event that ends a stop.
@@ -90,7 +90,7 @@ TEST_CASE("a contact that has to slip to the other side is refused", "[reference
 }
 
 TEST_CASE("a turn where the contact has to stop is refused", "[reference][proof]") {
-    const Scene<double> scene = at_point(chain_of({1}, {1}, 0.125), 0.75, 0.125);
+    const Scene<double> scene = scene_of(chain_of({1}, {1}, 0.125), 0.75, 0.125);
     FollowedMotion motion(scene);
     REQUIRE(motion.orbit.stops.empty());
     ProvedOrbit orbit = proved_near(in_bits(scene), guess_of(motion.solver, motion.orbit), bits);
@@ -290,7 +290,8 @@ TEST_CASE("balls about multipliers hold those of every map in the balls of its e
     MapOfDeviations map{BallMatrix(n, n), false}, wide{BallMatrix(n, n), false}, moved = map;
     for (slong i = 0; i < n; ++i)
         for (slong k = i; k < n; ++k) {
-            map.A(i, k) = i == k ? Ball(0.9) - Ball(i) / 8 : Ball((7 * i + 5 * k) % 11 - 5) / 16; // the eigenvalues are the diagonal
+            map.A(i, k) =
+                i == k ? Ball(0.9) - Ball(i) / 8 : Ball((7 * i + 5 * k) % 11 - 5) / 16; // the eigenvalues are the diagonal
             wide.A(i, k) = widened(map.A(i, k), Ball(off));
             moved.A(i, k) = map.A(i, k) + (i == k ? Ball(off) : Ball(0));
         }
@@ -307,7 +308,8 @@ TEST_CASE("balls about multipliers hold those of every map in the balls of its e
     CHECK(!(multipliers_over_period(moved, false).front() - Ball(0.9)).may_vanish()); // the test would tell
     for (slong i = 0; i < n; ++i)
         for (slong k = 0; k < n; ++k) wide.A(i, k) = widened(i == k ? map.A(i, k) : Ball(0), Ball(off));
-    const Ball of_first = multipliers_over_period(wide, false).front(), tenth = widened(middle(of_first), Ball(of_first.radius() / 10));
+    const Ball of_first = multipliers_over_period(wide, false).front(),
+               tenth = widened(middle(of_first), Ball(of_first.radius() / 10));
     CHECK(arb_contains(tenth.a, (Ball(0.9) + Ball(off)).a) == 0); // a tenth of the bound would be none
 }
 

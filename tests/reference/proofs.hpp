@@ -35,10 +35,6 @@ namespace denhartog::tests {
 }
 
 /// @brief Whether a ball of 320 bits agrees with 100 digits, rounding in both left aside, and is narrow.
-/// @param x      the ball
-/// @param truth  the number, good to 60 digits of `size`
-/// @param size   what errors are relative to
-/// @return       true where it agrees to 60 digits and has 50
 [[nodiscard]] inline bool holds(const Ball& x, const Real100& truth, double size = 1) {
     return apart(x, ball_of(truth)) <= 1e-60 * size && x.radius() < 1e-50 * size;
 }

@@ -6,6 +6,7 @@
 #include "tests/catch.hpp"
 #include "tests/reference/surveyed_scenes.hpp"
 #include "tests/support/closed_form.hpp"
+#include "tests/support/named_scenes.hpp"
 #include "tests/support/wide_scene.hpp"
 
 using namespace denhartog;
@@ -20,7 +21,7 @@ constexpr slong bits = 320;
 struct BothWays {
     SceneInBalls scene{};
     ResponsesInBalls by_modes{}, by_state{};
-    explicit BothWays(const std::string& text) : scene(matrices_of_text(text)) {
+    explicit BothWays(const std::string& text) : scene(matrices_of_text(text.starts_with("{") ? text : text_of_scene(text))) {
         ModesInBalls modes = modes_in_balls(scene);
         scene.C = damping_matrix_in_balls(scene, modes);
         by_state = responses_of_state(scene);
@@ -138,11 +139,9 @@ TEST_CASE("the friction motion obeys the equations of motion, mirrors itself and
 
 TEST_CASE("modes damped critically and beyond move by themselves as the state does", "[responses][eq:41]") {
     const Bits enough(bits);
-    for (const char* zeta : {"[0.1, 1]", "[1, 1]", "[1, 0.25]", "[1.0000001, 0.9999999]", "[2, 40]", "[1, 1e6]"}) {
+    for (const std::string zeta : {"[0.1, 1]", "[1, 1]", "[1, 0.25]", "[1.0000001, 0.9999999]", "[2, 40]", "[1, 1e6]"}) {
         INFO("damping ratios " << zeta);
-        const BothWays both(R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 2], "contact": 1, "load": 2, "r": 0.7,
-                                "damping_ratios": )" +
-                            std::string(zeta) + "}");
+        const BothWays both(R"(pair {"stiffness_ratios": [1, 2], "load": 2, "r": 0.7, "damping_ratios": )" + zeta + "}");
         const ResponsesInBalls &a = both.by_modes, &b = both.by_state;
         CHECK(are_told_apart(a.modes));
         for (std::size_t k = 0; k < a.V.size(); ++k) {
@@ -165,15 +164,11 @@ TEST_CASE("modes damped critically and beyond move by themselves as the state do
 
 TEST_CASE("modes of one frequency move as the state does, and over a stretch too", "[responses][eq:34][eq:35][eq:41][eq:64]") {
     const Bits enough(bits);
-    for (const char* rest : {R"("damping_ratios": 0.02, "contact": 1, "load": 1, "r": 0.7)",
-                             R"("damping_ratios": 0.3, "contact": [1, 3], "load": 2, "r": 0.2)",
-                             R"("damping_ratios": 1.5, "contact": 2, "load": [1, -0.5, 0.25], "r": 1.25)",
-                             R"("damping_ratios": 1, "contact": 3, "load": 1, "r": 0.8)",
-                             R"("damping_ratios": 0.02, "contact": 1, "load": 1, "r": 4000)"}) {
+    for (const std::string rest : {R"({"r": 0.7})", R"({"damping_ratios": 0.3, "contact": [1, 3], "load": 2, "r": 0.2})",
+                                   R"({"damping_ratios": 1.5, "contact": 2, "load": [1, -0.5, 0.25], "r": 1.25})",
+                                   R"({"damping_ratios": 1, "contact": 3})", R"({"r": 4000})"}) {
         INFO(rest);
-        const BothWays both(
-            R"({"mass_ratios": [1, 1, 1], "stiffness_matrix": [[2, -0.5, -0.5], [-0.5, 2, -0.5], [-0.5, -0.5, 2]], )" +
-            std::string(rest) + "}");
+        const BothWays both("triangle " + rest);
         const ResponsesInBalls &a = both.by_modes, &b = both.by_state;
         REQUIRE(a.modes.clusters.size() == 1);
         for (std::size_t k = 0; k < a.V.size(); ++k) {
@@ -219,13 +214,11 @@ TEST_CASE("modes whose R is in a ball are no further apart than is said, and har
 
 TEST_CASE("over a stretch the friction motion holds itself at every instant of it", "[responses]") {
     const Bits enough(128);
-    for (
-        const char* text :
-        {R"({"mass_ratios": [1, 2.5], "stiffness_ratios": [1, 0.625], "damping_ratios": [0.01, 0.2], "contact": 2, "load": 1, "r": 0.7})",
-         R"({"mass_ratios": [1, 2.5], "stiffness_ratios": [1, 0.625], "damping_matrix": [[0.2, -0.1], [-0.1, 0.3]],
-              "contact": 2, "load": 1, "r": 0.2})",
-         R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 2], "damping_ratios": [0.1, 1], "contact": 1, "load": 1, "r": 0.7})"}) {
-        SceneInBalls s = matrices_of_text(text);
+    for (const std::string text :
+         {"two underdamped",
+          R"(two underdamped {"damping_ratios": null, "damping_matrix": [[0.2, -0.1], [-0.1, 0.3]], "r": 0.2})",
+          R"(pair {"stiffness_ratios": [1, 2], "damping_ratios": [0.1, 1], "r": 0.7})"}) {
+        SceneInBalls s = matrices_of_text(text_of_scene(text));
         if (!s.zeta.empty()) s.C = damping_matrix_in_balls(s, modes_in_balls(s));
         const ResponsesInBalls r = s.zeta.empty() || !are_told_apart(modes_in_balls(s))
                                        ? responses_of_state(s)
@@ -246,10 +239,8 @@ TEST_CASE("over a stretch the friction motion holds itself at every instant of i
 }
 
 TEST_CASE("what a search remembers of a ball is never taken for another ball whose ends are the same in double", "[responses]") {
-    const std::string text = R"({"mass_ratios": [1, 2.5], "stiffness_ratios": [1, 0.625], "damping_ratios": [0.01, 0.2],
-                                 "contact": 2, "load": 1, "r": 0.7})";
     const Bits enough(128);
-    const BothWays both(text);
+    const BothWays both("two underdamped");
     for (const ResponsesInBalls* r : {&both.by_modes, &both.by_state}) {
         const Ball one = Ball(1.5) + Ball(0x1p-60), other = Ball(1.5) + Ball(0x1p-54);
         const auto at = [r](const Ball& tau, slong bits) {
@@ -265,8 +256,7 @@ TEST_CASE("what a search remembers of a ball is never taken for another ball who
 
 TEST_CASE("by another sign of the damping the two ways differ, and the test tells", "[responses]") {
     const Bits enough(128);
-    BothWays both(R"({"mass_ratios": [1, 2.5], "stiffness_ratios": [1, 0.625], "damping_ratios": [0.01, 0.2], "contact": 2,
-                      "load": 1, "r": 0.7})");
+    BothWays both("two underdamped");
     both.scene.C = both.scene.C * Ball(-1);
     const ResponsesInBalls wrong = responses_of_state(both.scene);
     CHECK(apart(wrong.V[0].im, both.by_modes.V[0].im) > 0);
@@ -276,10 +266,7 @@ TEST_CASE("by another sign of the damping the two ways differ, and the test tell
 
 TEST_CASE("modes of one frequency enter the sums as a whole", "[responses]") {
     const Bits enough(bits);
-    const std::string text =
-        R"({"mass_ratios": [1, 1], "stiffness_matrix": [[2, 0], [0, 2]], "damping_ratios": 0.05, "contact": 1,
-                                 "load": 1, "r": 1.2, "beta": 0.5})";
-    const Truth truth(scene_source(SceneText{text}));
+    const Truth truth(named_source("apart"));
     // the second mass hangs by itself: the first is an oscillator with twice the stiffness
     const Ball R = Ball(1.2) / sqrt(Ball(2)), zeta = Ball(0.05);
     const Complex<Ball> v = paper::complex_response(R, zeta);

@@ -32,22 +32,6 @@ Solution answer(const SceneSource& source, bool proved) {
 
 System<double> five_masses() { return chain_of({1, 2, 0.5, 1.5, 0.75}, {1, 0.75, 2, 1, 1.5}, 0.03125, 3, 1); }
 
-System<double> between_masses() {
-    System<double> s = chain_of({1, 2, 1}, {1, 1, 0.5}, 0.03125, 1, 1);
-    s.contact_with = Mass{2};
-    s.load_vector = {1, 0, -0.5};
-    return s;
-}
-
-System<double> coupled() {
-    System<double> s = chain_of({1, 1, 1}, {1, 1, 1}, 0, 2, 3);
-    s.damping_ratios.clear();
-    s.damping_matrix = matrix_of_chain<double>({0.125, 0.0625, 0.03125});
-    return s;
-}
-
-System<double> two_masses() { return chain_of({1, 1}, {1, 1}, {0.02, 0.01}, 2, 1); }
-
 // Where two motions differ most: displacements beside the amplitude of the mass, velocities beside the fastest.
 double apart(const SampledSolution& a, const SampledSolution& b, const Solution& of) {
     double most = a.tau.size() == b.tau.size() ? 0 : 1;
@@ -100,39 +84,39 @@ void check_against_double(const Scene<double>& scene, Regime regime, int periods
 
 TEST_CASE("samples of a proved motion with stops are those of double, within its amplitudes", "[reference][samples]") {
     const auto check = [](const System<double>& s, double r, double beta, double mu = 1) {
-        check_against_double(at_point(s, r, beta, mu), Regime::stick_slip);
+        check_against_double(scene_of(s, r, beta, mu), Regime::stick_slip);
     };
     check(chain_of({1}, {1}, 0.01), 0.125, 0.25);
     check(two_masses(), 0.3125, 0.25);
     check(two_masses(), 0.375, 0.3125, 1.4);
     check(five_masses(), 0.4375, 0.3125);
     check(five_masses(), 0.4375, 0.25, 1.4);
-    check(coupled(), 0.375, 0.75);
-    check(between_masses(), 0.4375, 0.25);
+    check(coupled_masses(), 0.375, 0.75);
+    check(rubbing_masses(), 0.4375, 0.25);
 }
 
 TEST_CASE("samples of a proved motion that does not mirror itself, or takes two periods, are those of double",
           "[reference][samples][eq:25]") {
-    check_against_double(at_point(chain_of({1}, {1}, 0.03125), 0.125, 0.1875, 1.5), Regime::stick_slip, 1, false);
-    check_against_double(at_point(chain_of({1, 1}, {1, 1}, 0.03125, 2, 1), 1.125, 0.859375, 1.5), Regime::stick_slip, 2, false);
+    check_against_double(scene_of(chain_of({1}, {1}, 0.03125), 0.125, 0.1875, 1.5), Regime::stick_slip, 1, false);
+    check_against_double(scene_of(chain_of({1, 1}, {1, 1}, 0.03125, 2, 1), 1.125, 0.859375, 1.5), Regime::stick_slip, 2, false);
 }
 
 TEST_CASE("samples of a proved sliding motion are those of double", "[reference][samples][eq:41]") {
     for (const double beta : {0.0, 0.03125}) {
-        check_against_double(at_point(two_masses(), 1.25, beta), Regime::continuous);
-        check_against_double(at_point(five_masses(), 1.25, beta / 16), Regime::continuous);
-        check_against_double(at_point(coupled(), 1.25, beta / 4), Regime::continuous);
-        check_against_double(at_point(between_masses(), 1.25, beta / 4), Regime::continuous);
+        check_against_double(scene_of(two_masses(), 1.25, beta), Regime::continuous);
+        check_against_double(scene_of(five_masses(), 1.25, beta / 16), Regime::continuous);
+        check_against_double(scene_of(coupled_masses(), 1.25, beta / 4), Regime::continuous);
+        check_against_double(scene_of(rubbing_masses(), 1.25, beta / 4), Regime::continuous);
     }
 }
 
 TEST_CASE("samples of a proved motion at rest are those of double", "[reference][samples][eq:88]") {
-    check_against_double(at_point(two_masses(), 0.75, 8), Regime::permanent_sticking);
-    check_against_double(at_point(between_masses(), 0.4375, 8), Regime::permanent_sticking);
+    check_against_double(scene_of(two_masses(), 0.75, 8), Regime::permanent_sticking);
+    check_against_double(scene_of(rubbing_masses(), 0.4375, 8), Regime::permanent_sticking);
 }
 
 TEST_CASE("an instant of an event or a turn is on both sides of it", "[reference][samples]") {
-    const Scene<double> scene = at_point(two_masses(), 0.3125, 0.25);
+    const Scene<double> scene = scene_of(two_masses(), 0.3125, 0.25);
     const Bits all(192);
     const reference::OrbitInPhases motion = reference::orbit_in_phases(in_bits(scene), guess_for(scene), ball_bits);
     for (slong i = 0; i <= motion.orbit.at.m(); ++i)
@@ -149,7 +133,7 @@ TEST_CASE("an instant of an event or a turn is on both sides of it", "[reference
 }
 
 TEST_CASE("samples of another motion are noticed, and an answer that is not the motion's is refused", "[reference][samples]") {
-    const Scene<double> scene = at_point(two_masses(), 0.3125, 0.25);
+    const Scene<double> scene = scene_of(two_masses(), 0.3125, 0.25);
     Scene<double> twin = scene;
     twin.beta = *scene.beta * (1 + 1e-6);
     const SceneSource source = scene_source(scene), of_twin = scene_source(twin);
@@ -169,9 +153,8 @@ TEST_CASE("samples of another motion are noticed, and an answer that is not the 
 
 TEST_CASE("the C interface hands out the samples of a proved motion, of a contact between two masses too",
           "[reference][samples]") {
-    const std::string text =
-        R"({"mass_ratios": [1, 2, 1], "stiffness_ratios": [1, 1, "0.5"], "damping_ratios": "0.03", "contact": [1, 3],
-        "load": [1, 0, "-0.5"]})";
+    const std::string text = text_of_scene(R"(of every kind {"mass_ratios": [1, 2, 1], "stiffness_ratios": [1, 1, "0.5"],
+        "damping_ratios": "0.03", "contact": [1, 3], "load": [1, 0, "-0.5"], "r": null, "beta": null})");
     dh_system* system = nullptr;
     REQUIRE(dh_system_from_json(text.data(), text.size(), &system) == DH_OK);
     for (const double beta : {0.0, 0.0625, 0.25, 8.0}) {
@@ -193,10 +176,11 @@ TEST_CASE("the C interface hands out the samples of a proved motion, of a contac
 }
 
 TEST_CASE("the program prints the samples of a proved motion", "[reference][samples][program]") {
-    const std::string chain = R"({"mass_ratios": [1, 1], "stiffness_ratios": [1, 1], "damping_ratios": [0.02, 0.01], "contact": 2,
-        "load": 1, "r": "0.3125", "beta": )";
+    const auto with = [](const std::string& beta) {
+        return text_of_scene(R"(two {"damping_ratios": [0.02, 0.01], "r": "0.3125", "beta": )" + beta + "}");
+    };
     for (const std::string beta : {"0.25", "0", "8"}) {
-        const std::string scene = chain + beta + "}";
+        const std::string scene = with(beta);
         const SceneSource source = scene_source(SceneText{scene});
         const SampledSolution expected = sampled_solution(source, answer(source, true), 64);
         const Run run = run_program("solve --samples 64 --proved", scene);
@@ -212,7 +196,7 @@ TEST_CASE("the program prints the samples of a proved motion", "[reference][samp
         }
         CHECK(nlohmann::json::parse(run_program("solve --proved --json", scene).output)["method"]["proved"] == true);
     }
-    CHECK(run_program("solve --samples 4 --proved --ask phase", chain + "8}").status == 2);
+    CHECK(run_program("solve --samples 4 --proved --ask phase", with("8")).status == 2);
 }
 
 // A seeded system of 1 to 5 masses: damped, with a mode beyond critical damping, without damping, or rubbing between two masses.
@@ -235,7 +219,7 @@ TEST_CASE("samples of a recurrence are those of the reference", "[reference][sam
     SplitMix64 random(607);
     int slides = 0, stops = 0;
     for (int scene = 0; scene < 60; ++scene) {
-        Scene<double> at = at_point(seeded_system(random, scene), random.over_octaves(-2, 0), 0);
+        Scene<double> at = scene_of(seeded_system(random, scene), random.over_octaves(-2, 0), 0);
         INFO("scene " << scene << " at r = " << *at.r);
         const double limit = solve(scene_source(at), {Asked::regime, {}}).limits->exact.value;
         at.beta = limit * (scene % 3 == 0 && scene % 4 != 0 ? 1.25 : 0.5);
@@ -284,7 +268,7 @@ TEST_CASE("no sample of a recurrence is off by more than its bound, and some are
 }
 
 TEST_CASE("where a recurrence would lose too much its instants are taken one by one", "[samples]") {
-    const Scene<double> scene = at_point(two_masses(), 0.3125, 0.25);
+    const Scene<double> scene = scene_of(two_masses(), 0.3125, 0.25);
     FollowedMotion followed(scene);
     const ExactMotion& motion = followed.solver.run(followed.orbit.start, 0, 2 * pi<double>());
     std::vector<double> x(8), v(8), x_fast(8), v_fast(8);

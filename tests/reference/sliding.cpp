@@ -6,6 +6,7 @@
 #include "tests/catch.hpp"
 #include "tests/reference/surveyed_scenes.hpp"
 #include "tests/support/held_contact.hpp"
+#include "tests/support/named_scenes.hpp"
 #include "tests/support/plain_response.hpp"
 #include "tests/support/second_witness.hpp"
 #include "tests/support/wide_scene.hpp"
@@ -206,13 +207,11 @@ TEST_CASE("a mass that moves by a small difference of the motions of the modes i
 
 TEST_CASE("twelve undamped masses far above resonance have six proved digits each with the effort by default",
           "[sliding][driver]") {
-    const std::string ones = "1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1";
-    for (const auto& [r, last] : {std::pair("20", 6.314561150660643e-32), std::pair("300", 3.541611138832461e-60)}) {
+    for (const auto& [at, last] : {std::pair(R"("r": 20, "beta": 0.00075})", 6.314561150660643e-32),
+                                   std::pair(R"("r": 300, "beta": 3.3333333333333333e-06})", 3.541611138832461e-60)}) {
+        const std::string ones = "[1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1]";
         const Solution found =
-            solve(scene_source(SceneText{R"({"mass_ratios": [)" + ones + R"(], "stiffness_ratios": [)" + ones +
-                                         R"(], "damping_ratios": 0, "contact": 1, "load": 1, "r": )" + r + R"(, "beta": )" +
-                                         (r == std::string("20") ? "0.00075" : "3.3333333333333333e-06") + "}"}),
-                  {});
+            solve(named_source(R"(undamped {"mass_ratios": )" + ones + R"(, "stiffness_ratios": )" + ones + ", " + at), {});
         CHECK(found.method.proved);
         CHECK(found.masses[11].amplitude.value == Approx(last).epsilon(1e-12)); // by sums over modes in 100 digits
     }

@@ -29,7 +29,6 @@ struct SurveyOfBounds {
     std::string scene{};                                    ///< the scene that is being surveyed
 
     /// @brief Takes a number. @param kind its kind @param value the number @param bound of its error @param proved what it is
-    /// @param period  of an angle; zero of what is none
     void take(const std::string& kind, double value, double bound, const Ball& proved, const Ball& period = Ball(0)) {
         if (!proved.finite()) return;
         if (!(bound < std::numeric_limits<double>::max())) {

@@ -30,7 +30,6 @@ struct SurveyedScene {
 void survey_answer(const std::string& kind, const Solution& told, const Solution& proved, SurveyOfBounds& survey);
 
 /// @brief Surveys what `dh_system_from_json` and the functions of its handle give. @param scene the scene @param truth its numbers
-/// @param survey  gets them
 void survey_c_functions(const SurveyedScene& scene, const Truth& truth, SurveyOfBounds& survey);
 
 /// @brief Surveys `dh_solve`, `dh_map` and `dh_quantity`. @param scene the scene @param proved the proved answer @param truth its

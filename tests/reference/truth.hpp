@@ -20,10 +20,8 @@ struct Truth {
     reference::SlidingContactInBalls contact{};          ///< in that case the contact
     std::vector<reference::SlidingMassInBalls> masses{}; ///< and the masses
 
-    /// @param source  the scene, with r and beta
     explicit Truth(const SceneSource& source)
-        : point(point_of(source)), modes(reference::modes_in_balls(point.scene)),
-          slides(beta() < point.boundary->exact) {
+        : point(point_of(source)), modes(reference::modes_in_balls(point.scene)), slides(beta() < point.boundary->exact) {
         if (modes.zeta.empty()) modes.zeta = ratios_of_matrix();
         if (!slides) return;
         contact = reference::contact_in_balls(*point.responses, beta());
@@ -39,7 +37,6 @@ struct Truth {
     [[nodiscard]] const Ball& beta() const { return *point.scene.beta; }
 
     /// @brief Where a mass is while the contact slides. @eq{41}
-    /// @param k  the mass @param tau from a maximum of the contact, 0 to 2 pi @return its displacement
     [[nodiscard]] Ball displacement(std::size_t k, double tau) const {
         const bool mirrored = tau > 3.141592653589793;
         const Ball at = mirrored ? Ball(tau) - pi<Ball>() : Ball(tau);

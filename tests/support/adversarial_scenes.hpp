@@ -52,8 +52,6 @@ struct AdversarialScene {
 /// @brief Draws scenes.
 class AdversarialScenes {
 public:
-    /// @param seed   any number
-    /// @param range  what they are drawn from
     AdversarialScenes(std::uint64_t seed, const AdversarialRange& range) : random_(seed), of_kinds_(~seed), range_(range) {}
 
     /// @brief The next scene. @return the scene; it may break a rule of scenes, which is for the library to say

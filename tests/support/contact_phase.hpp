@@ -13,17 +13,13 @@ template <class T>
 using StateRow = Eigen::Matrix<T, 1, Eigen::Dynamic>;
 
 /// @brief Accelerations of the masses under the force on the contact that gives it a unit acceleration.
-/// @param p  the problem
-/// @return   M^-1 w / (w^T M^-1 w), N values
 template <class T>
 [[nodiscard]] Vector<T> force_that_holds(const HalfPeriodProblem<T>& p) {
     const Vector<T> w = contact_vector(p), of_unit_force = Eigen::FullPivLU<Matrix<T>>(p.M).solve(w);
     return of_unit_force / w.dot(of_unit_force);
 }
 
-/// @brief Matrix A of \f$ z' = Az \f$ in a phase. @param p the problem
-/// @param direction  -1 where the contact slides down, 0 where it rests, 1 where it slides up
-/// @return           A, (2N+3) x (2N+3)
+/// @brief Matrix A of \f$ z' = Az \f$ in a phase; the contact slides down (-1), rests (0) or slides up (1).
 template <class T>
 [[nodiscard]] Matrix<T> system_of_phase(const HalfPeriodProblem<T>& p, int direction) {
     const Eigen::Index N = p.M.rows();
@@ -34,12 +30,8 @@ template <class T>
     return A;
 }
 
-/// @brief What is zero at the end of a phase: the contact's velocity, or the load on it less static friction.
-/// @param p                the problem
-/// @param static_friction  mu beta
-/// @param direction        of the phase
-/// @param next             direction of the phase after it; 0 where none follows a rest
-/// @return                 a row over the state
+/// @brief What is zero at the end of a phase: the contact's velocity, or the load on it less static friction,
+/// mu beta; `next` is the direction of the phase after it, 0 where none follows a rest.
 template <class T>
 [[nodiscard]] StateRow<T> end_of_phase(const HalfPeriodProblem<T>& p, const T& static_friction, int direction, int next) {
     const Eigen::Index N = p.M.rows();

@@ -9,8 +9,6 @@ namespace denhartog {
 /// @brief Those of `random_vector_scenes` with dashpots in place of their damping: between neighbours and to the ground, a third
 /// of them missing, from a hundredth to a multiple of what makes a mode critical. Every other one has mu = 1, every third the
 /// contact to a wall and the load on one mass.
-/// @param seed  any number; the same seed gives the same scenes
-/// @return      the scenes, by ascending N: 494
 [[nodiscard]] std::vector<RandomScene<double>> random_coupled_scenes(std::uint64_t seed);
 
 } // namespace denhartog

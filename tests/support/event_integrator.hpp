@@ -38,7 +38,6 @@ public:
     }
 
     /// @brief The motion over so many steps from a state. @param x displacements @param x_prime velocities @param steps how many
-    /// @return the motion
     FollowedMotion<T> follow(const Vector<T>& x, const Vector<T>& x_prime, int steps) {
         z_.resize(2 * N_ + 3);
         z_ << x, x_prime, T(1), T(0), T(1);

@@ -64,16 +64,12 @@ struct HalfPeriodMotion {
 
 /// @brief Exponential of a square matrix, by scaling, Taylor's series and squaring.
 /// @domain{finite entries}
-/// @param A  a square matrix
-/// @return   exp(A)
 /// @throws   DomainError where the result is not finite
 template <class T>
 [[nodiscard]] Matrix<T> matrix_exponential(const Matrix<T>& A);
 
 /// @brief Matrix A of \f$ z' = Az \f$ with \f$ z = (\bar{x}, \bar{x}', \cos(\tau+\phi_j), \sin(\tau+\phi_j), 1) \f$.
 /// @eq{12}  @domain{M regular}
-/// @param p  the problem
-/// @return   A, (2N+3) x (2N+3)
 template <class T>
 [[nodiscard]] Matrix<T> augmented_system(const HalfPeriodProblem<T>& p);
 
@@ -84,9 +80,6 @@ template <class T>
 /// where \f$ \bar{x}_j(0) \f$ is larger: from there the contact moves down. Whether it does so all the way, `slides` tells.
 /// The amplitudes are exact where the sample is fine enough to show which maximum is the largest.
 /// @eq{12,25,30}  @domain{sliding motion that mirrors itself after half a period}
-/// @param p      the problem; M positive definite, beta >= 0
-/// @param steps  equal steps that [0, pi] is sampled in, at least 2
-/// @return       the motion
 /// @throws       InputError for matrices of other sizes, indices out of range, numbers not finite;
 ///               DomainError where no phase fulfils the conditions or x_j(0) is not positive
 template <class T>
@@ -94,10 +87,6 @@ template <class T>
 
 /// @brief Whether the motion keeps sliding: (54) on the sample, with the sign that a start downwards has.
 /// @eq{54}
-/// @param motion  a motion over the half-period
-/// @param mu      static over kinetic friction, Eq. (3)
-/// @param beta    friction ratio, Eq. (11)
-/// @return        whether the contact breaks away at tau = 0 and moves down at every instant strictly inside the sample
 template <class T>
 [[nodiscard]] bool slides(const HalfPeriodMotion<T>& motion, const T& mu, const T& beta);
 

@@ -8,11 +8,6 @@
 namespace denhartog::tests {
 
 /// @brief The invariant points of every mass, damping left out, rounded to double.
-/// @param system  the system
-/// @param r_a     least frequency ratio
-/// @param r_b     largest frequency ratio
-/// @param effort  the work allowed; null: the default
-/// @return        the points of each mass; stretches that stay undecided are listed
 [[nodiscard]] inline std::vector<InvariantPointsOfMass<double>> invariant_points_of(const System<double>& system, double r_a,
                                                                                     double r_b, Effort* effort = nullptr) {
     Scene<double> scene;

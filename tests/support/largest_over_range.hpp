@@ -17,13 +17,8 @@ struct LargestOverRange {
 
 /// @brief Searches a grid, then closer round each of its highest local maxima by golden sections.
 ///
-/// A peak that is narrower than a step of the grid and between two of its points can be missed: what is found is a lower bound.
-/// @param f      the function; where it has no value it is passed over
-/// @param low    lower end of the range
-/// @param high   upper end
-/// @param parts  parts of the grid
-/// @param peaks  how many of the highest local maxima are looked at more closely
-/// @return       the largest value found; minus infinity where there is none
+/// A peak that is narrower than a step of the grid and between two of its points can be missed: what is found is a lower bound,
+/// minus infinity where the function has no value on the grid. Of the highest local maxima so many are looked at as `peaks` says.
 [[nodiscard]] inline LargestOverRange largest_over_range(const std::function<double(double)>& f, double low, double high,
                                                          int parts, std::size_t peaks = 16) {
     const auto at = [&](double x) {

@@ -16,7 +16,6 @@
 namespace denhartog {
 
 /// @brief A binary floating-point number with at least so many decimal digits, expression templates off.
-/// @tparam digits10  the digits
 template <unsigned digits10>
 using Multiprecision =
     boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<digits10, boost::multiprecision::allocate_stack>,
@@ -39,7 +38,6 @@ inline void free_constants_at_end_of_thread() { thread_local const ConstantsOfTh
 /// @brief pi for the multiprecision types. @tparam digits10 the digits
 template <unsigned digits10>
 struct PiOf<Multiprecision<digits10>> {
-    /// @return pi, correctly rounded
     static Multiprecision<digits10> value() {
         free_constants_at_end_of_thread();
         static const Multiprecision<digits10> pi = [] {
@@ -100,7 +98,6 @@ namespace std {
 
 /// @brief The limits of a multiprecision type. Boost 1.74's own set their values when first asked for, and no lock keeps a second
 /// thread from reading them before they are set; these are set under one.
-/// @tparam digits10_  the digits
 template <unsigned digits10_>
 class numeric_limits<denhartog::Multiprecision<digits10_>>
     : public numeric_limits<boost::multiprecision::number<
@@ -109,26 +106,20 @@ class numeric_limits<denhartog::Multiprecision<digits10_>>
     using Number = denhartog::Multiprecision<digits10_>;
 
 public:
-    /// @return the unit in the last place of 1
     static Number epsilon() {
         static const Number value = ldexp(Number(1), 1 - numeric_limits::digits);
         return value;
     }
-    /// @return the least positive number
     static Number min() {
         static const Number value = ldexp(Number(1), numeric_limits::min_exponent - 1);
         return value;
     }
-    /// @return the largest finite number
     static Number max() {
         static const Number value = ldexp(Number(1 - epsilon() / 2), numeric_limits::max_exponent);
         return value;
     }
-    /// @return the most negative finite number
     static Number lowest() { return -max(); }
-    /// @return infinity
     static Number infinity() { return Number(std::numeric_limits<double>::infinity()); }
-    /// @return what is no number
     static Number quiet_NaN() { return Number(std::numeric_limits<double>::quiet_NaN()); }
 };
 
@@ -137,7 +128,6 @@ public:
 namespace Eigen {
 
 /// @brief What Eigen asks of a multiprecision number; Boost 1.74's own header does not serve Eigen 3.4's eigensolvers.
-/// @tparam digits10_  the digits
 template <unsigned digits10_>
 struct NumTraits<denhartog::Multiprecision<digits10_>> : GenericNumTraits<denhartog::Multiprecision<digits10_>> {
     using Number = denhartog::Multiprecision<digits10_>; ///< the number type
@@ -145,15 +135,10 @@ struct NumTraits<denhartog::Multiprecision<digits10_>> : GenericNumTraits<denhar
     using NonInteger = Number;                           ///< the type of quotients
     using Literal = double;                              ///< the type of literals in Eigen's code
     enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = 8, AddCost = 20, MulCost = 60 };
-    /// @return the unit in the last place of 1
     static Real epsilon() { return std::numeric_limits<Number>::epsilon(); }
-    /// @return the tolerance of Eigen's fuzzy comparisons
     static Real dummy_precision() { return 1000 * epsilon(); }
-    /// @return the largest finite number
     static Real highest() { return (std::numeric_limits<Number>::max)(); }
-    /// @return the most negative finite number
     static Real lowest() { return (std::numeric_limits<Number>::lowest)(); }
-    /// @return the decimal digits that a double conversion keeps
     static int digits10() { return std::numeric_limits<Number>::digits10; }
 };
 

@@ -18,12 +18,7 @@ struct NamedSystem {
     System<T> system; ///< the system
 };
 
-/// @brief A chain of equal masses and springs.
-/// @param N     number of masses
-/// @param j     the mass in contact, from 1
-/// @param l     the loaded mass, from 1
-/// @param zeta  damping ratios
-/// @return      the chain
+/// @brief A chain of equal masses and springs; the mass j in contact and the loaded mass l count from 1.
 template <class T>
 [[nodiscard]] System<T> equal_chain(std::size_t N, std::size_t j, std::size_t l, const std::vector<T>& zeta) {
     System<T> s = chain_of<T>(std::vector<double>(N, 1), std::vector<double>(N, 1), 0, j, l);
@@ -32,16 +27,12 @@ template <class T>
 }
 
 /// @brief The mass on a spring.
-/// @param zeta  damping ratio
-/// @return      SDOF
 template <class T>
 [[nodiscard]] System<T> single_mass(const T& zeta) {
     return equal_chain<T>(1, 1, 1, {zeta});
 }
 
 /// @brief The 2DOF of Figs. 8 to 10: j = 2, l = 1, zeta_i = zeta / r_n,i.
-/// @param zeta  damping ratio over natural frequency ratio
-/// @return      the system
 template <class T>
 [[nodiscard]] System<T> two_masses(const T& zeta) {
     using std::sqrt;
@@ -49,10 +40,7 @@ template <class T>
     return equal_chain<T>(2, 2, 1, {T(zeta / first), T(zeta / second)});
 }
 
-/// @brief The 5DOF of Figs. 4 and 5: l = 1.
-/// @param j     the mass in contact, from 1
-/// @param zeta  damping ratio of every mode
-/// @return      the system
+/// @brief The 5DOF of Figs. 4 and 5, contact on mass j from 1, l = 1.
 template <class T>
 [[nodiscard]] System<T> five_masses(std::size_t j, const T& zeta) {
     return equal_chain<T>(5, j, 1, std::vector<T>(5, zeta));

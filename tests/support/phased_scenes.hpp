@@ -8,21 +8,15 @@ namespace denhartog {
 
 /// @brief Those of `random_vector_scenes`, each with a force on two masses or more, if it has as many, and a phase for each
 /// force: 534 in all. Phases are multiples of 1/8 from -4 to 4.
-/// @param seed  any number; the same seed gives the same scenes
-/// @return      the scenes, by ascending N
 [[nodiscard]] std::vector<RandomScene<double>> random_phased_scenes(std::uint64_t seed);
 
 /// @brief Those of `random_scenes` on a base that moves alone, or with the wall, or with a wall that moves alone, one in three each;
 /// the contact of one in four of the first two is between two masses. A single mass without damping is left out.
-/// @param seed  any number; the same seed gives the same scenes
-/// @return      the scenes, by ascending N
 [[nodiscard]] std::vector<RandomScene<double>> random_base_scenes(std::uint64_t seed);
 
 /// @brief Those of `random_vector_scenes` and, every second one, of `random_phased_scenes`, each with a direction of the contact in
 /// place of its masses: entries are multiples of 1/8 from -2 to 2, one in three is zero, that of the mass in contact is 1/2, 1 or 2
 /// in size, and that of a neighbour is not zero. Single masses are left out.
-/// @param seed  any number; the same seed gives the same scenes
-/// @return      the scenes, by ascending N
 [[nodiscard]] std::vector<RandomScene<double>> random_direction_scenes(std::uint64_t seed);
 
 } // namespace denhartog

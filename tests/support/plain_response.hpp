@@ -28,8 +28,6 @@ struct Response {
 };
 
 /// @brief A boundary with bounds of what rounding alone does to it, where nothing better is known.
-/// @param boundary  the boundary
-/// @return          the same, off by 16 units in the last place
 [[nodiscard]] inline Boundary<Bounded<double>> with_rounding(const Boundary<double>& boundary) {
     const double few = 16 * std::numeric_limits<double>::epsilon();
     Boundary<Bounded<double>> b{};
@@ -41,9 +39,6 @@ struct Response {
 
 /// @brief The response at the point of a scene, as the number type rounds it.
 /// @eq{38,39,44,45,47,52,53,69}
-/// @param scene  the scene, with r; without beta the boundary alone is computed
-/// @param only   the one mass whose maximum is wanted besides that of the contact; none for all
-/// @return       the response; displacements in units of P / k_1
 /// @throws       InputError where the scene breaks a rule or has no r; DomainError at a pole of a mode without damping
 template <class T>
 [[nodiscard]] Response<T> response(const Scene<T>& scene, std::optional<Mass> only = std::nullopt) {

@@ -32,7 +32,6 @@ struct RandomScene {
 /// beta = 0.2, j = l = 1 and j = 3, l = 1, zeta = 0.01 and 0.1 (Figs. 4, 5). For SDOF and 2DOF a grid over the figures' range
 /// of r and beta is taken, whatever the regime: both routes have to agree on where the contact slides. Decimal fractions are
 /// quotients of integers, correctly rounded in every number type.
-/// @return  the scenes
 template <class T>
 [[nodiscard]] std::vector<NamedScene<T>> paper_scenes();
 
@@ -43,15 +42,10 @@ template <class T>
 /// damping ratios in [1/1024, 15/16], r in [0.1, 3]; the last two are spread over the octaves. About one scene in four has the
 /// physical damping matrix \f$ C = aM + bK \f$ in place of damping ratios, one in five of the others modes without damping, one
 /// in five of all a stiffness matrix that is no chain's, a third of these a mass matrix that is not diagonal.
-/// @param seed  any number; the same seed gives the same scenes
-/// @return      the scenes, by ascending N
 template <class T>
 [[nodiscard]] std::vector<RandomScene<T>> random_scenes(std::uint64_t seed);
 
 /// @brief A friction ratio at a fraction of the boundary, rounded down to 20 significant bits: the same in every number type.
-/// @param fraction  wanted fraction of the boundary, in (0, 1)
-/// @param beta_lim  the boundary, Eq. (69), positive
-/// @return          beta
 [[nodiscard]] double friction_ratio_at(double fraction, double beta_lim);
 
 } // namespace denhartog

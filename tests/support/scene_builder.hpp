@@ -11,13 +11,7 @@
 
 namespace denhartog {
 
-/// @brief A chain.
-/// @param gamma  mass ratios
-/// @param kappa  stiffness ratios
-/// @param zeta   damping ratios
-/// @param j      the mass in contact, from 1
-/// @param l      the loaded mass, from 1
-/// @return       the system
+/// @brief A chain by its ratios; the mass j in contact and the loaded mass l count from 1.
 template <class T = double>
 [[nodiscard]] System<T> chain_of(const std::vector<double>& gamma, const std::vector<double>& kappa,
                                  const std::vector<double>& zeta, std::size_t j = 1, std::size_t l = 1) {
@@ -38,11 +32,6 @@ template <class T = double>
 }
 
 /// @brief A system at a point.
-/// @param system  the system
-/// @param r       frequency ratio
-/// @param beta    friction ratio, or nothing
-/// @param mu      static over kinetic friction
-/// @return        the scene
 template <class T>
 [[nodiscard]] Scene<T> scene_of(System<T> system, double r, std::optional<double> beta = std::nullopt, double mu = 1) {
     Scene<T> scene{std::move(system), T(mu), T(r), std::nullopt, {}, {}};
@@ -50,11 +39,8 @@ template <class T>
     return scene;
 }
 
-/// @brief Adds a spring to a stiffness matrix, or a dashpot to a damping matrix.
-/// @param K  the matrix
-/// @param i  the mass at one end, from 0
-/// @param k  the mass at the other; i itself or -1 for the ground
-/// @param c  stiffness or damping coefficient
+/// @brief Adds a spring to a stiffness matrix, or a dashpot to a damping matrix, from mass i to mass k, from 0; k is i itself or -1
+/// for the ground.
 template <class T>
 void connect(Matrix<T>& K, Eigen::Index i, Eigen::Index k, const T& c) {
     K(i, i) += c;
@@ -64,8 +50,8 @@ void connect(Matrix<T>& K, Eigen::Index i, Eigen::Index k, const T& c) {
     K(k, i) -= c;
 }
 
-/// @brief The stiffness matrix of a chain, Eq. (1), or its damping matrix. @param k spring i between masses i - 1 and i, the
-/// first to the ground @return the matrix
+/// @brief The stiffness matrix of a chain, Eq. (1), or its damping matrix: spring i is between masses i - 1 and i, the first
+/// to the ground.
 template <class T>
 [[nodiscard]] Matrix<T> matrix_of_chain(const std::vector<T>& k) {
     const auto N = static_cast<Eigen::Index>(k.size());

@@ -10,8 +10,6 @@
 namespace denhartog {
 
 /// @brief A system read from the text of a scene in units, and where it is to stand.
-/// @param random  where its numbers come from
-/// @return        the scene
 [[nodiscard]] AdversarialScene scene_in_units(SplitMix64& random);
 
 } // namespace denhartog

@@ -38,8 +38,6 @@ using WitnessOf = typename WitnessNumber<T>::type;
 /// The damping matrix of modal damping ratios needs the modes by its definition, Eq. (19); they come from Jacobi rotations
 /// in the witness's number type.
 /// @eq{6,7,8}  @domain{a scene that `check` lets pass}
-/// @param scene  the scene, r and beta given
-/// @return       the problem in the witness's number type
 /// @throws       InputError where r or beta is missing
 template <class T>
 [[nodiscard]] HalfPeriodProblem<WitnessOf<T>> half_period_problem(const Scene<T>& scene);
@@ -56,10 +54,6 @@ struct SampledMotion {
 };
 
 /// @brief Samples a steady state of the closed form.
-/// @param sums   modes at a frequency ratio
-/// @param state  the steady state there
-/// @param steps  equal steps that [0, pi] is sampled in
-/// @return       the sampled motion
 template <class T>
 [[nodiscard]] SampledMotion<T> sampled_motion(const ModeSums<T>& sums, const SteadyState<T>& state, int steps);
 
@@ -83,17 +77,11 @@ template <class T>
 [[nodiscard]] T worst(const Agreement<T>& a);
 
 /// @brief Compares a sampled motion with the witness's.
-/// @param motion   the motion; sampled as the witness's is
-/// @param witness  the witness's motion
-/// @return         the agreement
 /// @throws         InputError where the samples differ in size, DomainError where a number is not finite
 template <class T>
 [[nodiscard]] Agreement<T> compare(const SampledMotion<T>& motion, const HalfPeriodMotion<WitnessOf<T>>& witness);
 
 /// @brief Compares the closed form with the second witness on one scene.
-/// @param scene  the scene, r and beta given, in the sliding regime
-/// @param steps  equal steps that [0, pi] is sampled in
-/// @return       the agreement
 /// @throws       InputError for a bad scene; DomainError where the closed form or the witness finds no sliding motion
 template <class T>
 [[nodiscard]] Agreement<T> compare_with_second_witness(const Scene<T>& scene, int steps = 64);

@@ -12,7 +12,6 @@ namespace denhartog {
 /// Call it once an expression: the order within one is the compiler's.
 class SplitMix64 {
 public:
-    /// @param seed  any number
     explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
 
     /// @brief The next number. @return 64 random bits
@@ -31,16 +30,12 @@ public:
     bool one_in(int n) { return integer(1, n) == 1; }
 
     /// @brief A number of 53 random bits in [2^low, 2^(high+1)), equally often in every octave; rounded where it is subnormal.
-    /// @param low   exponent of the lowest octave
-    /// @param high  exponent of the highest octave
-    /// @return      the number
     double over_octaves(int low, int high) {
         const double significand = 1 + static_cast<double>(next() >> 12) * 0x1p-52;
         return std::ldexp(significand, integer(low, high));
     }
 
     /// @brief 1, or 1 with a deviation of either sign. @param least exponent of two of the least @param most of the largest
-    /// @return the number; it may round to 1
     double near_one(int least, int most) {
         const double deviation = over_octaves(least, most);
         return one_in(2) ? 1 + deviation : 1 - deviation;

@@ -8,8 +8,6 @@ namespace denhartog {
 
 /// @brief Those of `random_scenes`, each with a contact between two masses, a force on each mass, a load by inertia, or two of
 /// these; a single mass with a force other than 1: 534 in all. Forces are multiples of 1/8.
-/// @param seed  any number; the same seed gives the same scenes
-/// @return      the scenes, by ascending N
 [[nodiscard]] std::vector<RandomScene<double>> random_vector_scenes(std::uint64_t seed);
 
 } // namespace denhartog

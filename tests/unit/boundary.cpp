@@ -48,13 +48,6 @@ std::string at(const Scene<double>& scene) {
            std::to_string(scene.system.contact.index + 1) + ", zeta_1 = " + hexadecimal(scene.system.damping_ratios[0]);
 }
 
-/// Velocity of the contact over -sin(tau) at a friction ratio, whether or not the contact slides there.
-double margin(const ModeSums<double>& s, double beta, double tau) {
-    const std::size_t j = s.contact.index;
-    const double X_j = paper::displacement_transmissibility_of_contact(s.V[j], s.U[j], s.G[j], beta);
-    return paper::sliding_margin(X_j, s.G[j], sliding_demand(s, tau), beta);
-}
-
 /// Friction force, per unit of load, that holds the contact: 2N real equations with its displacement zero.
 double holding_force(const Scene<double>& scene) {
     const NonDimensionalMatrices m = matrices_of(scene);

@@ -1,11 +1,20 @@
-#include "denhartog/number/bounded.hpp"
-
+#include <cmath>
 #include <random>
 
+#include "denhartog/answer/certify.hpp"
+#include "denhartog/answer/models_in_double.hpp"
 #include "denhartog/evaluation/mode.hpp"
+#include "denhartog/number/bounded.hpp"
+#include "denhartog/scene/scene_json.hpp"
+#include "denhartog/sliding/boundary.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
+#include "denhartog/sliding/mode_sums.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/closed_form.hpp"
 #include "tests/support/multiprecision.hpp"
+#include "tests/unit/program_table.hpp"
 
+using namespace denhartog::tests;
 using namespace denhartog;
 
 namespace {
@@ -108,5 +117,244 @@ TEST_CASE("the functions of a mode on bounded numbers hold their bounds", "[eq:2
         REQUIRE(holds(f.v.im, exact.v.im));
         REQUIRE(holds(f.u, exact.u));
         REQUIRE(holds(f.g, exact.g));
+    }
+}
+
+// Bounds of the modes and of their functions against 50 and 100 digits, light and heavy masses among them.
+
+namespace {
+
+/// The largest error over its bound.
+struct Used {
+    double most = 0;
+
+    void note(const Bounded<double>& a, const Real100& truth) {
+        const double error = std::abs(static_cast<double>(Real100(truth - Real100(a.x))));
+        if (error > 0) most = std::max(most, error / a.e);
+    }
+};
+
+double power_of_ten(std::mt19937_64& random, double least, double most) {
+    return std::pow(10.0, std::uniform_real_distribution<double>(least, most)(random));
+}
+
+/// A random symmetric matrix with positive eigenvalues, its condition number at most ten to the decades.
+Matrix<double> random_definite(std::mt19937_64& random, Eigen::Index N, double decades) {
+    std::normal_distribution<double> normal;
+    Matrix<double> a(N, N);
+    for (Eigen::Index i = 0; i < N; ++i)
+        for (Eigen::Index k = 0; k < N; ++k) a(i, k) = normal(random) * (i == 0 ? std::pow(10.0, -decades / 2) : 1);
+    const Matrix<double> square = a * a.transpose(), unit = Matrix<double>::Identity(N, N);
+    return square / square(N - 1, N - 1) + unit * std::pow(10.0, -decades);
+}
+
+Matrix<double> symmetric(const Matrix<double>& a) { return (a + a.transpose()) / 2; }
+
+/// A system of N masses: a chain, one with a full stiffness matrix, one with a full mass matrix too.
+Scene<double> random_scene(std::mt19937_64& random, int kind, std::size_t N) {
+    Scene<double> scene;
+    System<double>& s = scene.system;
+    const auto n = static_cast<Eigen::Index>(N);
+    for (std::size_t i = 0; i < N; ++i) {
+        if (kind < 2) s.mass_ratios.push_back(i == 0 ? 1 : power_of_ten(random, -12, 3));
+        if (kind == 0) s.stiffness_ratios.push_back(i == 0 ? 1 : power_of_ten(random, -3, 3));
+        s.damping_ratios.push_back(power_of_ten(random, -3, -1));
+    }
+    if (kind > 0) s.stiffness_matrix = symmetric(random_definite(random, n, 2));
+    if (kind > 1) s.mass_matrix = symmetric(random_definite(random, n, 6));
+    return scene;
+}
+
+/// The largest part of the bounds that errors of a basis use.
+double used_by_basis(const Scene<double>& scene) {
+    const ModalBasis<Bounded<double>> basis = with_errors(scene.system, modal_basis(scene.system));
+    const ModalBasis<Real100> truth = modal_basis(converted<Real100>(scene).system);
+    Used used;
+    for (Eigen::Index i = 0; i < basis.phi.cols(); ++i) {
+        used.note(basis.r_n[static_cast<std::size_t>(i)], truth.r_n[static_cast<std::size_t>(i)]);
+        Eigen::Index largest = 0;
+        truth.phi.col(i).cwiseAbs().maxCoeff(&largest);
+        const bool opposite = (truth.phi(largest, i) > 0) != (basis.phi(largest, i).x > 0);
+        for (Eigen::Index k = 0; k < basis.phi.rows(); ++k)
+            used.note(basis.phi(k, i), opposite ? Real100(-truth.phi(k, i)) : truth.phi(k, i));
+    }
+    return used.most;
+}
+
+} // namespace
+
+TEST_CASE("bounds of natural frequencies and mode shapes hold, with light masses and full matrices too",
+          "[eq:14][eq:15][error_bound]") {
+    std::mt19937_64 random(7);
+    double most = 0;
+    for (const int kind : {0, 1, 2})
+        for (int n = 0; n < 60; ++n) {
+            const double used = used_by_basis(random_scene(random, kind, 2 + static_cast<std::size_t>(n) % 4));
+            INFO("kind " << kind << ", system " << n);
+            CHECK(used <= 1);
+            most = std::max(most, used);
+        }
+    CHECK(most > 1e-3); // a thousandth of the bounds is refuted
+}
+
+TEST_CASE("bounds of the functions of a mode hold for all numbers within those of R and zeta",
+          "[eq:23][eq:28][eq:29][error_bound]") {
+    std::mt19937_64 random(11);
+    std::uniform_real_distribution<double> part(-1, 1);
+    Used used;
+    for (int n = 0; n < 4000; ++n) {
+        const double R =
+            n % 2 == 0 ? power_of_ten(random, -2, 2) : (1 + part(random) * power_of_ten(random, -12, -1)) / (1 + n % 7);
+        const double zeta = power_of_ten(random, -12, 0.3), off = power_of_ten(random, -16, -5);
+        const Bounded<double> R_i{R, R * off}, zeta_i{zeta, zeta * off};
+        const evaluation::ModeFunctions<Bounded<double>> f = bounded_mode_functions(R_i, zeta_i);
+        for (const double side : {-1.0, 0.0, part(random), 1.0}) {
+            const Real100 r = Real100(R) + Real100(R_i.e) * side, z = Real100(zeta) + Real100(zeta_i.e) * part(random);
+            const evaluation::ModeFunctions<Real100> truth = evaluation::mode_functions(r, z);
+            Used here;
+            here.note(f.v.re, truth.v.re);
+            here.note(f.v.im, truth.v.im);
+            here.note(f.u, truth.u);
+            here.note(f.g, truth.g);
+            INFO("R = " << R << ", zeta = " << zeta << ", off by " << off);
+            CHECK(here.most <= 1);
+            used.most = std::max(used.most, here.most);
+        }
+    }
+    CHECK(used.most > 0.1); // a tenth of the bounds is refuted
+}
+
+// Bounds of what an answer is made of: modes, response functions, boundaries, invariant points, (88).
+
+using nlohmann::json;
+
+namespace {
+
+/// Chains and matrices of 1 to 6 masses, as text.
+std::vector<std::string> scenes_as_text(int count) {
+    std::mt19937_64 generator(1701);
+    const auto between = [&](double a, double b) { return a + (b - a) * static_cast<double>(generator() >> 11) * 0x1p-53; };
+    std::vector<std::string> texts;
+    for (int n = 0; n < count; ++n) {
+        const int N = 1 + n % 6;
+        json scene{{"mass_ratios", {1}}, {"damping_ratios", json::array()}, {"mu", 1 + between(0, 1)}, {"r", between(0.2, 2)}};
+        for (int k = 1; k < N; ++k) scene["mass_ratios"].push_back(std::exp(between(-2, 2)));
+        for (int k = 0; k < N; ++k) scene["damping_ratios"].push_back(between(0.01, 1.2));
+        if (n % 3 != 0) {
+            scene["stiffness_ratios"] = {1};
+            for (int k = 1; k < N; ++k) scene["stiffness_ratios"].push_back(std::exp(between(-2, 2)));
+        } else {
+            for (int i = 0; i < N; ++i) {
+                scene["stiffness_matrix"].push_back(json::array());
+                for (int k = 0; k < N; ++k)
+                    scene["stiffness_matrix"][i].push_back(k == i  ? between(3, 5)
+                                                           : k < i ? scene["stiffness_matrix"][k][i].get<double>()
+                                                                   : between(-0.5, 0.1));
+            }
+        }
+        scene["contact"] = 1 + static_cast<int>(generator() % static_cast<unsigned>(N));
+        scene["load"] = 1 + static_cast<int>(generator() % static_cast<unsigned>(N));
+        texts.push_back(scene.dump());
+    }
+    return texts;
+}
+
+/// Numbers held against what they are, and how many use more than a fraction of their bound.
+struct Held {
+    int numbers = 0;
+    int close = 0;
+
+    void take(const char* name, double value, const json& bound, const Real50& truth) {
+        INFO(name << " " << value << ", bound " << bound);
+        REQUIRE(bound.is_number());
+        const auto error = static_cast<double>(abs(Real50(truth - value)));
+        CHECK(error <= bound.get<double>() + 1e-29 * std::abs(value)); // what the other number is good to
+        ++numbers;
+        close += 1024 * error > bound.get<double>();
+    }
+    void take(const char* name, const json& pair, const json& bound, const Complex<Real50>& truth) {
+        take(name, pair[0].get<double>(), bound, truth.re);
+        take(name, pair[1].get<double>(), bound, truth.im);
+    }
+};
+
+} // namespace
+
+TEST_CASE("modes, what they contribute, and the sums over them are within their bounds of 50 digits", "[program][eq:15][eq:33]") {
+    Held held;
+    for (const std::string& text : scenes_as_text(60)) {
+        INFO(text);
+        const Run run = run_program("functions --json", text);
+        REQUIRE(run.status == 0);
+        const json all = json::parse(run.output);
+        const Scene<Real50> scene = read_scene<Real50>(text);
+        const ModalBasis<Real50> basis = modal_basis(scene.system);
+        const ModeSums<Real50> s = mode_sums(basis, scene.system.contact, scene.system.load, *scene.r);
+        for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
+            const json &mode = all["modes"][i], &bounds = mode["error_bounds"];
+            const auto take = [&](const char* key, const Real50& truth) {
+                held.take(key, mode[key].get<double>(), bounds[key], truth);
+            };
+            take("natural_frequency_ratio", basis.r_n[i]);
+            take("R", Real50(*scene.r / basis.r_n[i]));
+            take("zeta", basis.zeta[i]);
+            held.take("v", mode["v"], bounds["v"], s.v[i]);
+            take("u", s.u[i]);
+            take("g", s.g[i]);
+        }
+        for (std::size_t k = 0; k < s.V.size(); ++k) {
+            const json &mass = all["masses"][k], &bounds = mass["error_bounds"];
+            held.take("V", mass["V"], bounds["V"], s.V[k]);
+            held.take("U", mass["U"].get<double>(), bounds["U"], s.U[k]);
+            held.take("G", mass["G"].get<double>(), bounds["G"], s.G[k]);
+        }
+        const json& bounds = all["error_bounds"];
+        const Boundary<Real50> limits = boundary(s, Real50(scene.mu));
+        held.take("H_j", all["H_j"].get<double>(), bounds["H_j"], s.H_j);
+        held.take("S_j exact", all["S_j"]["exact"].get<double>(), bounds["S_j"]["exact"], limits.S_exact);
+        held.take("S_j paper", all["S_j"]["paper"].get<double>(), bounds["S_j"]["paper"], limits.S_paper);
+        const json b = json::parse(run_program("boundary --json", text).output);
+        const auto limit = [&](const char* key, const Real50& truth) {
+            held.take(key, b["beta_lim"][key].get<double>(), b["beta_lim_error_bounds"][key], truth);
+        };
+        limit("exact", limits.exact);
+        limit("paper", limits.paper);
+        limit("approximate", limits.approximate);
+        if (limits.sticking) limit("sticking", *limits.sticking);
+    }
+    INFO(held.close << " of " << held.numbers);
+    CHECK(held.close > held.numbers / 4); // bounds a thousand times smaller would not hold
+}
+
+TEST_CASE("invariant points are within their bounds of those to 30 digits", "[program][eq:87]") {
+    Held held;
+    for (const std::string& text : scenes_as_text(18)) {
+        INFO(text);
+        const json few = json::parse(run_program("boundary --json --invariant-points 0.8:2", text).output).at("invariant_points");
+        const json many =
+            json::parse(run_program("boundary --json --invariant-points 0.8:2 --digits 30", text).output).at("invariant_points");
+        for (std::size_t k = 0; k < few.size(); ++k) {
+            const json &a = few[k].at("points"), &b = many[k].at("points");
+            if (many[k].contains("undecided")) continue;
+            REQUIRE(a.size() == b.size());
+            for (std::size_t n = 0; n < a.size(); ++n) {
+                held.take("r", a[n]["r"].get<double>(), a[n]["r_error_bound"], Real50(b[n]["r"].get<std::string>()));
+                held.take("amplitude", a[n]["amplitude"].get<double>(), a[n]["error_bound"],
+                          Real50(b[n]["amplitude"].get<std::string>()));
+                CHECK(a[n]["kind"] == b[n]["kind"]);
+            }
+        }
+    }
+    INFO(held.close << " of " << held.numbers);
+    CHECK(held.numbers > 200);
+    CHECK(held.close > held.numbers / 4);
+}
+
+TEST_CASE("permanent sticking by (88) has the digits asked for", "[program][eq:88]") {
+    for (const int digits : {6, 12, 14, 15}) {
+        const json all = answer_of("solve --ask regime --json --digits " + std::to_string(digits), "three");
+        INFO(digits << " digits");
+        CHECK(all["beta_lim_error_bounds"]["sticking_by_88"].get<double>() <=
+              std::pow(10, -digits) * all["beta_lim"]["sticking_by_88"].get<double>());
     }
 }

@@ -6,9 +6,10 @@
 
 #include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
-#include "tests/unit/program_runs.hpp"
+#include "tests/unit/program_table.hpp"
 
 using namespace denhartog;
+using namespace denhartog::tests;
 
 namespace {
 
@@ -21,8 +22,7 @@ Conditions conditions(const std::string& scene) {
 }
 
 std::string linear(const std::string& r) {
-    return R"({"mass_ratios": 1, "stiffness_ratios": 1, "damping_ratios": 0.1, "contact": 1, "load": 1, "beta": 0, "r": )" + r +
-           "}";
+    return text_of_scene(R"(one {"damping_ratios": 0.1, "beta": 0, "mu": null, "r": )" + r + "}");
 }
 
 } // namespace
@@ -42,10 +42,7 @@ TEST_CASE("the condition of a mass without friction is the derivative by hand", 
 
 TEST_CASE("conditions add up as the units of a scene ask", "[condition]") {
     for (const char* friction : {"20", "150"}) { // without stops, and with
-        const std::string scene =
-            R"({"masses": [10, 5], "stiffnesses": [4000, 3000], "damping_ratios": [0.02, 0.03], "contact": 1,
-            "load": 2, "force": 100, "frequency_hz": 2.5, "friction": )" +
-            std::string(friction) + "}";
+        const std::string scene = text_of_scene(R"(two in hertz {"friction": )" + std::string(friction) + "}");
         const Conditions found = conditions(scene);
         INFO(scene);
         REQUIRE(found.size() == 9);
@@ -64,33 +61,21 @@ TEST_CASE("conditions add up as the units of a scene ask", "[condition]") {
 }
 
 TEST_CASE("a condition that is not known is left out, and --condition goes with whole answers", "[condition][program]") {
-    const std::string stuck =
-        R"({"mass_ratios": 1, "stiffness_ratios": 1, "damping_ratios": 0.1, "contact": 1, "load": 1, "r": 0.5,
-        "beta": 2})"; // the mass does not move
+    const std::string stuck = text_of_scene(R"(one {"damping_ratios": 0.1, "r": 0.5, "beta": 2})"); // the mass does not move
     for (const auto& [number, of_masses] : conditions(stuck)) CHECK(!of_masses[0]);
-    using tests::Run;
-    using tests::run_program;
-    const Run run = run_program("solve - --condition --json", linear("0.5"));
-    REQUIRE(run.status == 0);
-    const auto answer = nlohmann::json::parse(run.output);
-    CHECK(answer["condition"].size() == 2);
-    CHECK(answer["condition"]["r"].size() == 1);
-    CHECK(run_program("solve - --condition", linear("0.5")).output.find("for one of r") != std::string::npos);
-    for (const char* options : {"--samples 4", "--mass 1", "--ask regime"}) {
-        const Run bad = run_program(std::string("solve - --condition ") + options, linear("0.5"));
-        CHECK(bad.status == 2);
-        CHECK(bad.error.find("condition must") != std::string::npos);
-    }
+    expect(R"(
+        0 solve - --condition --json < one {"damping_ratios": 0.1, "beta": 0, "mu": null, "r": 0.5}
+          = {"condition": "# 2"}
+          = {"condition": {"r": "# 1"}}
+        0 solve - --condition < one {"damping_ratios": 0.1, "beta": 0, "mu": null, "r": 0.5} > for one of r
+        2 solve - --condition {--samples 4|--mass 1|--ask regime} < one ! condition must
+    )");
 }
 
 TEST_CASE("amplitudes that hang on the last digits of a scene come with a warning, others do not",
           "[condition][program][solve]") {
-    using tests::run_program;
     const auto asked = [](const std::string& r, const std::string& zeta, const std::string& command = "solve --json") {
-        return nlohmann::json::parse(run_program(command, R"({"mass_ratios": [1], "stiffness_ratios": [1], "contact": 1,
-            "load": 1, "beta": 0.1, "damping_ratios": )" + zeta +
-                                                              R"(, "r": )" + r + "}")
-                                         .output);
+        return answer_of(command, R"(one {"beta": 0.1, "damping_ratios": )" + zeta + R"(, "r": )" + r + "}");
     };
     // The amplitude at two neighbouring doubles, r of the second a unit in the last place above that of the first.
     const double far = asked("1.0000000000001", "0")["masses"][0]["amplitude"],

@@ -8,7 +8,7 @@
 #include "tests/catch.hpp"
 #include "tests/support/invariant_points.hpp"
 #include "tests/support/sample_scenes.hpp"
-#include "tests/unit/program_runs.hpp"
+#include "tests/unit/program_table.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;
@@ -147,14 +147,11 @@ TEST_CASE("a mass that friction does not reach has no invariant points", "[eq:87
 }
 
 TEST_CASE("the program lists the invariant points of every mass", "[eq:87][invariant][program]") {
-    const std::string scene =
-        R"({"mass_ratios": [1, 1], "stiffness_ratios": [1, 1], "damping_ratios": 0.01, "contact": 2, "load": 1,
-                                 "r": 0.8})";
+    const std::string scene = R"(two {"damping_ratios": 0.01, "r": 0.8, "beta": null})";
     const auto found = points_of(two_masses(2, 1), 0.5, 2.5);
     for (const std::string& digits : {std::string(), std::string(" --digits 12")}) {
-        const Run run = run_program("boundary --json --invariant-points 0.5:2.5" + digits, scene);
-        REQUIRE(run.status == 0);
-        const nlohmann::json masses = nlohmann::json::parse(run.output).at("invariant_points");
+        const nlohmann::json masses =
+            answer_of("boundary --json --invariant-points 0.5:2.5" + digits, scene).at("invariant_points");
         REQUIRE(masses.size() == 2);
         for (std::size_t k = 0; k < 2; ++k) {
             CHECK(masses[k]["mass"] == k + 1);
@@ -168,18 +165,11 @@ TEST_CASE("the program lists the invariant points of every mass", "[eq:87][invar
             }
         }
     }
-    CHECK(run_program("boundary --invariant-points 0.5:2.5", scene).output.find("invariant at r") != std::string::npos);
-    for (const char* bad : {"0.5", "0.5:", "2:1", "0:1", "1e-9:1", "a:b"}) {
-        const Run run = run_program(std::string("boundary --json --invariant-points ") + bad, scene);
-        CAPTURE(bad, run.error);
-        CHECK(run.status == 2);
-        CHECK(run.output.empty());
-        CHECK_FALSE(run.error.empty());
-    }
+    expect("0 boundary --invariant-points 0.5:2.5 < " + scene + " > invariant at r\n" + //
+           "2 boundary --json --invariant-points {0.5|0.5:|2:1|0:1|1e-9:1|a:b} < " + scene);
     const auto first_point = [&](int digits) {
-        const Run run = run_program("boundary --json --invariant-points 0.5:2.5 --digits " + std::to_string(digits), scene);
-        REQUIRE(run.status == 0);
-        return nlohmann::json::parse(run.output).at("invariant_points")[0]["points"][0]["r"].get<std::string>();
+        const auto masses = answer_of("boundary --json --invariant-points 0.5:2.5 --digits " + std::to_string(digits), scene);
+        return masses.at("invariant_points")[0]["points"][0]["r"].get<std::string>();
     };
     CHECK(first_point(60).size() > 60);
     CHECK(first_point(60).substr(0, 28) == first_point(30).substr(0, 28));

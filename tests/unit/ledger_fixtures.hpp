@@ -43,7 +43,6 @@ public:
     ~Folder() { std::filesystem::remove_all(path_); }
     Folder(const Folder&) = delete;
     Folder& operator=(const Folder&) = delete;
-    /// @return the folder
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     /// @brief Writes a file. @param name its name, may have folders @param text what it holds @return its path
     std::string write(const std::string& name, const std::string& text) const {

@@ -1,12 +1,20 @@
-#include "denhartog/ledger/ledger.hpp"
-
 #include <algorithm>
+#include <fstream>
 
+#include "denhartog/ledger/ledger.hpp"
+#include "denhartog/ledger/ledger_entry.hpp"
 #include "denhartog/number/errors.hpp"
+#include "derivation/ledger/ledger_audit.hpp"
+#include "derivation/ledger/ledger_figures.hpp"
 #include "derivation/ledger/ledger_join.hpp"
+#include "derivation/ledger/ledger_kernel.hpp"
+#include "derivation/ledger/ledger_scenes.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/ledger_fixtures.hpp"
 
+using namespace denhartog::derivation;
 using namespace denhartog;
+
 using ledger::Json;
 
 namespace {
@@ -177,4 +185,234 @@ TEST_CASE("a derivation that has not run, or is none, is told", "[ledger]") {
         "assumptions": [], "steps": [{"text": "x"}]}])"),
                                             "", ""),
                     InputError);
+}
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+json record(const std::string& name, const std::vector<std::string>& equations) {
+    return {{"name", name},
+            {"title", "Amplitude over r"},
+            {"equations", equations},
+            {"given", {"mu = 1"}},
+            {"chosen", json::array()},
+            {"agreements", {{{"what", "amplitude"}, {"points", 12}, {"median", 1e-7}, {"worst", 0.25}, {"where", "r = 1"}}}},
+            {"statements",
+             {{{"text", "falls"}, {"found", "rises by 3"}, {"borne_out", false}},
+              {{"text", "a"}, {"found", "b"}, {"borne_out", true}}}},
+            {"remarks", json::array()}};
+}
+
+json ledger_with_figures() {
+    return {{{"equation", "38"}, {"figures", json::array()}}, {{"equation", "A.7"}, {"figures", json::array()}}};
+}
+
+} // namespace
+
+TEST_CASE("the ledger names the figures that show an equation", "[ledger][figures]") {
+    json entries = ledger_with_figures();
+    CHECK(add_figures(entries, {record("fig06_curves", {"38"}), record("printed", {"38", "A.7"})}).empty());
+    CHECK(entries[0]["figures"] == json({"fig06_curves", "printed"}));
+    CHECK(entries[1]["figures"] == json({"printed"}));
+}
+
+TEST_CASE("a figure that names an equation which is not in the paper is a fault", "[ledger][figures]") {
+    json entries = ledger_with_figures();
+    const std::vector<std::string> faults = add_figures(entries, {record("fig06_curves", {"38", "99"})});
+    REQUIRE(faults.size() == 1);
+    CHECK(faults[0] == "the figure fig06_curves shows (99), which the paper does not have");
+}
+
+TEST_CASE("figures of the paper come before the others, and a broken record is named", "[ledger][figures]") {
+    const fs::path folder = fs::temp_directory_path() / "denhartog-figure-records";
+    fs::remove_all(folder);
+    CHECK(figure_records(folder).empty());
+    fs::create_directories(folder);
+    std::ofstream(folder / "a.json") << record("a", {"38"});
+    std::ofstream(folder / "fig02.json") << record("fig02", {"3"});
+    std::ofstream(folder / "fig02.dat") << "no record";
+    const std::vector<json> records = figure_records(folder);
+    REQUIRE(records.size() == 2);
+    CHECK(records[0]["name"] == "fig02");
+    std::ofstream(folder / "b.json") << "{";
+    CHECK_THROWS_WITH(figure_records(folder), Catch::Contains("b.json"));
+    fs::remove_all(folder);
+}
+
+TEST_CASE("a statement that is not borne out is shown as such", "[ledger][figures]") {
+    const std::vector<json> records{record("fig06_curves", {"38"})};
+    CHECK_THAT(figures_markdown(records), Catch::Contains("| falls | rises by 3 | no |"));
+    const std::string table = figures_table(records);
+    CHECK_THAT(table, Catch::Contains("| fig06_curves |") && Catch::Contains("| 1e-07 | 0.25 | 1 of 2 |"));
+    CHECK_THAT(figures_markdown({record("limits", {"38"})}), Catch::Contains("| statement | the data say | holds |"));
+}
+
+TEST_CASE("where a number of ours decides, a statement is not borne out to that number", "[ledger][figures]") {
+    json measured = record("fig06_curves", {"38"});
+    measured["statements"][0]["measure"] = "to 1 percent";
+    measured["statements"][1]["measure"] = "to 5 percent";
+    CHECK_THAT(figures_markdown({measured}), Catch::Contains("| falls | rises by 3 | not to 1 percent |"));
+    CHECK_THAT(figures_markdown({measured}), Catch::Contains("| a | b | yes |"));
+    CHECK_THAT(figures_table({measured}), Catch::Contains("| 1 of 2, 1 beyond the threshold that was chosen |"));
+}
+
+TEST_CASE("a bar within a text does not end a cell of a table", "[ledger][figures]") {
+    json with_bars = record("fig06_curves", {"38"});
+    with_bars["statements"][0]["text"] = "|v| falls";
+    CHECK_THAT(figures_markdown({with_bars}), Catch::Contains("| \\|v\\| falls | rises by 3 | no |"));
+}
+
+using nlohmann::json;
+
+namespace {
+
+/// Two equations: two claims on the first, one of them refuted and with the equation at its end; none on the second.
+json two_entries() {
+    return json::parse(R"([
+        {"equation": "28", "kind": "result", "claims": [{"id": "28/formula"}, {"id": "28/printed/28"}], "no_function": ""},
+        {"equation": "6", "kind": "definition", "claims": [], "no_function": ""}])");
+}
+
+const char* const exported = R"({"certificates": [
+    {"claim": "28/formula", "status": "exported", "reason": "", "lemmas": [{}, {}], "file": "certificates/equation_28.v"},
+    {"claim": "28/printed", "status": "not_exported", "reason": "refuted: the two sides are not equal", "lemmas": []}]})";
+
+json joined(const tests::Folder& folder, const std::string& statements = "") {
+    json entries = two_entries();
+    (void)derivation::add_kernel(entries, derivation::read_kernel_record(folder.path(), statements));
+    return entries;
+}
+
+} // namespace
+
+TEST_CASE("where the kernel was not run the ledger says so, and nothing else", "[ledger][kernel]") {
+    const tests::Folder folder;
+    for (const bool with_certificates : {false, true}) {
+        if (with_certificates) folder.write("certificates.json", exported);
+        const json entries = joined(folder);
+        CHECK(entries[0].at("kernel").at("status") == "not_run");
+        CHECK(entries[0].at("claims")[0].at("kernel") == json{{"status", "not_run"}});
+        CHECK(entries[1].at("kernel").at("status") == "not_run");
+        CHECK(derivation::kernel_sentence(entries) == "The kernel was not run.");
+    }
+}
+
+TEST_CASE("a claim is checked where the kernel accepted its lemmas, and not exported with the reason", "[ledger][kernel]") {
+    const tests::Folder folder;
+    folder.write("certificates.json", exported);
+    folder.write("kernel.json", R"({"claims": {"28/formula": {"status": "checked", "message": "",
+                                    "why_not_in_functions": "1 of 2: the angle of a point"}}})");
+    const json entries = joined(folder);
+    const json& claims = entries[0].at("claims");
+    CHECK(claims[0].at("kernel").at("why_not_in_functions") == "1 of 2: the angle of a point");
+    CHECK(claims[0].at("kernel").at("status") == "checked");
+    CHECK(claims[0].at("kernel").at("lemmas") == 2);
+    CHECK(claims[1].at("kernel").at("status") == "not_exported");
+    CHECK(claims[1].at("kernel").at("reason") == "refuted: the two sides are not equal");
+    CHECK(entries[0].at("kernel").at("status") == "checked");
+    CHECK(entries[0].at("kernel").at("certificates") == 1);
+    CHECK(entries[1].at("kernel").at("status") == "not_exported");
+    CHECK(entries[1].at("kernel").at("reason") == "definition: there is nothing to prove");
+    CHECK(derivation::kernel_sentence(entries) ==
+          "The kernel has checked the certificates of 1 of 2 claims; 1 are not exported. Of "
+          "2 equations 1 have a certificate or a theorem that it has checked.");
+}
+
+TEST_CASE("a lemma that the kernel refuses makes its claim and its equation red", "[ledger][kernel]") {
+    const tests::Folder folder;
+    folder.write("certificates.json", exported);
+    folder.write("kernel.json", R"({"claims": {"28/formula": {"status": "failed", "message": "not a valid ring equation"}}})");
+    json entries = two_entries();
+    const auto faults = derivation::add_kernel(entries, derivation::read_kernel_record(folder.path(), ""));
+    CHECK(tests::tells(faults, "the kernel refuses the certificate of claim 28/formula"));
+    CHECK(entries[0].at("kernel").at("status") == "failed");
+    CHECK(ledger::kernel_words(entries[0].at("claims")[0].at("kernel")) == "failed: not a valid ring equation");
+}
+
+TEST_CASE("a claim that was exported and that the kernel has not seen is not checked", "[ledger][kernel]") {
+    const tests::Folder folder;
+    folder.write("certificates.json", exported);
+    folder.write("kernel.json", R"({"claims": {}})");
+    CHECK(joined(folder)[0].at("claims")[0].at("kernel").at("status") == "not_run");
+}
+
+// Scenes that show a refuted equation, and the audit of what remains assumed.
+
+using nlohmann::json;
+
+namespace {
+
+json small_entry(const std::string& equation, const std::string& kind, const std::string& printed) {
+    return {{"equation", equation}, {"kind", kind},        {"printed", printed},        {"shipped", "proved"},
+            {"correction", ""},     {"correction_by", ""}, {"rests_on", json::array()}, {"claims", json::array()}};
+}
+
+json scene_with_loss(double loss) {
+    return {{"where", "a single mass"},
+            {"scene", "{\"r\":0.9}"},
+            {"regime", "stick_slip"},
+            {"quantity", "amplitude"},
+            {"printed", 1.5},
+            {"holds", 1.0},
+            {"loss", loss}};
+}
+
+json audit_claim(const std::string& id, const std::string& role, const std::string& kind, const std::string& verdict,
+                 const std::vector<std::string>& assumptions) {
+    return {{"id", id}, {"role", role}, {"kind", kind}, {"verdict", verdict}, {"assumptions", assumptions}};
+}
+
+} // namespace
+
+TEST_CASE("each refuted equation gets its scene, and a missing or invisible one is a fault", "[ledger]") {
+    json entries = {small_entry("38", "result", "proved"), small_entry("46", "result", "refuted"),
+                    small_entry("2", "assumption", "illegible")};
+    const json scenes = {{"46", scene_with_loss(0.5)}, {"2", {{"none", "a slip"}}}};
+    CHECK(add_scenes(entries, scenes).empty());
+    CHECK(entries[0].at("scene").empty());
+    CHECK(entries[1].at("scene").at("loss") == 0.5);
+    CHECK(add_scenes(entries, {{"2", {{"none", "a slip"}}}}).size() == 1);
+    CHECK(add_scenes(entries, {{"46", scene_with_loss(0.001)}, {"2", {{"none", "a slip"}}}}).size() == 1);
+    CHECK(add_scenes(entries, {{"46", scene_with_loss(0.5)}, {"2", {{"none", "a slip"}}}, {"38", scene_with_loss(0.5)}}).size() ==
+          1);
+}
+
+TEST_CASE("a scene in a sentence has both values, the loss and what to type", "[ledger]") {
+    const std::string text = scene_markdown(scene_with_loss(0.5));
+    for (const char* part :
+         {"a single mass", "stick slip motion", "1.5 as printed", "1 as it is", "a loss of 0.5", "`{\"r\":0.9}`"})
+        CHECK(text.find(part) != std::string::npos);
+    CHECK(scene_markdown({{"none", "a slip"}}) == "No scene shows it: a slip");
+}
+
+TEST_CASE("the audit says by which claims an equation is decided and what remains assumed", "[ledger]") {
+    json assumed = small_entry("4", "assumption", "assumption"), middle = small_entry("12", "result", "proved"),
+         result = small_entry("46", "result", "refuted");
+    middle["rests_on"] = {"4"};
+    result["rests_on"] = {"12"};
+    result["correction"] = "x=y";
+    result["correction_by"] = "hand";
+    result["claims"] = {audit_claim("46/printed", "printed", "derived", "refuted", {"R_i > 0"}),
+                        audit_claim("46/motion/N=1", "shipped", "derived", "proved", {"R_i > 0", "N = 1"}),
+                        audit_claim("46/motion/N=2", "shipped", "derived", "proved", {"R_i > 0", "N = 2 modes"}),
+                        audit_claim("46/look", "observation", "observation", "measured", {"everywhere"}),
+                        audit_claim("46/thought", "step", "argument", "argued", {})};
+    std::vector<AuditRow> rows = audit_of({assumed, middle, result});
+    REQUIRE(rows.size() == 3);
+    CHECK(rows[0].premises == std::vector<std::string>{"4"});
+    CHECK(rows[2].kinds == "3 derived");
+    CHECK(rows[2].premises == std::vector<std::string>{"4"});
+    CHECK(rows[2].domains == std::vector<std::string>{"R_i > 0"});
+    CHECK(rows[2].masses == "N = 1, 2 only");
+    CHECK(rows[2].argued == std::vector<std::string>{"46/thought"});
+    CHECK(rows[2].typed);
+    CHECK(audit_summary(rows).find("(4)") != std::string::npos);
+    CHECK(audit_markdown(rows).find("| (46) | 3 derived | refuted | proved |") != std::string::npos);
+    CHECK(rows[0].kinds == "none: assumption");
+    result["claims"].push_back(audit_claim("46/one-more-mode", "step", "derived", "proved", {"any number of modes before"}));
+    rows = audit_of({assumed, middle, result});
+    CHECK(rows[2].masses == "every number of masses, by the step of the sum (whole for N = 1, 2)");
+    CHECK(remaining(rows[2]).find("premises (4)") == 0);
 }

@@ -5,6 +5,9 @@
 #include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/closed_form.hpp"
+#include "tests/support/named_scenes.hpp"
+#include "tests/support/rotations.hpp"
+#include "tests/support/scene_builder.hpp"
 
 using namespace denhartog;
 
@@ -22,33 +25,17 @@ System<T> pair_with(const Matrix<T>& C) {
     return s;
 }
 
-InputError refusal(const System<double>& s) {
-    try {
-        (void)modal_basis(s);
-    } catch (const InputError& fault) {
-        return fault;
-    }
-    FAIL("no error");
-    return InputError("", "", "");
-}
-
 } // namespace
 
 TEST_CASE("damping that is a combination of mass and stiffness has the known damping ratios", "[model][eq:18]") {
     const auto with = [](auto number) {
         using T = decltype(number);
-        System<T> s;
-        s.mass_ratios = {T(1), T(5) / 2, T(3) / 4};
-        s.stiffness_ratios = {T(1), T(5) / 8, T(15) / 8};
+        System<T> s = chain_of<T>({1, 2.5, 0.75}, {1, 0.625, 1.875});
+        s.damping_ratios.clear();
         const T a = T(1) / 8;
         const T b = T(1) / 16;
-        s.damping_matrix = Matrix<T>::Zero(3, 3);
-        const T masses[] = {T(1), T(5) / 2, T(3) / 4};
-        const T springs[] = {T(1), T(5) / 8, T(15) / 8, T(0)};
-        for (int i = 0; i < 3; ++i) {
-            s.damping_matrix(i, i) = a * masses[i] + b * (springs[i] + springs[i + 1]);
-            if (i > 0) s.damping_matrix(i, i - 1) = s.damping_matrix(i - 1, i) = -b * springs[i];
-        }
+        s.damping_matrix = b * matrix_of_chain(s.stiffness_ratios);
+        for (int i = 0; i < 3; ++i) s.damping_matrix(i, i) += a * s.mass_ratios[static_cast<std::size_t>(i)];
         const ModalBasis<T> basis = modal_basis(s);
         using std::abs;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -111,15 +98,10 @@ TEST_CASE("two soft modes are coupled of which the distance has no trace beside 
 
 TEST_CASE("damping in proportion to stiff and soft springs couples no modes, however far they are apart", "[model][eq:18]") {
     for (const double soft : {1e-4, 1e-8, 1e-12, 1e-15}) {
-        System<double> s;
-        s.mass_ratios = {1, 0.3, 1e-6, 7};
-        s.stiffness_ratios = {1, soft, 0.7, 3 * soft};
-        s.damping_matrix = Matrix<double>::Zero(4, 4);
-        for (int i = 0; i < 4; ++i) {
-            const auto k = [&](int n) { return n < 4 ? 0.37 * s.stiffness_ratios[static_cast<std::size_t>(n)] : 0; };
-            s.damping_matrix(i, i) = k(i) + k(i + 1) + 0.11 * s.mass_ratios[static_cast<std::size_t>(i)];
-            if (i > 0) s.damping_matrix(i, i - 1) = s.damping_matrix(i - 1, i) = -k(i);
-        }
+        System<double> s = chain_of({1, 0.3, 1e-6, 7}, {1, soft, 0.7, 3 * soft});
+        s.damping_ratios.clear();
+        s.damping_matrix = matrix_of_chain<double>({0.37, 0.37 * soft, 0.37 * 0.7, 0.37 * (3 * soft)});
+        for (int i = 0; i < 4; ++i) s.damping_matrix(i, i) += 0.11 * s.mass_ratios[static_cast<std::size_t>(i)];
         INFO(soft);
         CHECK_FALSE(modal_basis(s).couples);
     }
@@ -136,13 +118,8 @@ TEST_CASE("decimal fractions satisfy the condition in fifty digits where they we
 TEST_CASE("coinciding natural frequencies get the mode shapes that diagonalise the damping", "[model][topology][eq:18]") {
     // A ring of six equal masses on equal ground springs: modes 2 and 3, 4 and 5 are cosine and sine of one order each.
     const std::size_t N = 6;
-    System<double> s;
-    s.mass_ratios.assign(N, 1.0);
-    s.stiffness_matrix = Matrix<double>::Zero(6, 6);
-    for (Eigen::Index i = 0; i < 6; ++i) {
-        s.stiffness_matrix(i, i) = 2.5;
-        s.stiffness_matrix(i, (i + 1) % 6) = s.stiffness_matrix((i + 1) % 6, i) = -1;
-    }
+    System<double> s = tests::named_scene("ring of six").system;
+    s.damping_ratios.clear();
     const double zeta[] = {0.0625, 0.125, 0.5, 0.25, 0.03125, 0.75};
     s.damping_matrix = Matrix<double>::Zero(6, 6);
     for (int mode = 0; mode < 6; ++mode) {
@@ -208,12 +185,11 @@ TEST_CASE("light masses do not hide that a damping matrix couples the others", "
 }
 
 TEST_CASE("damping ratios from a matrix must be in their range, by the name of the mode", "[model][bad-input][eq:18]") {
-    const InputError beyond = refusal(pair_with<double>(Matrix<double>{{2e301, 0}, {0, 2e301}}));
-    REQUIRE(beyond.quantity == "damping_matrix");
-    REQUIRE(beyond.rule.find("mode 1") != beyond.rule.npos);
-    REQUIRE(beyond.rule.find("at most 1e300") != beyond.rule.npos);
-    const InputError negative = refusal(pair_with<double>(Matrix<double>{{-0.5, 0}, {0, -0.5}}));
-    REQUIRE(negative.rule.find("no negative eigenvalue") != negative.rule.npos);
+    REQUIRE_THROWS_AS(modal_basis(pair_with<double>(Matrix<double>{{2e301, 0}, {0, 2e301}})), InputError);
+    REQUIRE_THROWS_WITH(modal_basis(pair_with<double>(Matrix<double>{{2e301, 0}, {0, 2e301}})),
+                        Catch::StartsWith("damping_matrix") && Catch::Contains("mode 1") && Catch::Contains("at most 1e300"));
+    REQUIRE_THROWS_WITH(modal_basis(pair_with<double>(Matrix<double>{{-0.5, 0}, {0, -0.5}})),
+                        Catch::Contains("no negative eigenvalue"));
 }
 
 TEST_CASE("a damping matrix may make modes critically damped and overdamped", "[model][eq:18][overdamped]") {

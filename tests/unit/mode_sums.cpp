@@ -1,14 +1,23 @@
-#include "denhartog/sliding/mode_sums.hpp"
-
 #include <Eigen/Dense>
+#include <array>
+#include <boost/numeric/odeint.hpp>
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <vector>
 
+#include "denhartog/evaluation/mode_arrays.hpp"
+#include "denhartog/formulas/boundary.hpp"
+#include "denhartog/formulas/modal_coordinate.hpp"
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/sliding/mode_sums.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/multiprecision.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
-using namespace denhartog;
 using namespace denhartog::tests;
+using namespace denhartog;
 
 TEST_CASE("the complex response functions of the masses solve the equations of harmonic motion", "[eq:22][eq:23][eq:33]") {
     for (const double r : {0.25, 0.875, 1.125, 2.5}) {
@@ -110,4 +119,310 @@ TEST_CASE("arguments of the mode sums are checked", "[domain]") {
         CHECK_THROWS_AS(mode_sums(basis, Mass{0}, Mass{0}, r), InputError);
     CHECK_THROWS_WITH(mode_sums(basis, Mass{3}, Mass{0}, 1.125), Catch::Contains("contact must be a mass from 1 to 3, but is 4"));
     CHECK_THROWS_WITH(mode_sums(basis, Mass{0}, Mass{3}, 1.125), Catch::Contains("load must be a mass from 1 to 3, but is 4"));
+}
+
+using evaluation::ModeFunctions;
+using evaluation::Vectors;
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+/// Results of a mode over an array.
+struct Functions {
+    std::vector<double> v_re, v_im, u, g;
+    std::vector<std::uint8_t> at_pole;
+    std::size_t scalar;
+
+    Functions(const std::vector<double>& R, double zeta, Vectors vectors)
+        : v_re(R.size()), v_im(R.size()), u(R.size()), g(R.size()), at_pole(R.size(), 0),
+          scalar(evaluation::mode_functions(R, zeta, {v_re, v_im, u, g, at_pole}, vectors)) {}
+};
+
+const std::vector<double>& damping_ratios() {
+    static const std::vector<double> all{0,    0x1p-1074, 1e-300, 1e-13, 1e-9,    1e-6,        1e-3,       0.0625,
+                                         0.25, 0.5,       0.51,   0.75,  0.96875, 1 - 0x1p-20, 1 - 0x1p-53};
+    return all;
+}
+
+/// Seeded over 2^-45 to 2^45, most of them near 1, with the edges: poles and their neighbours, R = 2, ends of the vectors' range.
+std::vector<double> frequency_ratios(std::size_t n, std::uint64_t seed) {
+    std::vector<double> R{1e-300, 1e-20, 0x1p-27, 0x1p-26, 4e-4, 0x1p-10, 0.5, 0.25, 1.25, std::nextafter(1.25, 0),
+                          1e5,    1e20,  1e70};
+    for (int k = 1; k < 60; k += 2)
+        for (const double pole : {1.0 / k, std::nextafter(1.0 / k, 0), std::nextafter(1.0 / k, 2)}) R.push_back(pole);
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> unit(0, 1);
+    while (R.size() < n) R.push_back(std::exp2(R.size() % 4 == 0 ? 90 * unit(random) - 45 : 8 * unit(random) - 5));
+    return R;
+}
+
+/// Error in units of eps of the value and of what a relative change of R by eps, or of zeta, does to it; where the value is below
+/// the normal numbers, in units of their spacing over R, by which (28) magnifies what is left of its exponential.
+double error_in_eps(double found, const Real100& exact, const Real100& by_R, const Real100& by_zeta, double R) {
+    using boost::multiprecision::abs;
+    const Real100 scale = abs(exact) + abs(by_R) + abs(by_zeta) + std::numeric_limits<double>::min() * (1 + 1 / R);
+    return static_cast<double>(abs(Real100(found) - exact) / scale) / eps;
+}
+
+/// Changes by a relative change of an argument by one, from differences over 1e-30 of it.
+ModeFunctions<Real100> rates(const Real100& R, const Real100& zeta, bool of_R) {
+    const Real100 h("1e-30");
+    const ModeFunctions<Real100> a = evaluation::mode_functions(R, zeta);
+    const ModeFunctions<Real100> b =
+        of_R ? evaluation::mode_functions(Real100(R * (1 + h)), zeta) : evaluation::mode_functions(R, Real100(zeta * (1 - h)));
+    return {{(b.v.re - a.v.re) / h, (b.v.im - a.v.im) / h}, (b.u - a.u) / h, (b.g - a.g) / h};
+}
+
+} // namespace
+
+TEST_CASE("over arrays a mode has the digits of the scalar forms, against 100 digits", "[eq:23][eq:28][eq:29][accuracy]") {
+    double worst_array = 0, worst_scalar = 0;
+    std::string where;
+    std::size_t compared = 0;
+    for (std::size_t n = 0; n < damping_ratios().size(); ++n) {
+        const double zeta = damping_ratios()[n];
+        const std::vector<double> R = frequency_ratios(900, 40 + n);
+        const Functions f(R, zeta, evaluation::supported_vectors().back());
+        for (std::size_t i = 0; i < R.size(); ++i) {
+            // Outside the vectors' range the scalar forms answer; at zeta below eps a change of R by eps is as wide as a peak.
+            const bool in_range = R[i] >= evaluation::least_vector_ratio() && R[i] <= evaluation::largest_vector_ratio();
+            if (f.at_pole[i] != 0 || !in_range || (zeta > 0 && zeta < 1e-14)) continue;
+            const ModeFunctions<double> scalar = evaluation::mode_functions(R[i], zeta);
+            const ModeFunctions<Real100> exact = evaluation::mode_functions(Real100(R[i]), Real100(zeta));
+            const ModeFunctions<Real100> by_R = rates(Real100(R[i]), Real100(zeta), true);
+            const ModeFunctions<Real100> by_zeta = rates(Real100(R[i]), Real100(zeta), false);
+            const auto compare = [&](double array, double one, const Real100& x, const Real100& d, const Real100& e) {
+                const double error = error_in_eps(array, x, d, e, R[i]);
+                if (!(error <= worst_array)) {
+                    worst_array = error;
+                    where = "R = " + tests::hexadecimal(R[i]) + ", zeta = " + tests::hexadecimal(zeta);
+                }
+                worst_scalar = std::max(worst_scalar, error_in_eps(one, x, d, e, R[i]));
+                ++compared;
+            };
+            compare(f.v_re[i], scalar.v.re, exact.v.re, by_R.v.re, by_zeta.v.re);
+            compare(f.v_im[i], scalar.v.im, exact.v.im, by_R.v.im, by_zeta.v.im);
+            compare(f.u[i], scalar.u, exact.u, by_R.u, by_zeta.u);
+            compare(f.g[i], scalar.g, exact.g, by_R.g, by_zeta.g);
+        }
+    }
+    INFO("worst over arrays " << worst_array << " eps at " << where << "; worst of the scalar forms " << worst_scalar << " eps");
+    CHECK(compared > 4 * 10000);
+    CHECK(worst_array <= 3);
+}
+
+TEST_CASE("vectors of any width give the same digits", "[eq:23][eq:28][eq:29]") {
+    const std::vector<double> R = frequency_ratios(1000, 7);
+    for (const double zeta : damping_ratios()) {
+        const Functions narrow(R, zeta, Vectors::baseline);
+        for (const Vectors vectors : evaluation::supported_vectors()) {
+            INFO("zeta = " << tests::hexadecimal(zeta) << ", " << evaluation::name(vectors));
+            const Functions wide(R, zeta, vectors);
+            CHECK(wide.v_re == narrow.v_re);
+            CHECK(wide.v_im == narrow.v_im);
+            CHECK(wide.u == narrow.u);
+            CHECK(wide.g == narrow.g);
+            CHECK(wide.at_pole == narrow.at_pole);
+        }
+    }
+}
+
+TEST_CASE("over arrays only poles are marked, and nothing that is no number comes out", "[eq:23][eq:28][domain]") {
+    const std::vector<double> R = frequency_ratios(1000, 9);
+    for (const double zeta : damping_ratios()) {
+        const Functions f(R, zeta, evaluation::supported_vectors().back());
+        for (std::size_t i = 0; i < R.size(); ++i) {
+            INFO("R = " << tests::hexadecimal(R[i]) << ", zeta = " << tests::hexadecimal(zeta));
+            const ModeFunctions<double> one = evaluation::mode_functions(R[i], zeta);
+            const bool finite =
+                std::isfinite(one.v.re) && std::isfinite(one.v.im) && std::isfinite(one.u) && std::isfinite(one.g);
+            CHECK((f.at_pole[i] != 0) <= !finite);
+            CHECK(std::isfinite(f.v_re[i] + f.v_im[i] + f.u[i] + f.g[i]));
+        }
+    }
+    const Functions undamped({1, 0.2, 0.5}, 0, evaluation::supported_vectors().back());
+    CHECK(undamped.at_pole == std::vector<std::uint8_t>{1, 1, 0});
+    CHECK(undamped.u[0] == 0);
+}
+
+TEST_CASE("frequency ratios beyond the vectors' range are left to the scalar forms, and counted", "[counter]") {
+    const std::vector<double> R{0x1p-27, 0x1p-26, 1, 0x1p200, 0x1p201};
+    const long before = evaluation::array_mode_evaluations(), left = evaluation::array_modes_left_to_scalar_forms();
+    const Functions f(R, 0.125, evaluation::supported_vectors().back());
+    CHECK(f.scalar == 2);
+    CHECK(evaluation::array_modes_left_to_scalar_forms() - left == 2);
+    CHECK(evaluation::array_mode_evaluations() - before == 5);
+    CHECK(Functions(R, 0x1p-501, evaluation::supported_vectors().back()).scalar == 5);
+    CHECK(Functions(R, 0x1p-500, evaluation::supported_vectors().back()).scalar == 2);
+    CHECK(f.g[4] == evaluation::mode_functions(0x1p201, 0.125).g);
+}
+
+TEST_CASE("modes with zeta of 1 and more are left to the scalar forms", "[eq:23][eq:28][eq:29][overdamped]") {
+    const std::vector<double> R{0.125, 1, 3};
+    for (const double zeta : {1.0, 1.5, 40.0}) {
+        const Functions f(R, zeta, evaluation::supported_vectors().back());
+        CHECK(f.scalar == 3);
+        for (std::size_t i = 0; i < R.size(); ++i) {
+            const ModeFunctions<double> one = evaluation::mode_functions(R[i], zeta);
+            CHECK(f.v_re[i] == one.v.re);
+            CHECK(f.u[i] == one.u);
+            CHECK(f.g[i] == one.g);
+        }
+    }
+}
+
+TEST_CASE("arguments of arrays of modes are checked", "[domain]") {
+    std::vector<double> a(2);
+    std::vector<std::uint8_t> marks(2);
+    const auto run = [&](const std::vector<double>& R, double zeta) { evaluation::mode_functions(R, zeta, {a, a, a, a, marks}); };
+    CHECK_THROWS_WITH(run({1, 2}, -0.5), "zeta must be finite and at least 0, but is -0.5");
+    CHECK_THROWS_WITH(run({1, 2, 3}, 0.5), "an array of results must have the length of R, 3, but is 2");
+    for (const double R : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+        CHECK_THROWS_AS(run({1, R}, 0.5), InputError);
+}
+
+// One modal coordinate over the half-period, against a Runge-Kutta integration of (20) that knows none of the formulas.
+
+namespace {
+
+using ModalState = std::array<double, 2>;
+
+/// Displacement and velocity at tau from the initial values, by integration of (20).
+ModalState integrated(const ModeInScene<double>& m, const InitialValues<double>& start, double beta, double phi_j, double tau) {
+    ModalState state{start.eta_0, start.eta_prime_0};
+    if (tau == 0) return state;
+    const auto rate = [&](const ModalState& s, ModalState& ds, double t) {
+        ds[0] = s[1];
+        ds[1] = -2 * m.zeta / m.R * s[1] - s[0] / (m.R * m.R) + m.psi_ji * beta + m.psi_li * std::cos(t + phi_j);
+    };
+    namespace odeint = boost::numeric::odeint;
+    const int steps = 8000;
+    odeint::integrate_n_steps(odeint::runge_kutta4<ModalState>(), rate, state, 0.0, tau / steps, steps);
+    return state;
+}
+
+struct Case {
+    ModeInScene<double> m;
+    InitialValues<double> start;
+    double beta, phi_j;
+};
+
+const std::vector<Case>& cases() {
+    static const std::vector<Case> list{{{0.875, 0.03125, 0.75, -0.5}, {0.25, -0.375}, 0.3125, 0.625},
+                                        {{2.5, 0.25, -1.25, 0.875}, {-0.5, 0.125}, 0.75, -1.5},
+                                        {{0.3125, 0.5, 0.5, 1.5}, {0.0625, 1.25}, 0.1875, 2.75},
+                                        {{1.125, 0.8125, 1.0, 1.0}, {1.0, 0.0}, 1.5, 0.25}};
+    return list;
+}
+
+const std::vector<double> instants{0.0, 0.375, 1.0, 1.625, 2.5, 3.0};
+
+constexpr double tolerance = 2e-11; // of the integration, absolute: steps of at most 4e-4 with an error of fourth order
+
+} // namespace
+
+TEST_CASE("the general solution with the constants (A.5) is the integrated motion",
+          "[eq:20][eq:21][eq:A.1][eq:A.2][eq:A.3][eq:A.5]") {
+    for (const Case& c : cases()) {
+        const IntegrationConstants<double> constants = paper::integration_constants(c.m, c.start, c.beta, c.phi_j);
+        for (const double tau : instants)
+            CHECK(paper::general_solution(tau, c.m, constants, c.beta, c.phi_j) ==
+                  Approx(integrated(c.m, c.start, c.beta, c.phi_j, tau)[0]).margin(tolerance));
+    }
+}
+
+TEST_CASE("the modal displacement from the initial values is the integrated motion", "[eq:A.6]") {
+    for (const Case& c : cases())
+        for (const double tau : instants)
+            CHECK(paper::modal_displacement_from_start(tau, c.m, c.start, c.beta, c.phi_j) ==
+                  Approx(integrated(c.m, c.start, c.beta, c.phi_j, tau)[0]).margin(tolerance));
+}
+
+TEST_CASE("the modal velocity as corrected is the integrated velocity", "[eq:A.7]") {
+    for (const Case& c : cases())
+        for (const double tau : instants)
+            CHECK(paper::modal_velocity_from_start(tau, c.m, c.start, c.beta, c.phi_j) ==
+                  Approx(integrated(c.m, c.start, c.beta, c.phi_j, tau)[1]).margin(tolerance));
+}
+
+TEST_CASE("d and R q are the free motions from unit displacement and unit velocity", "[eq:A.8][eq:A.9]") {
+    for (Case c : cases()) {
+        c.m.psi_li = 0;
+        for (const double tau : instants) {
+            const ModalState from_displacement = integrated(c.m, {1, 0}, 0, 0, tau),
+                             from_velocity = integrated(c.m, {0, 1}, 0, 0, tau);
+            CHECK(paper::d(tau, c.m.R, c.m.zeta) == Approx(from_displacement[0]).margin(tolerance));
+            CHECK(paper::d_prime(tau, c.m.R, c.m.zeta) == Approx(from_displacement[1]).margin(tolerance));
+            CHECK(c.m.R * paper::q(tau, c.m.R, c.m.zeta) == Approx(from_velocity[0]).margin(tolerance));
+            CHECK(c.m.R * paper::q_prime(tau, c.m.R, c.m.zeta) == Approx(from_velocity[1]).margin(tolerance));
+        }
+    }
+}
+
+TEST_CASE("the conditions (A.10) measure how far the integrated motion is from its mirror image at pi",
+          "[eq:25][eq:A.4][eq:A.10][eq:A.11]") {
+    for (const Case& c : cases()) {
+        const Complex<double> v = paper::complex_response(c.m.R, c.m.zeta);
+        const double v_cos = times_cosine(v, c.phi_j), v_sin = times_sine(v, c.phi_j);
+        const PhaseSystem<double> p = paper::phase_system(c.m, c.start, c.beta);
+        const ModalState end = integrated(c.m, c.start, c.beta, c.phi_j, pi<double>());
+        CHECK(paper::final_displacement_residual(p, v_cos, v_sin) == Approx(end[0] + c.start.eta_0).margin(tolerance));
+        CHECK(paper::final_velocity_residual(p, v_cos, v_sin) == Approx(end[1] + c.start.eta_prime_0).margin(tolerance));
+    }
+}
+
+TEST_CASE("started by (26) and (27), a mode ends the half-period in its mirror image",
+          "[eq:26][eq:27][eq:28][eq:29][eq:40][eq:60][eq:62][eq:A.4][eq:A.12][eq:A.13][eq:A.14][eq:A.15]") {
+    for (const Case& c : cases()) {
+        const auto& [R, zeta, psi_ji, psi_li] = c.m;
+        const Complex<double> v = paper::complex_response(R, zeta);
+        const double u = paper::first_damping_function(R, zeta), g = paper::second_damping_function(R, zeta);
+        const InitialValues<double> start{psi_li * R * R * times_cosine(v, c.phi_j) - psi_ji * R * R * g * c.beta,
+                                          -psi_li * R * R * times_sine(v, c.phi_j) - psi_ji * R * R * u * c.beta};
+        const ModalState end = integrated(c.m, start, c.beta, c.phi_j, pi<double>());
+        CHECK(end[0] == Approx(-start.eta_0).margin(tolerance));
+        CHECK(end[1] == Approx(-start.eta_prime_0).margin(tolerance));
+
+        const PhaseSystem<double> p = paper::phase_system(c.m, start, c.beta);
+        CHECK(paper::v_cosine_from_system(p) == Approx(times_cosine(v, c.phi_j)).margin(tolerance));
+        CHECK(paper::v_sine_from_system(p) == Approx(times_sine(v, c.phi_j)).margin(tolerance));
+        CHECK(paper::v_cosine(c.m, start, g, c.beta) / modulus(v) == Approx(std::cos(c.phi_j + argument(v))).margin(tolerance));
+        CHECK(paper::v_sine(c.m, start, u, c.beta) / modulus(v) == Approx(std::sin(c.phi_j + argument(v))).margin(tolerance));
+        CHECK(paper::cosine_of_phase(c.m, start, u, g, c.beta) == Approx(std::cos(c.phi_j)).margin(tolerance));
+        for (const double tau : instants)
+            CHECK(paper::modal_displacement(tau, c.m, start, u, g, c.beta) ==
+                  Approx(integrated(c.m, start, c.beta, c.phi_j, tau)[0]).margin(tolerance));
+    }
+}
+
+TEST_CASE("the argument of v has the cosine and the sine of (61)", "[eq:23][eq:61]") {
+    for (const Case& c : cases()) {
+        const Complex<double> v = paper::complex_response(c.m.R, c.m.zeta);
+        CHECK(paper::cosine_of_response_argument(v, c.m.R) == Approx(std::cos(argument(v))).margin(1e-14));
+        CHECK(paper::sine_of_response_argument(v, c.m.R, c.m.zeta) == Approx(std::sin(argument(v))).margin(1e-14));
+    }
+}
+
+TEST_CASE("the load of a mode on the contact is its inertia and friction, taken from the integrated motion", "[eq:59][eq:63]") {
+    for (const Case& c : cases()) {
+        const double h = 1e-4;
+        const ModalState before = integrated(c.m, c.start, c.beta, c.phi_j, h),
+                         after = integrated(c.m, c.start, c.beta, c.phi_j, 2 * h);
+        const double acceleration = (-3 * c.start.eta_prime_0 + 4 * before[1] - after[1]) / (2 * h); // one-sided, O(h^2)
+        CHECK(paper::modal_contact_load(c.m, c.start, std::cos(c.phi_j)) ==
+              Approx(c.m.psi_ji * c.beta - acceleration).epsilon(1e-5).margin(1e-5)); // the difference formula's own error
+    }
+}
+
+TEST_CASE("the expansion (70) tends to the expression of (57) with an error of first order", "[eq:57][eq:70][eq:71]") {
+    for (const Case& c : cases()) {
+        const double u = paper::first_damping_function(c.m.R, c.m.zeta), g = paper::second_damping_function(c.m.R, c.m.zeta);
+        const auto error = [&](double tau) {
+            return paper::s_d_expansion(tau, c.m.R, c.m.zeta, u, g) - paper::s_d_integrand(tau, c.m.R, c.m.zeta, u, g);
+        };
+        CHECK(error(1.0 / 16384) / error(1.0 / 32768) == Approx(2).epsilon(0.01)); // halving tau halves the error
+        CHECK(paper::s_d_expansion(1e-9, c.m.R, c.m.zeta, u, g) ==
+              Approx(paper::s_d_at_zero(c.m.R, c.m.zeta, u, g)).margin(1e-6)); // the numerator cancels to 1e-16 / 1e-9
+    }
 }

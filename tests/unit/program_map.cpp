@@ -204,23 +204,16 @@ TEST_CASE("an interruption leaves no file and says so", "[program][map][threads]
 }
 
 TEST_CASE("a map over the level of the load has the points that solve answers, with phases", "[program][map][units]") {
-    const std::string rest = R"("masses": [2, 3], "stiffnesses": [800, 500], "damping_ratios": 0.02, "contact": 1, "load": 2,
-                              "friction": 1.5)";
-    const auto check = [&](const std::string& load, const std::string& options, const std::string& axis, double level) {
-        const Run run = run_program("map - --frequency 12:18:2 --" + options + " --mass 2 --mass 1 --phases",
-                                    "{" + rest + ", " + load + R"(, "frequency": 12})");
-        INFO(load << run.error);
-        REQUIRE(run.status == 0);
-        const std::vector<std::string> lines = lines_of(run.output);
-        CHECK(lines[0] ==
-              "frequency," + axis + ",regime,stops_per_period,periods,amplitude_2,amplitude_1,phase_2,phase_1,status");
-        REQUIRE(lines.size() == 5);
-        for (std::size_t n = 1; n < lines.size(); ++n) {
-            const std::vector<std::string> cells = cells_of(lines[n]);
+    const auto check = [&](const std::string& scene, const std::string& axis, const std::string& range, double level) {
+        const auto rows = rows_of("map --frequency 12:18:2 --" + axis + " " + range + " --mass 2 --mass 1 --phases", scene);
+        CHECK(rows[0] ==
+              cells_of("frequency," + axis + ",regime,stops_per_period,periods,amplitude_2,amplitude_1,phase_2,phase_1,status"));
+        REQUIRE(rows.size() == 5);
+        for (std::size_t n = 1; n < rows.size(); ++n) {
+            const std::vector<std::string>& cells = rows[n];
             CHECK(std::stod(cells[1]) == (n % 2 == 1 ? level : 2 * level));
-            const Run point = run_program("solve --json",
-                                          "{" + rest + ", \"" + axis + "\": " + cells[1] + ", \"frequency\": " + cells[0] + "}");
-            const auto answer = nlohmann::json::parse(point.output);
+            const auto answer =
+                answer_of("solve --json", "at levels {\"" + axis + "\": " + cells[1] + ", \"frequency\": " + cells[0] + "}");
             for (const std::size_t k : {0, 1}) {
                 const double amplitude = answer["dimensional"]["masses"][k]["amplitude"], phase = answer["masses"][k]["phase"];
                 CHECK(std::stod(cells[6 - k]) == Approx(amplitude).epsilon(1e-9));
@@ -229,66 +222,52 @@ TEST_CASE("a map over the level of the load has the points that solve answers, w
             CHECK(cells[2] == answer["regime"].get<std::string>());
         }
     };
-    check(R"("force": 4)", "force 4:8:2", "force", 4);
-    check(R"("unbalance": 0.02)", "unbalance 0.02:0.04:2", "unbalance", 0.02);
+    check(R"(at levels {"force": 4})", "force", "4:8:2", 4);
+    check(R"(at levels {"unbalance": 0.02})", "unbalance", "0.02:0.04:2", 0.02);
 }
 
 TEST_CASE("absolute phases of a map are those of solve", "[program][map][base]") {
-    const std::string text = R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 0.75], "damping_ratios": 0.05, "contact": 2,
-                               "base_motion": "with_wall", "r": 0.5, "beta": 0.25})";
-    const Run run = run_program("map --r 0.5:0.5:1 --beta 0.25:0.25:1 --mass 1 --from-ground --phases", text);
-    REQUIRE(run.status == 0);
-    const std::vector<std::string> cells = cells_of(lines_of(run.output)[1]);
-    const auto seen = nlohmann::json::parse(run_program("solve --json", text).output)["from_ground"]["masses"][0];
+    const std::string asked = "map --r 0.5:0.5:1 --beta 0.25:0.25:1 --phases ",
+                      scene = R"(pair on a base {"r": 0.5, "beta": 0.25})";
+    const std::vector<std::string> cells = rows_of(asked + "--mass 1 --from-ground", scene)[1];
+    const auto seen = answer_of("solve --json", scene)["from_ground"]["masses"][0];
     CHECK(std::stod(cells[5]) == Approx(seen["amplitude"].get<double>()).epsilon(1e-9));
     CHECK(std::stod(cells[6]) == Approx(seen["phase"].get<double>()).epsilon(1e-9));
     const auto npy = scratch() / "phases.npy";
-    REQUIRE(run_program("map --r 0.5:0.5:1 --beta 0.25:0.25:1 --phases --output '" + npy.string() + "'", text).status == 0);
+    expect("0 " + asked + "--output '" + npy.string() + "' < " + scene);
     CHECK(content_of(npy).find("'phase_2', '<f8'") != std::string::npos);
 }
 
 TEST_CASE("without friction the ratio of static to kinetic friction makes no difference to a map with phases", "[program][map]") {
-    const std::string begin =
-        R"({"mass_ratios": [1, 1.1], "stiffness_ratios": [1, 2.7], "damping_ratios": 0, "contact": 1, "load": 2, )";
-    const std::string asked = "map - --r 0.61:0.61:1 --beta 0:0:1 --phases";
-    const Run larger = run_program(asked, begin + R"("mu": 1.15})");
-    CHECK(larger.output.find("continuous,0,1") != std::string::npos);
-    CHECK(larger.output == run_program(asked, begin + R"("mu": 1})").output);
+    const std::string asked = "map --r 0.61:0.61:1 --beta 0:0:1 --phases";
+    expect("0 " + asked + R"( < unequal undamped {"mu": 1.15} > continuous,0,1)");
+    CHECK(rows_of(asked, R"(unequal undamped {"mu": 1.15})") == rows_of(asked, "unequal undamped"));
 }
 
 TEST_CASE("levels of a load that a scene does not have are refused", "[program][map][bad-input]") {
-    const std::string rest = R"({"masses": [1], "stiffnesses": [1], "damping_ratios": 0.1, "contact": 1, )";
-    const std::string forced = rest + R"("load": 1, "force": 1, "friction": 0.5, "frequency": 2})",
-                      turning = rest + R"("load": 1, "unbalance": 1, "friction": 0.5, "frequency": 2})";
-    for (const auto& [options, text, says] :
-         {std::tuple("--frequency 1:2:2 --force 1:2:2", turning, "vary unbalance"),
-          {"--frequency 1:2:2 --unbalance 1:2:2", forced, "unbalance must be given in the scene"},
-          {"--frequency 1:2:2 --force 0:2:2", forced, "force must be positive"},
-          {"--frequency 1:2:2 --boundaries --unbalance 1:2:2", turning, "must not be given together with boundaries"},
-          {"--frequency 1:2:2 --boundaries --phases", forced, "must not be given together with boundaries"},
-          {"--frequency 1:2:2 --force 1:2:2 --friction 0:1:2", forced, "must not be given together with friction"},
-          {"--frequency 1:2:2 --frequency-hz 1:2:2 --force 1:2:2", forced, "must not be given together"},
-          {"--r 1:2:2 --force 1:2:2", forced, "must not be given together with r and beta"},
-          {"--frequency 1:2:2", forced, "friction must be given as FROM:TO:COUNT"},
-          {"--frequency 0:2:2 --force 1:2:2", forced, "frequency must be positive"},
-          {"--frequency 1:2:2 --force 1:2:2 --phases --start sliding", forced, "start must be rest for phases"},
-          {"--frequency 1:2:2 --force 1:2:2", rest + R"("base_motion": "alone", "base_displacement": 1, "friction": 0.5})",
-           "must not be varied of a scene whose base or wall moves"},
-          {"--frequency 1:2:2 --force 1:2:2", rest + R"("load": 1, "force": 1})", "friction must be given in the scene"},
-          {"--r 1:2:2 --beta 0:1:2", rest + R"("load": 1, "unbalance": 1, "friction": 0.5})", "an unbalance depends on it"},
-          {"--r 1:2:2 --beta 0:1:2", rest + R"("load": 1, "unbalance": 1, "force": 0.5})",
-           "must not be given together with force"},
-          {"--r 1:2:2 --beta 0:1:2", rest + R"("load": 1, "unbalance": 0})", "unbalance must be positive"}}) {
-        const Run run = run_program(std::string("map - ") + options, text);
-        INFO(options << text << run.error);
-        CHECK(run.status == 2);
-        CHECK(run.output.empty());
-        CHECK(run.error.find(says) != std::string::npos);
-    }
+    expect(R"(
+        2 map --frequency 1:2:2 --force 1:2:2                    < turning ! vary unbalance
+        2 map --frequency 1:2:2 --unbalance 1:2:2                < forced  ! unbalance must be given in the scene
+        2 map --frequency 1:2:2 --force 0:2:2                    < forced  ! force must be positive
+        2 map --frequency 1:2:2 --boundaries --unbalance 1:2:2   < turning ! must not be given together with boundaries
+        2 map --frequency 1:2:2 --boundaries --phases            < forced  ! must not be given together with boundaries
+        2 map --frequency 1:2:2 --force 1:2:2 --friction 0:1:2   < forced  ! must not be given together with friction
+        2 map --frequency 1:2:2 --frequency-hz 1:2:2 --force 1:2:2 < forced ! must not be given together
+        2 map --r 1:2:2 --force 1:2:2                            < forced  ! must not be given together with r and beta
+        2 map --frequency 1:2:2                                  < forced  ! friction must be given as FROM:TO:COUNT
+        2 map --frequency 0:2:2 --force 1:2:2                    < forced  ! frequency must be positive
+        2 map --frequency 1:2:2 --force 1:2:2 --phases --start sliding < forced ! start must be rest for phases
+        2 map --frequency 1:2:2 --force 1:2:2
+          < forced {"load": null, "force": null, "frequency": null, "base_motion": "alone", "base_displacement": 1}
+          ! must not be varied of a scene whose base or wall moves
+        2 map --frequency 1:2:2 --force 1:2:2 < forced {"friction": null, "frequency": null} ! friction must be given in the scene
+        2 map --r 1:2:2 --beta 0:1:2          < turning {"frequency": null}                  ! an unbalance depends on it
+        2 map --r 1:2:2 --beta 0:1:2          < turning {"friction": null, "frequency": null, "force": 0.5}
+          ! must not be given together with force
+        2 map --r 1:2:2 --beta 0:1:2          < turning {"friction": null, "frequency": null, "unbalance": 0}
+          ! unbalance must be positive
+    )");
     // The frequency of the scene is not used, and need not be given.
-    const std::string levels = "map - --frequency 1:2:2 --unbalance 1:2:2";
-    const Run with = run_program(levels, turning),
-              without = run_program(levels, rest + R"("load": 1, "unbalance": 1, "friction": 0.5})");
-    CHECK(without.status == 0);
-    CHECK(without.output == with.output);
+    const std::string levels = "map --frequency 1:2:2 --unbalance 1:2:2";
+    CHECK(rows_of(levels, R"(turning {"frequency": null})") == rows_of(levels, "turning"));
 }

@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/named_scenes.hpp"
+
 namespace denhartog::tests {
 
 /// @brief Whether the programs are built under the address sanitizer.
@@ -58,17 +60,7 @@ inline std::filesystem::path file_with(const std::string& name, const std::strin
     return scratch() / name;
 }
 
-/// @brief A file of the sources, quoted for a shell. @param path from the top @return its name
-inline std::string source_file(const std::string& path) {
-    const char* top = std::getenv("DENHARTOG_SOURCE_DIR");
-    if (top == nullptr) throw std::runtime_error("DENHARTOG_SOURCE_DIR must name the sources: run the tests by ctest");
-    return std::string(top) + "/" + path;
-}
-
 /// @brief Runs the program.
-/// @param arguments  as a shell takes them; they may redirect
-/// @param input      standard input
-/// @return           status, standard output and standard error
 inline Run run_program(const std::string& arguments, const std::string& input = "") {
     const char* program = std::getenv("DENHARTOG_PROGRAM");
     if (program == nullptr) throw std::runtime_error("DENHARTOG_PROGRAM must name the program: run the tests by ctest");

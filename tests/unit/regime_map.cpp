@@ -25,7 +25,8 @@ std::vector<double> values(double from, double to, int count) {
     return all;
 }
 
-Scene<double> two_masses(double mu) { return chain({1, 1}, {1, 1}, {0.03125, 0.0625}, 2, 1, mu, 1); }
+constexpr const char* proved_stops =
+    "double precision does not tell whether the contact stops, and the reference proves that it does";
 
 MapRequest request(int columns, int rows) {
     return {values(0.25, 2.25, columns), values(0, 1.125, rows), {Mass{1}, Mass{0}}, MapStart::rest, 1};
@@ -39,7 +40,7 @@ bool equal(const MapPoint& a, const MapPoint& b) {
 
 TEST_CASE("every point of a map is what solve answers there", "[map]") {
     for (const double mu : {1.0, 1.5}) {
-        Scene<double> scene = two_masses(mu);
+        Scene<double> scene = equal_pair(1, {}, mu);
         const MapRequest grid = request(7, 7);
         const RegimeMap map = regime_map(scene, grid, never);
         REQUIRE(map.complete);
@@ -63,9 +64,7 @@ TEST_CASE("every point of a map is what solve answers there", "[map]") {
 }
 
 TEST_CASE("a map has the amplitude of any mass where solve answers a point, on a base that moves as well", "[map]") {
-    const Scene<double> scene =
-        read_scene<double>(R"({"mass_ratios": [1, 287.9], "stiffness_matrix": [[1, -0.6314], [-0.6314, 2.071]],
-        "damping_matrix": [[0.5251, -0.3316], [-0.3316, 1.0875]], "contact": 2, "base_motion": "with_wall", "mu": 1.05})");
+    const Scene<double> scene = named_scene("heavy on a base");
     const std::vector<double> r{0.0277}, beta{60, 91};
     for (const std::vector<Mass>& masses : {std::vector{Mass{0}}, std::vector{Mass{1}}, std::vector{Mass{1}, Mass{0}}}) {
         const RegimeMap map = regime_map(scene, {r, beta, masses, MapStart::rest, 1}, never);
@@ -79,8 +78,7 @@ TEST_CASE("a map has the amplitude of any mass where solve answers a point, on a
 }
 
 TEST_CASE("a map of a system of which double has no modes is what solve answers, and has no motion with stops", "[map]") {
-    Scene<double> scene = read_scene<double>(R"({"mass_matrix": [[1, 0.25], [0.25, 1]], "stiffness_ratios": [1, 1e17],
-        "damping_ratios": [0.05, 0.05], "contact": 1, "load": 2})");
+    const Scene<double> scene = named_scene("rigid");
     const MapRequest grid{{0.3, 0.9}, {0.3, 0.7, 1.1}, {Mass{0}, Mass{1}}, MapStart::rest, 1};
     const RegimeMap map = regime_map(scene, grid, never);
     std::size_t met[3] = {0, 0, 0};
@@ -104,19 +102,17 @@ TEST_CASE("a map of a system of which double has no modes is what solve answers,
 
 TEST_CASE("a little above the boundary, where no stop can be seen, solve, response and map have one word",
           "[map][solve][eq:69]") {
-    Scene<double> scene = chain({1, 2.0946804396078478}, {1, 0.7414127923646818}, {0, 0}, 1, 2, 1, 0.143491911752667);
-    scene.beta = 1.2404035292865214e-06;
+    Scene<double> scene =
+        chain({1, 2.0946804396078478}, {1, 0.7414127923646818}, {0, 0}, 1, 2, 1, 0.143491911752667, 1.2404035292865214e-06);
     const Solution solved = solve(scene_source(scene), {}), responded = sliding_answer(scene_source(scene), Question{});
     CHECK(responded.regime.regime == Regime::stick_slip);
     CHECK(solved.regime.regime == Regime::stick_slip);
-    CHECK(in_words(solved.regime.reason).find("is not below beta_lim") != std::string::npos);
+    CHECK_THAT(in_words(solved.regime.reason), Catch::Contains("is not below beta_lim"));
     // The reference proves the two stops, of 1.3e-7 of a radian, and the words say so.
     CHECK(solved.stops.size() == 2);
-    CHECK(in_words(solved.regime.reason)
-              .find("double precision does not tell whether the contact stops, and the reference proves that it does") !=
-          std::string::npos);
-    CHECK(in_words(solved.method.why).find("double does not tell whether the contact stops") != std::string::npos);
-    const RegimeMap map = regime_map(scene, {{*scene.r}, {*scene.beta}, {Mass{0}, Mass{1}}, MapStart::rest, 1}, never);
+    CHECK_THAT(in_words(solved.regime.reason), Catch::Contains(proved_stops));
+    CHECK_THAT(in_words(solved.method.why), Catch::Contains("double does not tell whether the contact stops"));
+    const RegimeMap map = map_of_point(scene, {Mass{0}, Mass{1}});
     CHECK(map.points.front().regime == Regime::stick_slip);
     CHECK(map.points.front().stops == 2);
     CHECK(solve(scene_source(scene), {.digits = 30}).stops.size() == 2);
@@ -124,8 +120,8 @@ TEST_CASE("a little above the boundary, where no stop can be seen, solve, respon
 
 TEST_CASE("where static friction is hardly larger, stops too short for double are proved, or told as not seen",
           "[solve][eq:69]") {
-    Scene<double> scene = chain({1, 2.0946804396078478}, {1, 0.7414127923646818}, {0.01, 0.02}, 1, 2, 1.0000001, 1.3);
-    scene.beta = 0.20606163917974477; // 1e-14 above the boundary
+    Scene<double> scene = chain({1, 2.0946804396078478}, {1, 0.7414127923646818}, {0.01, 0.02}, 1, 2, 1.0000001, 1.3,
+                                0.20606163917974477); // 1e-14 above the boundary
     const Solution found = solve(scene_source(scene), {.digits = 10});
     CHECK(found.regime.regime == Regime::stick_slip);
     CHECK(found.stops.size() == 2);
@@ -137,22 +133,17 @@ TEST_CASE("where static friction is hardly larger, stops too short for double ar
     const Solution shorter = solve(scene_source(scene), {.digits = 10});
     CHECK(shorter.regime.regime == Regime::stick_slip);
     CHECK(shorter.stops.size() == 2);
-    CHECK(in_words(shorter.regime.reason)
-              .find("double precision does not tell whether the contact stops, and the reference proves that it does") !=
-          std::string::npos);
-    const RegimeMap map = regime_map(scene, {{*scene.r}, {*scene.beta}, {Mass{0}, Mass{1}}, MapStart::sliding, 1}, never);
+    CHECK_THAT(in_words(shorter.regime.reason), Catch::Contains(proved_stops));
+    const RegimeMap map = map_of_point(scene, {Mass{0}, Mass{1}}, MapStart::sliding);
     CHECK(map.points.front().regime == Regime::stick_slip);
     // A millionth part above the boundary double sees the stops.
     scene.beta = 0.006821971779371876 * (1 + 1e-6);
     CHECK(solve(scene_source(scene), {.digits = 10}).stops.size() == 2);
-    Question regime;
-    regime.asked = Asked::regime;
     // More than 100 masses stay in double, if no digits are asked for.
     for (const std::size_t N : {41u, 201u}) {
         const bool seen = N == 41;
         const std::string words = seen ? "the reference proves that it does" : "the motion shows no stop";
-        Scene<double> long_chain =
-            chain(std::vector<double>(N, 1), std::vector<double>(N, 1), std::vector<double>(N, 0.02), 2, 3, 1, 1.7);
+        Scene<double> long_chain = equal_masses(N, 0.02, 1.7);
         long_chain.beta = boundary(sums_of(long_chain), 1.0).exact * (1 + 4e-15);
         const Solution next_to_boundary = solve(scene_source(long_chain), {});
         CHECK(next_to_boundary.regime.regime == Regime::stick_slip);
@@ -160,36 +151,25 @@ TEST_CASE("where static friction is hardly larger, stops too short for double ar
         CHECK_THAT(in_words(next_to_boundary.regime.reason), Catch::Contains(words));
         long_chain.mu = 1 + 1e-12;
         long_chain.beta = boundary(sums_of(long_chain), long_chain.mu).exact * (1 + 4e-15);
-        CHECK_THAT(in_words(solve(scene_source(long_chain), regime).regime.reason), Catch::Contains(words));
+        CHECK_THAT(in_words(solve(scene_source(long_chain), {Asked::regime, {}}).regime.reason), Catch::Contains(words));
         if (!seen) continue;
-        Question with_digits = regime;
-        with_digits.digits = 10;
-        CHECK_THAT(in_words(solve(scene_source(long_chain), with_digits).regime.reason),
-                   Catch::Contains("the reference proves that it does"));
+        CHECK_THAT(in_words(solve(scene_source(long_chain), {Asked::regime, 10}).regime.reason), Catch::Contains(words));
     }
 }
 
 TEST_CASE("of undamped masses too, every question and the map give the stops that double does not see", "[map][solve][eq:69]") {
     // The numbers next above the boundary. How double ends at a grazing motion is decided by last digits.
-    Scene<double> two = chain({1, 1.3}, {1, 2}, {0, 0}, 1, 1, 1.0000004, 1.68);
-    two.beta = 0.7466884619918636;
-    Scene<double> three = chain({1, 1.2, 0.9}, {1, 1, 0.125}, {0, 0, 0}, 3, 1, 1.0000004, 0.805);
-    three.beta = 0.1425443786621412;
+    Scene<double> two = chain({1, 1.3}, {1, 2}, {0, 0}, 1, 1, 1.0000004, 1.68, 0.7466884619918636);
+    Scene<double> three = chain({1, 1.2, 0.9}, {1, 1, 0.125}, {0, 0, 0}, 3, 1, 1.0000004, 0.805, 0.1425443786621412);
     for (Scene<double> scene : {two, three}) {
         int unseen = 0;
         for (int n = 0; n < 6; ++n, scene.beta = std::nextafter(*scene.beta, 1.0)) {
             for (const Asked asked : {Asked::motion, Asked::amplitude, Asked::regime}) {
-                Question question;
-                question.asked = asked;
-                const Solution found = solve(scene_source(scene), question);
+                const Solution found = solve(scene_source(scene), {asked, {}});
                 CHECK(found.regime.regime == Regime::stick_slip);
-                unseen +=
-                    in_words(found.regime.reason)
-                        .find(
-                            "double precision does not tell whether the contact stops, and the reference proves that it does") !=
-                    std::string::npos;
+                unseen += in_words(found.regime.reason).find(proved_stops) != std::string::npos;
             }
-            const RegimeMap map = regime_map(scene, {{*scene.r}, {*scene.beta}, {Mass{0}}, MapStart::rest, 1}, never);
+            const RegimeMap map = map_of_point(scene);
             CHECK(map.points.front().regime == Regime::stick_slip);
             CHECK(map.points.front().stops == 2);
         }
@@ -200,17 +180,14 @@ TEST_CASE("of undamped masses too, every question and the map give the stops tha
 TEST_CASE("a question whose work is spent before the reference tells whether the contact stops is not answered by double",
           "[solve][effort][eq:69]") {
     // A last digit above the boundary: there are two stops, and double finds none.
-    Scene<double> two = chain({1, 1.3}, {1, 2}, {0, 0}, 1, 1, 1.0000004, 1.68);
-    two.beta = 0.7466884619918636;
+    Scene<double> two = chain({1, 1.3}, {1, 2}, {0, 0}, 1, 1, 1.0000004, 1.68, 0.7466884619918636);
     for (const Asked asked : {Asked::motion, Asked::amplitude, Asked::regime}) {
         int spent = 0;
         for (const long allowed : {3'000L, 4'000L, 6'000L, 9'000L, 100'000L}) {
             INFO("allowed: " << allowed);
-            Question question;
-            question.asked = asked;
             QuestionEffort effort(2, allowed);
             try {
-                const Regime found = solve(with_effort(scene_source(two), &effort), question).regime.regime;
+                const Regime found = solve(with_effort(scene_source(two), &effort), {asked, {}}).regime.regime;
                 CHECK(found == Regime::stick_slip);
             } catch (const PrecisionError& e) {
                 const std::string message = e.what();
@@ -224,8 +201,8 @@ TEST_CASE("a question whose work is spent before the reference tells whether the
         CHECK(spent == 4);
     }
     // With mu = 1 or damping the boundaries tell that there are stops, and double may answer.
-    Scene<double> damped = chain({1, 2.0946804396078478}, {1, 0.7414127923646818}, {0.01, 0.02}, 1, 2, 1.0000001, 1.3);
-    damped.beta = 0.20606163917974474;
+    Scene<double> damped =
+        chain({1, 2.0946804396078478}, {1, 0.7414127923646818}, {0.01, 0.02}, 1, 2, 1.0000001, 1.3, 0.20606163917974474);
     QuestionEffort effort(2, 12'000);
     CHECK(solve(with_effort(scene_source(damped), &effort), {}).regime.regime == Regime::stick_slip);
 }
@@ -234,40 +211,34 @@ TEST_CASE("next to the boundary the reference tells stops from rounding, to 6 di
           "[map][solve][eq:69]") {
     // Below the boundary by its last digits: double finds two stops of 3e-14, or none to its error.
     Scene<double> scene = chain({1, 1, 1}, {1, 1, 1}, {0.05285095336413415, 0.0028521717634969056, 0.10552083675953965}, 2, 3,
-                                1.0000000594993457, 0.11229068033770095);
-    scene.beta = 0.014796804026255744;
-    for (const std::optional<int> digits : {std::optional<int>(), std::optional<int>(10), std::optional<int>(30)})
+                                1.0000000594993457, 0.11229068033770095, 0.014796804026255744);
+    for (const std::optional<int> digits : std::vector<std::optional<int>>{{}, 10, 30})
         for (const Asked asked : {Asked::motion, Asked::amplitude, Asked::regime}) {
             const Solution s = solve(scene_source(scene), {asked, digits});
             INFO(in_words(s.regime.reason));
             CHECK(s.regime.regime == Regime::continuous);
             CHECK(s.stops.empty());
             CHECK(s.regime.other.empty());
-            CHECK(in_words(s.regime.reason).find("the motion from rest is the sliding motion") != std::string::npos);
+            CHECK_THAT(in_words(s.regime.reason), Catch::Contains("the motion from rest is the sliding motion"));
         }
-    const auto at = [&](double beta) {
-        return regime_map(scene, {{*scene.r}, {beta}, {Mass{0}, Mass{1}}, MapStart::rest, 1}, never).points.front();
-    };
-    CHECK(at(scene.beta.value()).regime == Regime::continuous);
-    CHECK(at(scene.beta.value()).stops == 0);
-    CHECK(at(scene.beta.value() * (1 + 1e-6)).regime == Regime::stick_slip);
-    CHECK(at(scene.beta.value() * (1 + 1e-6)).stops == 2);
+    for (const auto& [factor, regime, stops] : {std::tuple{1.0, Regime::continuous, 0}, {1 + 1e-6, Regime::stick_slip, 2}}) {
+        const MapPoint at = map_of_point(with_beta(scene, *scene.beta * factor)).points.front();
+        CHECK(at.regime == regime);
+        CHECK(at.stops == stops);
+    }
 }
 
 TEST_CASE("a last digit below permanent sticking no rest is taken for the motion", "[map][solve][eq:88]") {
     Scene<double> scene = chain({1, 0.75446287041036153, 0.90910697215540848, 0.56008440847893404},
                                 {1, 0.73985774937320514, 0.98323358945340977, 0.50054355969969855},
                                 {0.00020898467548437081, 0.010192329563089624, 0.39273080301693275, 6.4521664879332649e-05}, 1, 2,
-                                1, 0.46925342893654237);
-    scene.beta = 14.109761636448946;
+                                1, 0.46925342893654237, 14.109761636448946);
     const Boundary<Real50> sure = boundary(sums_of(in_50_digits(scene, *scene.r)), Real50(1));
     CHECK(*sure.sticking > Real50(*scene.beta));
     CHECK(*sure.sticking < Real50(*scene.beta) * Real50(1 + 0x1p-48));
-    Question question;
-    question.asked = Asked::regime;
-    CHECK(solve(scene_source(scene), question).regime.regime == Regime::stick_slip);
+    CHECK(solve(scene_source(scene), {Asked::regime, {}}).regime.regime == Regime::stick_slip);
     CHECK_THROWS_AS(solve(scene_source(scene), {}), PrecisionError);
-    const RegimeMap map = regime_map(scene, {{*scene.r}, {*scene.beta}, {Mass{0}, Mass{1}}, MapStart::rest, 1}, never);
+    const RegimeMap map = map_of_point(scene, {Mass{0}, Mass{1}});
     CHECK(map.points.front().status == PointStatus::on_boundary);
     CHECK(map.amplitudes[0] == 0);
     CHECK(map.amplitudes[1] > 0);
@@ -275,10 +246,10 @@ TEST_CASE("a last digit below permanent sticking no rest is taken for the motion
 
 TEST_CASE("a map is the same to the last bit for any number of threads", "[map][threads]") {
     MapRequest grid = request(9, 12);
-    const RegimeMap one = regime_map(two_masses(1), grid, never);
+    const RegimeMap one = regime_map(equal_pair(1, {}, 1), grid, never);
     for (const unsigned threads : {2U, 5U}) {
         grid.threads = threads;
-        const RegimeMap many = regime_map(two_masses(1), grid, never);
+        const RegimeMap many = regime_map(equal_pair(1, {}, 1), grid, never);
         CHECK(std::ranges::equal(one.points, many.points, equal));
         CHECK(one.amplitudes == many.amplitudes);
     }
@@ -286,14 +257,14 @@ TEST_CASE("a map is the same to the last bit for any number of threads", "[map][
 
 TEST_CASE("a map costs one evaluation of the modes a column and one eigenproblem each for sliding and sticking", "[map]") {
     const long modes = mode_evaluations(), solves = eigen_solves();
-    (void)regime_map(two_masses(1), request(5, 40), never);
+    (void)regime_map(equal_pair(1, {}, 1), request(5, 40), never);
     CHECK(mode_evaluations() - modes == 5 * 2);
     CHECK(eigen_solves() - solves == 1);
 }
 
 TEST_CASE("a map that is stopped is not complete", "[map]") {
     const std::atomic<bool> stop{true};
-    CHECK_FALSE(regime_map(two_masses(1), request(5, 5), stop).complete);
+    CHECK_FALSE(regime_map(equal_pair(1, {}, 1), request(5, 5), stop).complete);
 }
 
 TEST_CASE("from the sliding motion on the map shows the other branch where there are two", "[map]") {
@@ -321,15 +292,16 @@ TEST_CASE("a column at a pole has no numbers and says why", "[map][domain]") {
 
 TEST_CASE("boundary curves are the boundaries", "[map][eq:69]") {
     const std::vector<double> r = values(0.25, 2.25, 5);
-    const std::vector<BoundaryPoint> curves = boundary_curves(two_masses(1.5), r);
+    const std::vector<BoundaryPoint> curves = boundary_curves(equal_pair(1, {}, 1.5), r);
     for (std::size_t n = 0; n < r.size(); ++n) {
-        Scene<double> scene = two_masses(1.5);
+        Scene<double> scene = equal_pair(1, {}, 1.5);
         scene.r = r[n];
         const Boundary<double> b = boundary(sums_of(scene), 1.5);
-        CHECK(curves[n].exact == Approx(b.exact).epsilon(1e-14));
-        CHECK(curves[n].paper == Approx(b.paper).epsilon(1e-14));
-        CHECK(curves[n].approximate == Approx(b.approximate).epsilon(1e-14));
-        CHECK(curves[n].sticking.value() == Approx(b.sticking.value()).epsilon(1e-14));
+        for (const auto& [found, expected] : {std::pair{curves[n].exact, b.exact},
+                                              {curves[n].paper, b.paper},
+                                              {curves[n].approximate, b.approximate},
+                                              {curves[n].sticking.value(), *b.sticking}})
+            CHECK(found == Approx(expected).epsilon(1e-14));
     }
 }
 
@@ -358,12 +330,11 @@ TEST_CASE("boundary curves have the digits of the boundary where double loses th
 
 TEST_CASE("a grid that breaks a rule is refused", "[map]") {
     const auto with = [](std::vector<double> r, std::vector<double> beta, std::vector<Mass> masses, unsigned threads) {
-        return regime_map(two_masses(1), {r, beta, masses, MapStart::rest, threads}, never);
+        return regime_map(equal_pair(1, {}, 1), {r, beta, masses, MapStart::rest, threads}, never);
     };
-    CHECK_THROWS_AS(with({0}, {0.5}, {Mass{0}}, 1), InputError);
-    CHECK_THROWS_AS(with({}, {0.5}, {Mass{0}}, 1), InputError);
-    CHECK_THROWS_AS(with({1}, {-0.5}, {Mass{0}}, 1), InputError);
-    CHECK_THROWS_AS(with({1}, {}, {Mass{0}}, 1), InputError);
+    for (const auto& [r, beta] :
+         std::vector<std::pair<std::vector<double>, std::vector<double>>>{{{0}, {0.5}}, {{}, {0.5}}, {{1}, {-0.5}}, {{1}, {}}})
+        CHECK_THROWS_AS(with(r, beta, {Mass{0}}, 1), InputError);
     CHECK_THROWS_AS(with({1}, {0.5}, {}, 1), InputError);
     CHECK_THROWS_AS(with({1}, {0.5}, {Mass{2}}, 1), InputError);
     CHECK_THROWS_AS(with({1}, {0.5}, {Mass{0}}, 0), InputError);

@@ -3,16 +3,25 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <atomic>
 #include <complex>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "denhartog/answer/scene_source.hpp"
+#include "denhartog/formulas/boundary.hpp"
+#include "denhartog/formulas/contact.hpp"
 #include "denhartog/formulas/stuck.hpp"
+#include "denhartog/map/regime_map.hpp"
 #include "denhartog/model/stuck_configuration.hpp"
 #include "denhartog/number/certified.hpp"
 #include "denhartog/sliding/bounded_modes.hpp"
 #include "denhartog/sliding/coupled_sums.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
+#include "tests/catch.hpp"
+#include "tests/support/named_scenes.hpp"
 #include "tests/support/plain_response.hpp"
 #include "tests/support/scene_builder.hpp"
 #include "tests/support/wide_scene.hpp"
@@ -22,17 +31,30 @@ namespace denhartog::tests {
 /// @brief A chain by ratios with contact and load counted from 1.
 template <class T = double>
 Scene<T> chain(const std::vector<double>& gamma, const std::vector<double>& kappa, const std::vector<double>& zeta, std::size_t j,
-               std::size_t l, double mu, double r) {
-    return scene_of(chain_of<T>(gamma, kappa, zeta, j, l), r, std::nullopt, mu);
+               std::size_t l, double mu, double r, std::optional<double> beta = std::nullopt) {
+    return scene_of(chain_of<T>(gamma, kappa, zeta, j, l), r, beta, mu);
 }
 
 /// @brief One mass, load and contact on it.
-inline Scene<double> oscillator(double zeta, double r, double mu = 1) { return chain({1}, {1}, {zeta}, 1, 1, mu, r); }
+inline Scene<double> oscillator(double zeta, double r, double mu = 1, std::optional<double> beta = std::nullopt) {
+    return chain({1}, {1}, {zeta}, 1, 1, mu, r, beta);
+}
+
+/// @brief Two equal masses and springs, the contact on the second, the load on the first.
+inline Scene<double> equal_pair(double r, std::optional<double> beta = std::nullopt, double mu = 1) {
+    return chain({1, 1}, {1, 1}, {0.03125, 0.0625}, 2, 1, mu, r, beta);
+}
+
+/// @brief Equal masses and springs with one damping ratio, the contact on the second, the load on the third.
+inline Scene<double> equal_masses(std::size_t N, double zeta, double r, std::optional<double> beta = std::nullopt) {
+    const std::vector<double> ones(N, 1);
+    return chain(ones, ones, std::vector<double>(N, zeta), 2, 3, 1, r, beta);
+}
 
 /// @brief Three unequal masses, springs and damping ratios, the contact on the second, the load on the first.
 template <class T = double>
-Scene<T> three_masses(double r = 1.125) {
-    return chain<T>({1, 2.5, 0.75}, {1, 0.625, 1.875}, {0.03125, 0.0625, 0.09375}, 2, 1, 1.375, r);
+Scene<T> three_masses(double r = 1.125, std::optional<double> beta = std::nullopt, double mu = 1.375) {
+    return chain<T>({1, 2.5, 0.75}, {1, 0.625, 1.875}, {0.03125, 0.0625, 0.09375}, 2, 1, mu, r, beta);
 }
 
 /// @brief A scene at a friction ratio.
@@ -82,6 +104,21 @@ struct Rows {
     explicit Rows(const ModeSums<T>& s) : R(s.R), zeta(s.zeta), u(s.u), g(s.g), v(s.v) {}
 };
 
+/// @brief Largest difference of two states.
+inline double distance(const State& a, const State& b) {
+    double largest = 0;
+    for (std::size_t k = 0; k < a.x.size(); ++k)
+        largest = std::max({largest, std::abs(a.x[k] - b.x[k]), std::abs(a.x_prime[k] - b.x_prime[k])});
+    return largest;
+}
+
+/// @brief Velocity of the contact over -sin(tau) at a friction ratio, whether or not the contact slides there.
+inline double margin(const ModeSums<double>& s, double beta, double tau) {
+    const std::size_t j = s.contact.index;
+    const double X_j = paper::displacement_transmissibility_of_contact(s.V[j], s.U[j], s.G[j], beta);
+    return paper::sliding_margin(X_j, s.G[j], sliding_demand(s, tau), beta);
+}
+
 /// @brief Largest absolute displacement of a mass on a grid over the half-period.
 inline double largest_sample(const ModeSums<double>& s, const SteadyState<double>& state, std::size_t k, int samples) {
     double largest = 0;
@@ -99,5 +136,32 @@ inline ModeSums<Bounded<double>> bounded_sums_of(const Scene<double>& scene) {
 
 /// @brief The decimals of a number, where it has some; else its value. @param x a number of an answer @return all of its digits
 inline Real100 decimals_of(const Certified& x) { return x.decimal.empty() ? Real100(x.value) : Real100(x.decimal); }
+
+/// @brief Checks that a number lies within its bound of another that is far more exact.
+inline void check_within(const Certified& found, const Certified& exact) {
+    INFO(found.value << " +- " << found.error << " and " << exact.value << " +- " << exact.error);
+    CHECK(abs(Real100(decimals_of(found) - decimals_of(exact))) <= Real100(found.error));
+}
+
+/// @brief Checks that two numbers agree within their bounds.
+inline void check_agree(const Certified& a, const Certified& b) {
+    INFO(a.value << " +- " << a.error << " and " << b.value << " +- " << b.error);
+    CHECK(abs(Real100(decimals_of(a) - decimals_of(b))) <= Real100(a.error) + Real100(b.error));
+}
+
+/// @brief Checks that the amplitudes and phases of an answer lie within their bounds of those of one that is far more exact.
+inline void check_masses_within(const Solution& found, const Solution& exact) {
+    REQUIRE(found.masses.size() == exact.masses.size());
+    for (std::size_t k = 0; k < found.masses.size(); ++k) {
+        INFO("mass " << k + 1);
+        check_within(found.masses[k].amplitude, exact.masses[k].amplitude);
+        if (found.masses[k].phase && exact.masses[k].phase) check_within(*found.masses[k].phase, *exact.masses[k].phase);
+    }
+}
+
+/// @brief A map of one point. @param scene the scene, with r and beta @param masses whose amplitudes it has @return the map
+inline RegimeMap map_of_point(const Scene<double>& scene, std::vector<Mass> masses = {Mass{0}}, MapStart start = MapStart::rest) {
+    return regime_map(scene, {{*scene.r}, {*scene.beta}, std::move(masses), start, 1}, std::atomic<bool>(false));
+}
 
 } // namespace denhartog::tests

@@ -41,14 +41,6 @@ Numbers numbers_of(const Solution& s) {
     return all;
 }
 
-Scene<double> chain_of_three(double r, double beta, double mu = 1) {
-    return with_beta(chain({1, 2.5, 0.75}, {1, 0.625, 1.875}, {0.03125, 0.0625, 0.09375}, 2, 1, mu, r), beta);
-}
-
-Scene<double> long_chain(double r, double beta) {
-    return scene_of(equal_chain<double>(50, 10, 1, std::vector<double>(50, 0.05)), r, beta);
-}
-
 void check_same(const Solution& one, const Solution& all, Mass mass) {
     const Numbers a = numbers_of(one), b = numbers_of(all);
     REQUIRE(a.only == mass);
@@ -64,10 +56,10 @@ void check_same(const Solution& one, const Solution& all, Mass mass) {
 
 TEST_CASE("asked about one mass the answer lists it alone, with the numbers of the whole answer, in every regime",
           "[solve][eq:38][eq:39][eq:47]") {
-    const std::vector<std::pair<Scene<double>, Regime>> scenes{{chain_of_three(1.125, 0.125), Regime::continuous},
-                                                               {chain_of_three(1.125, 0.9), Regime::stick_slip},
-                                                               {chain_of_three(0.75, 8), Regime::permanent_sticking},
-                                                               {chain_of_three(1.125, 0.125, 1.25), Regime::continuous}};
+    const std::vector<std::pair<Scene<double>, Regime>> scenes{{three_masses(1.125, 0.125, 1), Regime::continuous},
+                                                               {three_masses(1.125, 0.9, 1), Regime::stick_slip},
+                                                               {three_masses(0.75, 8, 1), Regime::permanent_sticking},
+                                                               {three_masses(1.125, 0.125, 1.25), Regime::continuous}};
     for (const auto& [scene, regime] : scenes)
         for (const Asked asked : {Asked::amplitude, Asked::phase, Asked::motion})
             for (const int digits : {3, 10}) {
@@ -87,7 +79,7 @@ TEST_CASE("asked about one mass the answer lists it alone, with the numbers of t
 }
 
 TEST_CASE("amplitude and phase of the contact keep their bound in every precision", "[solve][eq:38][eq:39][accuracy]") {
-    const Scene<double> scene = chain_of_three(1.125, 0.125);
+    const Scene<double> scene = three_masses(1.125, 0.125, 1);
     const Numbers exact = numbers_of(solve(scene_source(scene), about(std::nullopt, Asked::phase, 60)));
     for (const int digits : {2, 8, 12, 13, 15, 30, 45}) {
         const Solution s = solve(scene_source(scene), about(scene.system.contact, Asked::phase, digits));
@@ -138,7 +130,7 @@ TEST_CASE("bounds of the contact hold over seeded scenes against 50 digits, and 
 }
 
 TEST_CASE("far masses are not asked for: at N = 50, r = 1.888 the contact's 8 digits are there in double", "[solve][eq:38]") {
-    const Scene<double> scene = long_chain(1.888, 0x1p-12);
+    const Scene<double> scene = scene_of(equal_chain<double>(50, 10, 1, std::vector<double>(50, 0.05)), 1.888, 0x1p-12);
     const Solution one = solve(scene_source(scene), about(scene.system.contact, Asked::amplitude, 8));
     CHECK(one.method.precision == "double");
     CHECK(one.work.eigen_solves == 1);
@@ -147,7 +139,7 @@ TEST_CASE("far masses are not asked for: at N = 50, r = 1.888 the contact's 8 di
 }
 
 TEST_CASE("a system is prepared once for many points, and a scene is one point of it", "[solve]") {
-    const Scene<double> scene = chain_of_three(1, 0.125);
+    const Scene<double> scene = three_masses(1, 0.125, 1);
     for (const int digits : {6, 12, 20}) {
         const Question question = about(scene.system.contact, Asked::phase, digits);
         const long before = eigen_solves();
@@ -159,7 +151,7 @@ TEST_CASE("a system is prepared once for many points, and a scene is one point o
             const Solution s = solve(prepared, r, 0.0625, question);
             at_points += s.work.eigen_solves;
             if (s.method.precision == "double") CHECK(s.work.mode_evaluations >= 3);
-            const Solution alone = solve(scene_source(chain_of_three(r, 0.0625)), question);
+            const Solution alone = solve(scene_source(three_masses(r, 0.0625, 1)), question);
             CHECK(alone.work.eigen_solves == setup);
             CHECK(numbers_of(s).amplitudes == numbers_of(alone).amplitudes);
             CHECK(*numbers_of(s).phases[0] == *numbers_of(alone).phases[0]);
@@ -170,13 +162,13 @@ TEST_CASE("a system is prepared once for many points, and a scene is one point o
 }
 
 TEST_CASE("prepared for every regime a system needs no eigenproblem at any point", "[solve]") {
-    const Scene<double> scene = chain_of_three(1, 0.125);
+    const Scene<double> scene = three_masses(1, 0.125, 1);
     const Question question = about(std::nullopt, Asked::phase, 6);
     const PreparedSystem prepared = prepare(scene_source(scene), question, Prepared::every_regime);
     std::array<int, 3> seen{};
     for (const auto& [r, beta] : {std::pair(1.125, 0.125), std::pair(1.125, 0.9), std::pair(0.75, 8.0)}) {
         const Solution s = solve(prepared, r, beta, question);
-        const Solution alone = solve(scene_source(chain_of_three(r, beta)), question);
+        const Solution alone = solve(scene_source(three_masses(r, beta, 1)), question);
         ++seen[static_cast<std::size_t>(s.regime.regime)];
         CHECK(s.regime.regime == alone.regime.regime);
         CHECK(numbers_of(s).amplitudes == numbers_of(alone).amplitudes);
@@ -206,7 +198,7 @@ TEST_CASE("shapes at a few masses are those of the whole basis up to sign, the l
 
 TEST_CASE("a question about a mass that is not there names quantity, rule and value", "[solve]") {
     try {
-        (void)solve(scene_source(chain_of_three(1, 0.125)), about(Mass{3}));
+        (void)solve(scene_source(three_masses(1, 0.125, 1)), about(Mass{3}));
         FAIL("it was answered");
     } catch (const InputError& e) {
         CHECK(e.quantity == "mass");
