@@ -148,17 +148,17 @@ const std::vector<Program>& programs() {
 }
 
 // What came of a program.
-struct Outcome {
+struct ProgramOutcome {
     std::size_t wrong = 0;
     std::vector<std::string> names;
     std::string first_wrong, simple;
     bool false_name = false, lost_name = false;
 };
 
-Outcome outcome_of(const Program& p, const Thresholds& least, bool guess) {
+ProgramOutcome outcome_of(const Program& p, const Thresholds& least, bool guess) {
     std::vector<Judged> judged = p.judged;
     const Diagnosis d = diagnose(judged, p.known, least, guess);
-    Outcome o;
+    ProgramOutcome o;
     o.wrong = d.wrong;
     for (const Finding& f : d.findings) {
         o.names.push_back(f.mistake.name);
@@ -177,7 +177,7 @@ std::string cell(std::size_t count) { return std::to_string(count); }
 std::string threshold_row(const std::string& title, const Thresholds& least) {
     std::size_t named[2] = {0, 0}, lost[2] = {0, 0};
     for (const Program& p : programs()) {
-        const Outcome o = outcome_of(p, least, false);
+        const ProgramOutcome o = outcome_of(p, least, false);
         named[p.second_half] += o.false_name;
         lost[p.second_half] += o.lost_name;
     }
@@ -206,7 +206,7 @@ struct Row {
     std::size_t programs = 0, wrong = 0, own = 0, none = 0, other = 0;
 };
 
-std::string confusion_text(const std::vector<Outcome>& outcomes) {
+std::string confusion_text(const std::vector<ProgramOutcome>& outcomes) {
     std::vector<std::string> order;
     std::map<std::string, Row> rows;
     for (std::size_t n = 0; n < outcomes.size(); ++n) {
@@ -229,7 +229,7 @@ std::string confusion_text(const std::vector<Outcome>& outcomes) {
 }
 
 // A row for each program with a mistake that is not known.
-std::vector<std::string> unknown_rows(const std::vector<Outcome>& outcomes) {
+std::vector<std::string> unknown_rows(const std::vector<ProgramOutcome>& outcomes) {
     std::vector<std::string> rows;
     for (std::size_t n = 0; n < outcomes.size(); ++n) {
         const Program& p = programs()[n];
@@ -240,16 +240,16 @@ std::vector<std::string> unknown_rows(const std::vector<Outcome>& outcomes) {
     return rows;
 }
 
-std::string unknown_text(const std::vector<Outcome>& outcomes) {
+std::string unknown_text(const std::vector<ProgramOutcome>& outcomes) {
     std::string text =
         "| rule | mistake | wrong answers | name | first wrong | simple explanation |\n|---|---|--:|---|---|---|\n";
     for (const std::string& row : unknown_rows(outcomes)) text += row;
     return text;
 }
 
-const std::vector<Outcome>& outcomes() {
-    static const std::vector<Outcome> all = [] {
-        std::vector<Outcome> found;
+const std::vector<ProgramOutcome>& outcomes() {
+    static const std::vector<ProgramOutcome> all = [] {
+        std::vector<ProgramOutcome> found;
         for (const Program& p : programs()) found.push_back(outcome_of(p, {}, true));
         return found;
     }();
@@ -269,7 +269,7 @@ TEST_CASE("no mistake that is not known gets a name, nor a pair of them, and kno
     std::size_t unknown = 0;
     for (std::size_t n = 0; n < outcomes().size(); ++n) {
         const Program& p = programs()[n];
-        const Outcome& o = outcomes()[n];
+        const ProgramOutcome& o = outcomes()[n];
         INFO(p.rule << ": " << p.told << ": " << o.wrong << " wrong; named " << joined(o.names, ", ") << "; first wrong "
                     << o.first_wrong << "; " << o.simple);
         CHECK_FALSE(o.false_name);

@@ -18,29 +18,29 @@ std::vector<ex> paper_response(const ex&, const ex& R, const ex& zeta) {
 
 std::vector<Placed> parts_of(const denhartog::Complex<Placed>& v) { return {v.re, v.im}; }
 
-Outcome outcome_of(const std::function<denhartog::Complex<Placed>(const Placed& R, const Placed& zeta)>& take) {
+derivation::Outcome outcome_of(const std::function<denhartog::Complex<Placed>(const Placed& R, const Placed& zeta)>& take) {
     const Selection selection{"under test",
                               [&take](const Placed&, const Placed& R, const Placed& zeta) { return parts_of(take(R, zeta)); },
                               paper_response};
     return check_selection(selection);
 }
 
-std::string words_of(const Outcome& outcome) { return outcome.steps.empty() ? "" : outcome.steps.front().text; }
+std::string words_of(const derivation::Outcome& outcome) { return outcome.steps.empty() ? "" : outcome.steps.front().text; }
 
 } // namespace
 
 TEST_CASE("the shipped selection takes no form outside the domain of its proof", "[selection]") {
-    const Outcome outcome = outcome_of([](const Placed& R, const Placed& zeta) { return evaluation::complex_response(R, zeta); });
+    const derivation::Outcome outcome = outcome_of([](const Placed& R, const Placed& zeta) { return evaluation::complex_response(R, zeta); });
     CHECK(outcome.verdict == Verdict::proved);
     CHECK(outcome.steps.size() > 4); // its conditions, each seen on both sides
 }
 
 TEST_CASE("a selection that takes a form where that divides by zero is refuted", "[selection]") {
-    const Outcome without_damping =
+    const derivation::Outcome without_damping =
         outcome_of([](const Placed& R, const Placed& zeta) { return evaluation::complex_response_near_resonance(R, zeta); });
     CHECK(without_damping.verdict == Verdict::refuted);
     CHECK(words_of(without_damping).find("zeta = 0.000000") != std::string::npos);
-    const Outcome at_resonance = outcome_of([](const Placed& R, const Placed& zeta) {
+    const derivation::Outcome at_resonance = outcome_of([](const Placed& R, const Placed& zeta) {
         return zeta > 0 ? evaluation::complex_response_off_resonance(R, zeta, Placed(4))
                         : evaluation::complex_response_high_frequency(R, zeta);
     });

@@ -310,7 +310,7 @@ TEST_CASE("a motion that repeats itself after more half-periods than are looked 
         int half_periods;
     } cases[] = {{1.15625, 0.25, 9}, {1.1875, 0.28125, 31}};
     for (const auto& each : cases) {
-        const Prepared p = prepared_chain({1, 1}, {1, 1}, {0.0078125, 0.0078125}, 1, 1, each.r, each.beta, 2);
+        const PreparedMotion p = prepared_chain({1, 1}, {1, 1}, {0.0078125, 0.0078125}, 1, 1, each.r, each.beta, 2);
         const PeriodicOrbit given_up = orbit_of(p, search), whole = orbit_of(p);
         CHECK(given_up.status == OrbitStatus::not_converged);
         CHECK(whole.status != OrbitStatus::periodic);
@@ -322,12 +322,12 @@ TEST_CASE("a motion that repeats itself after more half-periods than are looked 
             if (h <= 8 || h % 2 == 0) CHECK(distance(propagated(p, late, h), late) > 1e-3);
     }
     // A motion that never repeats itself is followed to the end.
-    const Prepared irregular = prepared_oscillator(0.0078125, 0.4375, 0.15625, 2);
+    const PreparedMotion irregular = prepared_oscillator(0.0078125, 0.4375, 0.15625, 2);
     CHECK(orbit_of(irregular, search).status == OrbitStatus::not_converged);
     CHECK(orbit_of(irregular, search).periods_propagated > 500);
     // A motion that comes to an orbit gives the same, to the last bit.
     int found = 0;
-    for (const Prepared& p : between_the_boundaries(61, 3, 1.75)) {
+    for (const PreparedMotion& p : between_the_boundaries(61, 3, 1.75)) {
         const PeriodicOrbit one = orbit_of(p), other = orbit_of(p, search);
         if (!is_from_start(one)) continue;
         INFO(p.name);

@@ -112,7 +112,8 @@ Onsets onsets_of(const Design& d) {
     question.asked = Asked::regime;
     question.digits = 48;
     const SceneSource scene = without_friction_ratio(scene_source(scene_of(d, 0)));
-    const Limits limits = *required(solution_by_reference(scene, question, [] { return std::vector<OrbitGuess>(); })).limits;
+    Tried<Solution> answer = solution_by_reference(scene, question, [] { return std::vector<OrbitGuess>(); });
+    const Limits limits = *answer.required().limits;
     if (!limits.sticking) throw DomainError("no friction holds the contact of " + d.id);
     return {Real50(limits.exact.decimal), Real50(limits.sticking->decimal)};
 }
