@@ -87,7 +87,7 @@ TEST_CASE("a question whose work is spent says so, and with more work it has an 
         CHECK_FALSE(none.value);
         CHECK(decided(restless("0.0625"), digits, &enough).outcome == Outcome::answered);
     }
-    // What no motion from rest becomes is another outcome if the work lasts.
+    // With enough work the outcome of this scene is `not_converged`.
     QuestionEffort short_of_periods(4, 3000);
     CHECK(decided(restless("0"), {}, &short_of_periods).outcome == Outcome::budget_spent);
 }

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Scenes, and routes to their response that know nothing of modes or closed forms.
+/// @brief Scenes, their sums and samples, and a route to their response that knows nothing of modes.
 #pragma once
 
 #include <Eigen/Dense>
@@ -96,7 +96,7 @@ inline Eigen::VectorXcd harmonic_response(const NonDimensionalMatrices& m, std::
     return D.partialPivLu().solve(Eigen::VectorXcd::Unit(D.rows(), static_cast<Eigen::Index>(load)));
 }
 
-/// @brief Rows of the modal matrix and what goes with them, as the formulas take them.
+/// @brief The frequency ratios, damping ratios and functions of the modes, as the formulas take them.
 template <class T>
 struct Rows {
     std::span<const T> R, zeta, u, g;

@@ -1,5 +1,6 @@
 // The motion of the masses while the contact is held, and where it may rest. Read `held_response` first: Section 4.3 for any contact.
-// After it comes (88) as printed. What may be off in (6) stands in `stick_slip/bounds_of_motion.cpp`.
+// After it comes (88) as printed. The errors of the equations come from `stick_slip/bounds_of_equations.cpp`. Declared in
+// `models_in_double.hpp`.
 #include "denhartog/answer/models_in_double.hpp"
 
 #include <algorithm>

@@ -71,12 +71,13 @@ void say_what_is_kept(std::size_t i, const System<double>& system, Solution& s) 
     const double step = pi<double>() / pieces;
     std::vector<double> shares;
     for (int k = 0; k < pieces; ++k) shares.push_back(share(k * step));
+    shares.push_back(std::numeric_limits<double>::max()); // at pi, where the rate is zero but for rounding
     for (std::size_t k = 1; k + 1 < shares.size(); ++k) {
         if (shares[k] > std::min(shares[k - 1], shares[k + 1])) continue;
         const double middle = static_cast<double>(k) * step;
         least = std::min(least, boost::math::tools::brent_find_minima(share, middle - step, middle + step, bits).second);
     }
-    constexpr double trusted = 1e-10;
+    constexpr double trusted = 1e-10; // relative error of the search, an estimate
     const double most = at(0).x + least;
     s.kept_mode = KeptMode{i, {most, trusted * most, {}}};
     s.not_from_rest = {Why::any_share, i + 1, n, most};

@@ -498,7 +498,7 @@ enum dh_point_status {
     DH_POINT_ON_BOUNDARY = 1, ///< all are there; beta equals a boundary to rounding, so that the neighbouring regime is possible
     DH_POINT_NOT_CONVERGED = 2, ///< no steady motion was found
     DH_POINT_AT_A_POLE = 3,     ///< a mode without damping resonates
-    DH_POINT_FAILED = 4         ///< the digits of the number types do not suffice, or the work allowed is spent
+    DH_POINT_FAILED = 4         ///< no answer: digits or work are missing, or no motion is known to be the one asked for
 };
 
 /// @brief Your function, which is told how much of a call is done. One thread at a time calls it, not always the calling one.

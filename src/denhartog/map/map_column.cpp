@@ -41,7 +41,7 @@ std::optional<State> on_line_through(const std::optional<OrbitAt>& a, const std:
     return z;
 }
 
-// The status that a computation in double gives a point; `failed` leaves it to `decide`.
+// The status that a computation in double gives a point; `answer` leaves all but an answer to `decide`.
 template <class Compute>
 PointStatus status_of(const Compute& compute) {
     const Tried<bool> made = tried(compute);

@@ -33,7 +33,7 @@ enum class PointStatus : std::int8_t {
     on_boundary = 1,   ///< it has all numbers; beta equals a boundary to rounding, and the neighbouring regime is possible
     not_converged = 2, ///< no steady motion was found; the point has no regime and no numbers
     at_a_pole = 3,     ///< a mode without damping resonates; the point has no numbers
-    failed = 4         ///< no number type has enough digits; the point has no numbers
+    failed = 4 ///< `solve` has no answer either: digits or work are missing, or no motion is known to be the one asked for
 };
 
 /// @brief Name of a status, as files write it. @param status a status @return e.g. `not_converged`

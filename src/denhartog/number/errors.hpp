@@ -19,7 +19,7 @@ enum class Why : std::uint8_t;
 struct Reason {
     Why says;                        ///< what it says
     std::array<double, 4> numbers{}; ///< the numbers that its sentence needs; a mass or a mode counts from 1
-    std::string text{};              ///< what somebody else said
+    std::string text{};              ///< the reason as a text, if it is no `Why`
     /// @brief Whether two say the same. @return true if they do
     bool operator==(const Reason&) const = default;
 };
@@ -30,7 +30,7 @@ struct Reasons : std::vector<Reason> {
     /// @brief One reason. @param says what it says @param numbers the numbers that its sentence needs
     template <class... Numbers>
     Reasons(Why says, const Numbers&... numbers) : vector{Reason{says, {static_cast<double>(numbers)...}}} {}
-    /// @brief A reason in the words of another library. @param text a sentence without its full stop
+    /// @brief A reason that is no `Why`, as a text. @param text a sentence without its full stop
     template <std::convertible_to<std::string> Text>
     Reasons(const Text& text) : vector{Reason{Why{}, {}, text}} {}
     /// @brief Appends reasons. @param more the reasons to append @return these
@@ -65,11 +65,11 @@ struct InputError : std::invalid_argument {
 /// @brief What a question, or a computation for it, comes to: an answer, or the kind of reason why there is none.
 enum class Outcome : std::uint8_t {
     answered = 0,       ///< it has an answer
-    at_a_pole = 1,      ///< a formula was asked for outside its domain, as where a mode without damping resonates
+    at_a_pole = 1,      ///< a formula was asked for outside its domain, as at a pole: a mode without damping that resonates
     budget_spent = 2,   ///< the work allowed is spent, or the question was cancelled; more work may answer it
     digits_missing = 3, ///< numbers do not have the digits asked for, or what they say is not proved
     out_of_range = 4,   ///< a number is beyond the range of a double
-    not_converged = 5,  ///< an iteration did not end, or the motion from rest does not become periodic
+    not_converged = 5,  ///< a search did not settle within its share of the work, or no motion became periodic
     unproved = 6,       ///< inside the reference alone: not proved with the bits of the moment, more may do
     disproved = 7       ///< inside the reference alone: certainly not so, and no number of bits helps
 };
@@ -79,7 +79,7 @@ struct Refusal {
     Outcome outcome = Outcome::answered; ///< `answered` where there is a value
     Reasons why{};                       ///< the reasons; none where there is a value
 
-    /// @brief Whether there is a value after all. @return true if so
+    /// @brief Whether there is a value, and so no refusal. @return true if so
     [[nodiscard]] bool is_answered() const { return outcome == Outcome::answered; }
 };
 

@@ -1,6 +1,6 @@
-// The map over half a period of the force, seen in a mirror. A state that this map returns is a steady motion with the symmetry
-// (25). `OrbitMap::apply` follows the motion, `find_fixed_point` looks for such a state; `bounds_of_orbit.cpp` bounds what rounding
-// makes of the image and of its derivative.
+// The map over half-periods of the force, seen in a mirror. A fixed point over h of them is a steady motion; if h = 1 it has the
+// symmetry (25). `OrbitMap::apply` follows the motion, and `find_fixed_point` looks for such a state. `bounds_of_orbit.cpp` has bounds
+// of the rounding of the image and of its derivative.
 #include "denhartog/orbit/orbit_map.hpp"
 
 #include <algorithm>
@@ -51,8 +51,7 @@ bool OrbitMap::apply(const State& z, int half_periods, bool with_jacobian) {
     column(image_.x) = side * column(motion_->end.x);
     column(image_.x_prime) = side * column(motion_->end.x_prime);
     difference_ = denhartog::difference(image_, z);
-    if (!with_jacobian) return true;
-    bound_rounding();
+    if (with_jacobian) bound_rounding();
     return true;
 }
 

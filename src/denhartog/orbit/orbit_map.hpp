@@ -18,8 +18,8 @@ namespace denhartog {
 [[nodiscard]] Matrix<double> in_energy_coordinates(const Matrix<double>& J, const Matrix<double>& momentum,
                                                    const Matrix<double>& shapes, const std::vector<double>& r_n, double r);
 
-/// @brief Largest number of steps of Newton's method without a fall of the residual: it halves such a step, and may then go on
-/// from the image of the last good state.
+/// @brief Largest number of steps without a fall of the residual: Newton's method halves such a step, and with the last choice
+/// goes on from the image of the last good state.
 enum class BadSteps : int { none = 0, some = 16, all_and_go_on_from_image = 40 };
 
 /// @brief The map whose fixed points are the steady motions: the motion over h half-periods of the force, mirrored after each.
@@ -27,7 +27,7 @@ enum class BadSteps : int { none = 0, some = 16, all_and_go_on_from_image = 40 }
 /// \f$ \Phi \f$ carries a state, displacements and velocities at \f$ \tau=0 \f$, to a later instant. The force changes its sign
 /// after half a period, so that P is the same map for every half-period. A fixed point with h = 1 has the symmetry (25).
 ///
-/// Call `apply` first: the object then holds the image, the motion to it, the Jacobian if you asked for it, and bounds of the
+/// Call `apply` first: the object then holds the image, the motion to it and, if you asked for it, the Jacobian with bounds of the
 /// rounding errors of both. Energy coordinates are 2N values, modal displacements times frequencies and then modal velocities: if
 /// \f$ \mu=1 \f$, the distance of two motions in them never grows. With `mode_errors` the bounds include the errors of the modes,
 /// which no step of Newton's method reduces.
@@ -40,7 +40,8 @@ public:
 
     const Eigen::Index N; ///< number of masses
 
-    /// @brief Applies the map to the state z at \f$ \tau=0 \f$, with the Jacobian if that is wanted; false if the motion chatters.
+    /// @brief Applies the map to the state z at \f$ \tau=0 \f$, with the Jacobian if that is wanted; false if the
+    /// motion was not followed to its end, see `MotionStatus`.
     bool apply(const State& z, int half_periods, bool with_jacobian);
 
     /// @brief Looks from z, by Newton's method, for a fixed point of h half-periods in which the contact moves. If one was found the
@@ -48,7 +49,9 @@ public:
     /// rests for ever, Newton's method may come nearer to that place by every half step and be taken back by every whole one; nearly
     /// every orbit is found without a bad step.
     bool find_fixed_point(State& z, int h, BadSteps bad_steps);
-    [[nodiscard]] double residual() const { return residual_; } ///< the smallest that this saw; negative if the contact rested
+    [[nodiscard]] double residual() const {
+        return residual_;
+    } ///< the least since the last start or image; negative if the contact rested
     [[nodiscard]] int newton_steps() const { return newton_steps_; } ///< steps of Newton's method so far
 
     [[nodiscard]] bool held() const;              ///< whether the contact rested throughout

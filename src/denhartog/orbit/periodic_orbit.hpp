@@ -18,9 +18,9 @@
 
 namespace denhartog {
 
-/// @brief The outcome of a search for a periodic orbit.
+/// @brief The end of a search for a periodic orbit.
 enum class OrbitStatus : std::uint8_t {
-    periodic,          ///< a periodic orbit, with its error bounded
+    periodic,          ///< a periodic orbit to which the start leads, with its error bounded
     permanently_stuck, ///< the contact came to rest for ever
     not_from_start,    ///< a periodic orbit, with its error bounded, to which the start is not known to lead: see `reason`
     not_converged      ///< none of these: `reason` says what was seen; no number is an answer
@@ -29,15 +29,15 @@ enum class OrbitStatus : std::uint8_t {
 /// @brief Limits of the search, and the results that are wanted.
 struct OrbitSearch {
     const State* guess = nullptr; ///< a state near which an orbit of half a period is looked for first; null: none
-    int most_periods = 20000; ///< periods of propagation after which the search gives up; with mu > 1 no more than 30 decay times
-    bool follow_start = true; ///< make sure that the motion from the start tends to the orbit, not another
+    int most_periods = 20000;     ///< periods after which the search gives up; sooner if damping ends it, see `periods_to_follow`
+    bool follow_start = true;     ///< make sure that the motion from the start tends to the orbit, not another
     bool converging_only = false; ///< give up once the motion from the start is seen to come to no orbit; no other is wanted
     bool contact_only = false;    ///< leave `masses` empty: the maxima of the masses that are not in contact cost most
     bool with_stability = true;   ///< compute Floquet multipliers and the verdict on stability
     Effort* effort = nullptr;     ///< the budget of the question, of which the search has its share; null: `default_effort`
 };
 
-/// @brief A steady motion.
+/// @brief The result of a search for a steady motion.
 struct PeriodicOrbit {
     OrbitStatus status = OrbitStatus::not_converged; ///< what was found
     Reasons reason;                                  ///< why, if the status is no periodic orbit; else what to know of it
@@ -52,10 +52,10 @@ struct PeriodicOrbit {
     double error_bound = 0;              ///< bound of the error of the displacements, units of P / k_1
     std::vector<double> velocity_errors; ///< those of the velocities: of each mass, then of a contact between two
     bool more_digits_may_tell = false;   ///< none was found, and rounding may be why
-    int touching = 0;                    ///< events so tangential that rounding decided them; multipliers are one-sided
-    int newton_steps = 0;                ///< steps of Newton's method taken
-    int periods_propagated = 0;          ///< periods propagated in all
-    long effort_spent = 0;               ///< operations that the search took
+    int touching = 0;           ///< events so tangential that rounding decided them: errors of the multipliers are then infinite
+    int newton_steps = 0;       ///< steps of Newton's method taken
+    int periods_propagated = 0; ///< periods propagated in all
+    long effort_spent = 0;      ///< operations that the search took
 };
 
 /// @brief Whether an orbit is the steady motion that the start leads to.
@@ -82,10 +82,10 @@ struct PeriodicOrbit {
 struct ErrorsOfOrbit {
     double settled;               ///< of every displacement, as far as Newton's method can settle it; in units of P / k_1
     double displacement;          ///< the same with what turned modes make of it, as a bound that is handed out needs
-    std::vector<double> velocity; ///< of the velocity of each coordinate, then of each mass that is none; likewise
+    std::vector<double> velocity; ///< of the velocity of each mass, then of a contact between two; likewise
 };
 
-/// @brief Bounds of the errors over the orbit to which the map was applied last, with its Jacobian; none if the matrix is
+/// @brief Bounds of the errors over the orbit to which the map was applied last, with its Jacobian; none if 1 - DP is
 /// singular to rounding. The start is as far from the fixed point as \f$ |(1 - DP)^{-1}| \f$ times the difference of the two ends
 /// and the rounding of the map; with mu > 1 the largest growth that the Jacobian shows is allowed for along the orbit.
 [[nodiscard]] std::optional<ErrorsOfOrbit> errors_of(const OrbitMap& map);

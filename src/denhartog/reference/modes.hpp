@@ -38,11 +38,13 @@ struct Disproved : Unproved {
 };
 /// @brief The value of a computation; none where more bits may prove it and it is not a `must`. What is disproved is thrown.
 template <class Compute>
-[[nodiscard]] auto if_proved(const Compute& compute, bool must = false) -> std::optional<decltype(compute())> try {
-    return compute();
-} catch (const Unproved& e) {
-    if (must || e.outcome == Outcome::disproved) throw;
-    return std::nullopt;
+[[nodiscard]] auto if_proved(const Compute& compute, bool must = false) -> std::optional<decltype(compute())> {
+    try {
+        return compute();
+    } catch (const Unproved& e) {
+        if (must || e.outcome == Outcome::disproved) throw;
+        return std::nullopt;
+    }
 }
 
 class KeptModes;

@@ -4,8 +4,8 @@
 ///
 /// With \f$ \psi_i=\phi_i/r \f$ and \f$ R_i=r/r_{n,i} \f$ the weights \f$ \psi_{ki}\psi_{li}R_i^2 \f$ of (33)-(35) are
 /// \f$ \phi_{ki}\phi_{li}/r_{n,i}^2 \f$: nothing of them depends on r. Amplitude and phase need two rows of the mode shapes. One
-/// summation serves a number with its bound and arrays of r. `mode_sums` is a form of its own: with the products of the paper, whose
-/// last digits differ, every answer for all masses has its numbers.
+/// summation serves a number with its bound and arrays of r. `mode_sums` forms the products of the paper instead: answers for all
+/// masses come from it, and their last digits differ.
 ///
 /// At one frequency ratio the contact certainly slides below the boundary (69) if an upper bound of (57) for each mode takes the
 /// place of the maximum: the value at the start if that is certainly the largest, else

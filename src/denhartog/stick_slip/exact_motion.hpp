@@ -169,7 +169,7 @@ void take_load_away(ContactSystem& system);
     return at_maximum_of_force(sums, steady_state_without_maxima(sums, beta));
 }
 
-/// @brief The load on the contact and the friction there, at one frequency.
+/// @brief The frequency and the friction.
 struct Excitation {
     double r;    ///< frequency ratio, Eq. (10); positive
     double beta; ///< friction ratio, Eq. (11); not negative
@@ -271,9 +271,9 @@ public:
     /// without a stop, and every motion is damped.
     [[nodiscard]] double sliding_reach(std::size_t phase);
     /// @brief Largest size of every displacement over the last motion, then that of a contact between two, guaranteed between
-    /// samples; of the contact without what else may be. One that is smaller by less than twice `error`, a bound of the errors of
-    /// the displacements, may be the largest. If the frame of the displacements moves by `frame` cos tau, of the masses as they are
-    /// seen from the ground, the one in contact as every other, and of no contact.
+    /// samples; other maxima within twice `error`, a bound of the errors of the displacements, may be the largest: `spread`
+    /// counts them, except for the contact. If the frame of the displacements moves by `frame` cos tau, displacements are those seen
+    /// from the ground, and there is no entry for a contact between two.
     [[nodiscard]] std::vector<Extremum> largest_displacements(double error = 0, double frame = 0);
 
 private:
