@@ -11,6 +11,7 @@
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/conformance/c_fixtures.hpp"
+#include "tests/conformance/generator/route.hpp"
 
 namespace denhartog::tests {
 namespace {
@@ -108,13 +109,8 @@ std::vector<double> numbers_of_sums(const ProtocolQuestion& q, const ModeSums<do
     if (q.quantity == "beta_lim_approximate") return {b.approximate};
     if (q.quantity == "beta_lim_sticking") return b.sticking ? std::vector{*b.sticking} : std::vector<double>();
     const SteadyState<double> state = steady_state(s, b, q.beta);
-    const MassResponse<double>& m = state.masses[k];
-    if (q.quantity == "amplitude") return {m.amplitude};
-    if (q.quantity == "phase") return {m.phase};
-    if (q.quantity == "amplitude_monoharmonic") return {m.amplitude_monoharmonic};
-    if (q.quantity == "phase_monoharmonic") return {m.phase_monoharmonic};
-    if (q.quantity == "initial_displacement") return {m.x0};
-    if (q.quantity == "initial_velocity") return {m.v0};
+    if (std::vector<double> numbers = conformance::generator::numbers_of_sliding(state.masses[k], q.quantity); !numbers.empty())
+        return numbers;
     if (q.quantity == "displacement") return {motion(s, state, q.tau).x[k]};
     std::vector<double> x;
     for (int n = 0; n < q.samples; ++n) x.push_back(motion(s, state, 2 * n * pi<double>() / q.samples - state.phi_j).x[k]);

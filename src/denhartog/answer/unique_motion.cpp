@@ -71,7 +71,6 @@ void say_what_is_kept(std::size_t i, const System<double>& system, Solution& s) 
     const double step = pi<double>() / pieces;
     std::vector<double> shares;
     for (int k = 0; k < pieces; ++k) shares.push_back(share(k * step));
-    shares.push_back(std::numeric_limits<double>::max()); // at pi, where the rate is zero but for rounding
     for (std::size_t k = 1; k + 1 < shares.size(); ++k) {
         if (shares[k] > std::min(shares[k - 1], shares[k + 1])) continue;
         const double middle = static_cast<double>(k) * step;

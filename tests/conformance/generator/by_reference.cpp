@@ -180,14 +180,7 @@ private:
             const SlidingMassInBalls absolute = mass_in_balls(seen, contact, beta, k, false);
             return from_ground(q, absolute.amplitude, absolute.phase);
         }
-        const SlidingMassInBalls m = mass_in_balls(responses(), contact, beta, k, is_contact(k));
-        if (q.quantity == "amplitude") return {m.amplitude};
-        if (q.quantity == "phase") return {m.phase};
-        if (q.quantity == "amplitude_monoharmonic") return {m.amplitude_monoharmonic};
-        if (q.quantity == "phase_monoharmonic") return {m.phase_monoharmonic};
-        if (q.quantity == "initial_displacement") return {m.x0};
-        if (q.quantity == "initial_velocity") return {m.v0};
-        return {};
+        return numbers_of_sliding(mass_in_balls(responses(), contact, beta, k, is_contact(k)), q.quantity);
     }
 
     [[nodiscard]] std::vector<Ball> of_orbit(const ProtocolQuestion& q, std::size_t k) {

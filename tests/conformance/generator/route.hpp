@@ -39,6 +39,21 @@ template <class T>
     return scene_from_json<T>(nlohmann::json(question_json(q).at("scene")));
 }
 
+/// @brief The numbers of a mass that slides, whose members are named as in `MassResponse`.
+/// @param m         the mass
+/// @param quantity  a quantity
+/// @return          the number; none where the mass alone does not have it
+template <class SlidingMass>
+[[nodiscard]] auto numbers_of_sliding(const SlidingMass& m, const std::string& quantity) -> std::vector<decltype(m.x0)> {
+    if (quantity == "amplitude") return {m.amplitude};
+    if (quantity == "phase") return {m.phase};
+    if (quantity == "amplitude_monoharmonic") return {m.amplitude_monoharmonic};
+    if (quantity == "phase_monoharmonic") return {m.phase_monoharmonic};
+    if (quantity == "initial_displacement") return {m.x0};
+    if (quantity == "initial_velocity") return {m.v0};
+    return {};
+}
+
 /// @brief The physical coordinates: matrix exponentials over half a period, characteristic polynomial, dense linear systems.
 /// @param scene   a question about the scene
 /// @param regime  the regime, where the quantity depends on it
