@@ -166,12 +166,15 @@ TEST_CASE("a mode without damping does not make the coupling of the others endle
     Scene<double> scene;
     scene.system.mass_ratios = {1, 1, 1};
     scene.system.stiffness_matrix = Matrix<double>{{1, 0, 0}, {0, 2, 0}, {0, 0, 3}};
-    scene.system.damping_matrix = Matrix<double>{{0.1, 0.05, 1e-20}, {0.05, 0.1, 0}, {1e-20, 0, 0}};
-    const std::optional<CoupledDamping> damping = coupled_damping(scene_source(scene));
-    REQUIRE(damping);
-    CHECK(damping->taken_in);
-    CHECK(damping->largest_coupling == Approx(0.5).epsilon(1e-15));
-    CHECK(damping->damping_ratios.size() == 3);
+    for (const double scale : {1.0, 1e-8, 1e8}) { // the coupling is a ratio
+        INFO(scale);
+        scene.system.damping_matrix = scale * Matrix<double>{{0.1, 0.05, 1e-20}, {0.05, 0.1, 0}, {1e-20, 0, 0}};
+        const std::optional<CoupledDamping> damping = coupled_damping(scene_source(scene));
+        REQUIRE(damping);
+        CHECK(damping->taken_in);
+        CHECK(damping->largest_coupling == Approx(0.5).epsilon(1e-15));
+        CHECK(damping->damping_ratios.size() == 3);
+    }
 }
 
 TEST_CASE("light masses do not hide that a damping matrix couples the others", "[model]") {
