@@ -5,7 +5,6 @@
 
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
-#include "denhartog/program/json/energy_json.hpp"
 #include "denhartog/program/json/solution_json.hpp"
 #include "denhartog/program/output/result_files.hpp"
 #include "denhartog/scene/limits.hpp"
