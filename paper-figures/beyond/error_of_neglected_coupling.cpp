@@ -1,6 +1,5 @@
 // Error of leaving out what couples the modes, Section 2.1, over the size of the coefficients left out.
 #include "denhartog/model/modal_basis.hpp"
-#include "denhartog/solve/decision.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "error_curves.hpp"
 #include "tests/support/scene_builder.hpp"

@@ -13,7 +13,6 @@
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/number/ball_or_none.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/solve/decision.hpp"
 #include "kept_digits.hpp"
 #include "tests/support/closed_form.hpp"
 

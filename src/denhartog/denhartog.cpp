@@ -4,7 +4,6 @@
 #include <thread>
 
 #include "denhartog/answer/scene_source.hpp"
-#include "denhartog/solve/decision.hpp"
 #include "denhartog/solve/solve.hpp"
 
 namespace denhartog {

@@ -8,7 +8,6 @@
 
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/denhartog.hpp"
-#include "denhartog/solve/decision.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/speed_accuracy/answer_numbers.hpp"

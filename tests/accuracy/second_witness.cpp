@@ -9,7 +9,7 @@
 
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/motion.hpp"
-#include "denhartog/solve/decision.hpp"
+#include "denhartog/solve/solve.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

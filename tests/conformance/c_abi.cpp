@@ -10,7 +10,6 @@
 
 #include "denhartog/answer/reference.hpp"
 #include "denhartog/sliding/steady_state.hpp"
-#include "denhartog/solve/decision.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"

@@ -6,7 +6,6 @@
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/parallel.hpp"
 #include "denhartog/reference/modes.hpp"
-#include "denhartog/solve/decision.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/reference/proofs.hpp"

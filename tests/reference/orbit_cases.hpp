@@ -10,7 +10,7 @@
 #include "denhartog/reference/modes.hpp"
 #include "denhartog/reference/orbit.hpp"
 #include "denhartog/scene/converted.hpp"
-#include "denhartog/solve/decision.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "tests/support/multiprecision.hpp"
 #include "tests/support/scene_builder.hpp"
 

@@ -10,7 +10,6 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/reference/friction.hpp"
 #include "denhartog/reference/series.hpp"
-#include "denhartog/solve/decision.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/reference/surveyed_scenes.hpp"

@@ -19,7 +19,6 @@
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/sliding/mode_sums.hpp"
-#include "denhartog/solve/decision.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"

@@ -11,7 +11,6 @@
 #include "denhartog/sliding/bounded_modes.hpp"
 #include "denhartog/sliding/coupled_sums.hpp"
 #include "denhartog/sliding/friction_motion.hpp"
-#include "denhartog/solve/decision.hpp"
 #include "denhartog/solve/quantities.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"

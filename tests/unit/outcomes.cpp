@@ -2,11 +2,12 @@
 #include <string>
 #include <vector>
 
+#include "denhartog/map/regime_map.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/tried.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/search/largest.hpp"
-#include "denhartog/solve/decision.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog;
@@ -77,6 +78,27 @@ TEST_CASE("each outcome of a question is met by a scene, and its twin has an ans
         CHECK((twin.value && twin.value->digits_reached));
         CHECK(twin.why.empty());
     }
+}
+
+TEST_CASE("a point of a map without an answer has the status of its outcome, whoever is asked for it", "[map][errors]") {
+    struct Case {
+        PointStatus status;
+        std::string scene;
+    };
+    const std::vector<Case> cases{{PointStatus::at_a_pole, one_mass("0", "1", "0.125")},
+                                  {PointStatus::answered, one_mass("0.0625", "1", "0.125")},
+                                  {PointStatus::failed, one_mass("0.05", "1e-200", "0.5")},
+                                  {PointStatus::answered, one_mass("0.05", "1e-2", "2")},
+                                  {PointStatus::not_converged, restless("0")}};
+    const std::atomic<bool> never{false};
+    for (const Case& c : cases)
+        for (const bool phases : {false, true}) { // a column of the map is asked, or `decide`
+            const Scene<double> scene = read_scene<double>(c.scene);
+            MapRequest request{{*scene.r}, {*scene.beta}, {Mass{0}}};
+            request.phases = phases;
+            INFO(c.scene << (phases ? " with phases" : ""));
+            CHECK(regime_map(scene, request, never).points.front().status == c.status);
+        }
 }
 
 TEST_CASE("a question whose work is spent says so, and with more work it has an answer", "[solve][errors][effort]") {

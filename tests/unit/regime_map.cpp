@@ -5,7 +5,6 @@
 #include "denhartog/evaluation/contact.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/solve/decision.hpp"
 #include "denhartog/solve/quantities.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"

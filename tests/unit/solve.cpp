@@ -9,7 +9,6 @@
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
-#include "denhartog/solve/decision.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
@@ -137,7 +136,9 @@ TEST_CASE("where the contact only just stops, the bound says that the instant is
     Scene<double> scene = oscillator(0.01, 0.2, 1, 0.4337367682256968); // some last digits higher two of the four stops are gone
     const ContactSystem system = contact_system(scene.system);
     ExactSolver solver(system, {*scene.r, *scene.beta, scene.mu});
-    const std::vector<SolvedStop> in_double = orbit_solution(solver, periodic_orbit(solver, at_rest(1), {})).stops;
+    Solution found;
+    set_motion_of_orbit(scene, {}, solver, periodic_orbit(solver, at_rest(1), {}), found);
+    const std::vector<SolvedStop>& in_double = found.stops;
     REQUIRE(in_double.size() == 4);
     CHECK(in_double[0].start.error == Approx(pi<double>()));
     CHECK(in_double[1].end.error == Approx(pi<double>()));
@@ -210,8 +211,9 @@ TEST_CASE("damping made from modes far apart keeps its bound at a contact that r
                                 15.403547107133631, 0.5404485080277784);
     const Solution truth = solve(scene_source(scene), {.digits = 60});
     CHECK(truth.method.proved);
-    const auto held = held_solution(scene, stuck_configuration(scene.system, modal_basis(scene.system)),
-                                    with_errors(scene.system, modal_basis(scene.system)));
+    Solution held;
+    set_stuck_response(scene, stuck_configuration(scene.system, modal_basis(scene.system)),
+                       with_errors(scene.system, modal_basis(scene.system)), std::nullopt, held);
     for (const std::size_t k : {0u, 1u, 3u}) {
         const Certified &found = held.masses[k].amplitude, &true_value = truth.masses[k].amplitude;
         INFO("mass " << k + 1 << ": " << found.value << " +- " << found.error);

@@ -1,8 +1,6 @@
 /// @file
-/// @brief The digits of an answer in double: numbers carry a bound of their error, `Bounded<double>`. No error is
-/// measured by computing twice. Where the bounds do not leave the digits asked for, the reference answers. And the motion as it
-/// is seen from the ground, where base and wall, or the wall alone, move by \f$ b\cos\tau \f$: absolute displacements are the
-/// relative ones and that.
+/// @brief The digits of an answer in double, whose numbers carry bounds of their errors; and the motion as it is seen from the ground,
+/// where base and wall, or the wall alone, move by \f$ b\cos\tau \f$: absolute displacements are the relative ones and that.
 #pragma once
 
 #include <cmath>
@@ -23,15 +21,10 @@ struct Aim {
     double tolerance; ///< ten to the minus that
 };
 
-/// @brief The aim of a number of digits, or of `digits_by_default` where none is given; InputError where they are not from 1 to
-/// `most_digits`.
+/// @brief The aim of a number of digits, by default of `digits_by_default`; InputError where they are not from 1 to `most_digits`.
 [[nodiscard]] Aim aim_of(std::optional<int> digits);
-
-/// @brief The relative error that leaves so many digits: ten to the minus that.
-[[nodiscard]] double tolerance_of(int digits);
-
-/// @brief The number of digits that a relative error leaves, from 0 to 17.
-[[nodiscard]] int digits_of(double error);
+[[nodiscard]] double tolerance_of(int digits); ///< the relative error that leaves so many digits: ten to the minus that
+[[nodiscard]] int digits_of(double error);     ///< the number of digits that a relative error leaves, from 0 to 17
 
 /// @brief An error as a double, infinite where it is no number.
 template <class T>
@@ -74,11 +67,8 @@ void take_contact_between(const System<double>& system, Solution& s);
 /// @brief Leaves of the masses in their order the one that was asked about, if it was one.
 void keep_asked_mass(const Question& question, Solution& s);
 
-/// @brief A number of an answer from one with a bound.
-[[nodiscard]] inline Certified certified(const Bounded<double>& a) { return {a.x, a.e, {}}; }
-
-/// @brief A number that is exact.
-[[nodiscard]] inline Certified exactly(double x) { return certified(Bounded<double>(x)); }
+[[nodiscard]] inline Certified certified(const Bounded<double>& a) { return {a.x, a.e, {}}; } ///< a number with its bound
+[[nodiscard]] inline Certified exactly(double x) { return {x, 0, {}}; }                       ///< a number that is exact
 
 /// @brief By how much an error may turn the phase of a motion: the arc sine of its share in the amplitude, in radians. The
 /// amplitude is larger than the error, and may have any size.

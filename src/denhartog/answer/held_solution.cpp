@@ -100,39 +100,38 @@ SolvedMass mass_of(const Complex<Bounded<double>>& X, double largest) {
 
 } // namespace
 
-HeldSolution held_solution(const Scene<double>& scene, const StuckConfiguration& stuck, const ModalBasis<Bounded<double>>& basis,
-                           std::optional<Mass> only) {
-    const System<double>& s = scene.system;
-    const Matrix<double> error_of_C = errors_of_C(s, basis);
+void set_stuck_response(const Scene<double>& scene, const StuckConfiguration& stuck, const ModalBasis<Bounded<double>>& basis,
+                        std::optional<Mass> only, Solution& s) {
+    const System<double>& system = scene.system;
+    const Matrix<double> error_of_C = errors_of_C(system, basis);
     const HeldResponse<Bounded<double>> held = held_response(stuck, held_equations(scene, stuck, error_of_C), as_input(*scene.r));
-    const Bounded<double> compliance = compliance_of(stuck);
-    HeldSolution solution;
+    const Bounded<double> compliance = compliance_of(stuck), frame = amplitude_of_frame(scene);
     double largest = held.load.x * compliance.x; // no mass moves where the load acts on the contact
     for (const Complex<Bounded<double>>& X : held.X) largest = std::max(largest, modulus(X).x);
+    const SolvedMass at_rest{exactly(0), std::nullopt, std::nullopt};
+    s.masses.clear();
+    s.from_ground.clear();
+    s.relative_error = 0;
     for (std::size_t k = 0; k < held.X.size(); ++k) {
-        const bool rests = k == contact_row(s).index;
-        solution.masses.push_back(rests ? SolvedMass{exactly(0), std::nullopt, std::nullopt} : mass_of(held.X[k], largest));
-        const auto& [amplitude, phase, none] = solution.masses.back();
-        if (!phase || (only && k != only->index)) continue;
-        solution.relative =
-            std::max({solution.relative, amplitude.value > 0 ? amplitude.error / amplitude.value : 1.0, phase->error});
+        const Complex<Bounded<double>>& X = held.X[k];
+        if (system.base_motion != BaseMotion::none)
+            s.from_ground.push_back(from_ground(mass_of({X.re + frame, X.im}, std::max(largest, frame.x)),
+                                                system.base_motion == BaseMotion::alone ? Bounded<double>(1) : frame));
+        const SolvedMass& m = s.masses.emplace_back(k == contact_row(system).index ? at_rest : mass_of(X, largest));
+        if (!m.phase || (only && k != only->index)) continue;
+        s.relative_error =
+            std::max({s.relative_error, m.amplitude.value > 0 ? m.amplitude.error / m.amplitude.value : 1.0, m.phase->error});
     }
-    const Bounded<double> frame = amplitude_of_frame(scene);
-    for (const Complex<Bounded<double>>& X : held.X)
-        if (s.base_motion != BaseMotion::none)
-            solution.from_ground.push_back(from_ground(mass_of({X.re + frame, X.im}, std::max(largest, frame.x)),
-                                                       s.base_motion == BaseMotion::alone ? Bounded<double>(1) : frame));
-    if (contact_moves_apart(s)) solution.masses.push_back({exactly(0), std::nullopt, std::nullopt});
+    if (contact_moves_apart(system)) s.masses.push_back(at_rest);
     Bounded<double> to = (as_input(scene.mu) * as_input(*scene.beta) - held.load) * compliance;
     if (!std::isfinite(to.e)) {
         to.e = std::numeric_limits<double>::infinity();
-        solution.relative = std::max(solution.relative, 1.0);
+        s.relative_error = std::max(s.relative_error, 1.0);
     }
     to.x = std::max(to.x, 0.0); // on the boundary rounding may leave less than nothing
     require_in_range(to.x, 2);
-    solution.rest_interval = {certified(-to), certified(to), std::nullopt};
-    solution.sticking_by_88 = limit_by_88(scene, stuck, error_of_C);
-    return solution;
+    s.rest_interval = {certified(-to), certified(to), std::nullopt};
+    s.sticking_by_88 = limit_by_88(scene, stuck, error_of_C);
 }
 
 std::optional<Certified> sticking_by_88(const Scene<double>& scene) {

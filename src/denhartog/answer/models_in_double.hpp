@@ -32,29 +32,25 @@ inline constexpr double hardly_coupled = 1e-6;
 /// @brief See `hardly_coupled`: a part of (69).
 inline constexpr double hardly_changed = 1e-9;
 
-/// @brief The sums at a frequency ratio, and what searches for instants need of them: values without bounds, found when first
-/// asked for.
+/// @brief The sums at a frequency ratio, and what searches for instants need of them, found when first asked for.
 class SearchedSums {
 public:
     /// @brief Of sums. Searches take their share of `effort`.
     explicit SearchedSums(ModeSums<Bounded<double>> sums, Effort* effort) : sums_(std::move(sums)), effort_(effort) {}
     SearchedSums(const SearchedSums&) = delete;
     SearchedSums& operator=(const SearchedSums&) = delete;
-    /// @brief The sums.
-    [[nodiscard]] const ModeSums<Bounded<double>>& sums() const { return sums_; }
+    [[nodiscard]] const ModeSums<Bounded<double>>& sums() const { return sums_; } ///< the sums
     /// @brief The sums without bounds.
     [[nodiscard]] const ModeSums<double>& values() { return values_ ? *values_ : values_.emplace(values_of(sums_)); }
-    /// @brief Friction's share of the motion.
-    [[nodiscard]] FrictionMotions& motions();
-    /// @brief The instants of the largest demands: that of the sum over modes, then those of the modes.
-    [[nodiscard]] std::vector<double> demands();
-    /// @brief The steady state below the boundary; `with_rivals` the errors of phases hold other instants that may be the
-    /// largest's.
+    [[nodiscard]] std::vector<double> demands(); ///< instants of the largest demands: of the sum over modes, then of each mode
+    /// @brief The steady state below the boundary; `with_rivals` errors of phases hold other instants that may be the largest's.
     /// @eq{38,39,44,45,47,52,53}
     [[nodiscard]] SteadyState<Bounded<double>> steady_state(const Bounded<double>& beta, std::optional<Mass> only,
                                                             bool with_rivals);
 
 private:
+    FrictionMotions& motions(); // friction's share of the motion
+
     ModeSums<Bounded<double>> sums_;
     Effort* effort_;
     std::optional<ModeSums<double>> values_{};
@@ -64,57 +60,32 @@ private:
 /// @brief True of a mode that the load excites, beyond the bounds of its shape.
 [[nodiscard]] bool is_excited(const ModalBasis<Bounded<double>>& basis, const System<double>& system, std::size_t mode);
 
-/// @brief The knowledge of a point.
-struct SlidingPoint {
-    Boundary<Bounded<double>> boundary;                ///< the boundary there
-    std::optional<RegimeAtPoint> regime;               ///< the regime; none without a friction ratio
-    std::optional<SteadyState<Bounded<double>>> state; ///< the steady state, in the sliding regime and where it was asked for
-    std::vector<MassFromGround> from_ground{};         ///< the masses as seen from the ground, where base or wall move
-    Attempted attempted{0};                            ///< the largest error, and whether the regime is certain
-};
+/// @brief Writes the point and the question into an answer.
+void set_point(const System<double>& system, double r, std::optional<double> beta, double mu, Asked asked, Solution& s);
 
-/// @brief The point of a scene, without beta its boundary alone; if one mass is asked about no other has a maximum. Errors count
-/// relative to amplitudes and friction ratios, absolute for phases. DomainError at a pole of a mode without damping,
-/// PrecisionError where a maximum is not settled. @eq{38,39,44,45,47,52,53,69}
-[[nodiscard]] SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Bounded<double>>& basis,
-                                         const Question& question, Effort* effort = nullptr);
-
-/// @brief The point of a scene as an answer; `modes` are those in double, if they are prepared. A bad scene and bad digits are an
-/// InputError, a pole is a DomainError, which says `Why::pole_by_rounding` if it is within a few units in the last place.
+/// @brief Boundary, regime and sliding motion of a scene; `modes` are those in double, if they are prepared. Without beta there is
+/// the boundary alone; if one mass is asked about no other has a maximum. Errors count relative to amplitudes and friction ratios,
+/// absolute for phases. A bad scene and bad digits are an InputError, PrecisionError says that a maximum is not settled, DomainError
+/// that a mode without damping is at a pole, with `Why::pole_by_rounding` within a few units in the last place.
+/// @eq{38,39,44,45,47,52,53,69}
 [[nodiscard]] Solution sliding_solution(const SceneSource& source, const Question& question,
                                         std::shared_ptr<const ModalBasis<Bounded<double>>> modes = nullptr);
 
-/// @brief The stuck response with its error.
-struct HeldSolution {
-    std::vector<SolvedMass> masses;          ///< N; the contact's amplitude is zero
-    std::vector<MassFromGround> from_ground; ///< N, where base or wall move: the same as it is seen from the ground
-    RestInterval rest_interval;              ///< where the contact may rest
-    std::optional<Certified> sticking_by_88; ///< the boundary of permanent sticking by (88) as printed, for chains
-    double relative = 0;                     ///< largest error, relative to amplitudes, absolute for phases
-};
-
-/// @brief The stuck response for rest at zero; what it leaves over in the equations of motion bounds its error. With `only` the
-/// errors of one mass count. DomainError where the load excites the resonance of an undamped stuck mode. @eq{88}
-[[nodiscard]] HeldSolution held_solution(const Scene<double>& scene, const StuckConfiguration& stuck,
-                                         const ModalBasis<Bounded<double>>& basis, std::optional<Mass> only = std::nullopt);
+/// @brief Writes the stuck response for rest at zero into an answer: masses, where the contact may rest, (88) as printed, and the
+/// largest error, relative to amplitudes, absolute for phases. The error is bounded by what the response leaves over in the
+/// equations of motion. With `only` the errors of one mass count. DomainError where the load excites the resonance of an undamped
+/// stuck mode. @eq{88}
+void set_stuck_response(const Scene<double>& scene, const StuckConfiguration& stuck, const ModalBasis<Bounded<double>>& basis,
+                        std::optional<Mass> only, Solution& s);
 
 /// @brief The boundary of permanent sticking by (88) as printed; none for a system that is no chain, or at a resonance. @eq{88}
 [[nodiscard]] std::optional<Certified> sticking_by_88(const Scene<double>& scene);
 
-/// @brief A periodic orbit as an answer.
-struct OrbitSolution {
-    std::vector<SolvedMass> masses;        ///< N, and that of a contact between two; zero where not asked about
-    std::vector<SolvedMass> from_ground{}; ///< N in their absolute motion, where a frame that moves was asked about
-    std::vector<SolvedStop> stops;         ///< stops of the contact
-    double relative_amplitude = 0;         ///< largest error of an amplitude, relative
-    double phase_error = 0;                ///< largest error of a phase
-};
-
-/// @brief Amplitudes, phases and stops of an orbit, along which the solver is moved once more. The error of a phase is that of
-/// the velocity at the extremum over the acceleration there; so is that of an instant, of the end of a stop with the load on the
-/// contact and its rate. With `only` one mass is asked about. `frame` is by how much the frame of the displacements moves.
-[[nodiscard]] OrbitSolution orbit_solution(ExactSolver& solver, const PeriodicOrbit& orbit,
-                                           std::optional<Mass> only = std::nullopt, double frame = 0);
+/// @brief Writes the motion of an orbit into an answer: masses, stops, start, period, stability and the largest error, from one more
+/// run of the solver. A mass that is not asked about is zero. The error of a phase is that of the velocity at the extremum over the
+/// acceleration there; so is that of the start of a stop; that of its end is the error of the load on the contact over its rate.
+void set_motion_of_orbit(const Scene<double>& scene, const Question& question, ExactSolver& solver, const PeriodicOrbit& orbit,
+                         Solution& s);
 
 /// @brief Where the contact of an orbit of permanent sticking rests; none without a finite bound of its error.
 [[nodiscard]] std::optional<Certified> place_of_rest(const PeriodicOrbit& orbit);

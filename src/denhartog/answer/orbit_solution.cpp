@@ -1,5 +1,5 @@
-// The motion of the masses along a periodic orbit, and the stops of the contact. Read `orbit_solution`; `OnOrbit` has the states
-// that it needs. `other_motions` seeks more orbits from other starts.
+// The motion of the masses along a periodic orbit, and the stops of the contact. Read `set_motion_of_orbit`; `OnOrbit` has the
+// states that it needs. `other_motions` seeks more orbits from other starts.
 
 #include <algorithm>
 #include <cmath>
@@ -236,18 +236,18 @@ private:
         const Regime moves = orbit.stops.empty() ? Regime::continuous : Regime::stick_slip;
         const Regime regime = rests ? Regime::permanent_sticking : moves;
         OtherMotion motion{regime, from, found, orbit.periods, orbit.symmetric, stability_of(orbit), {}, {}, orbit.start, {}};
+        Solution s;
         if (rests) {
-            const HeldSolution held = held_solution(scene, system.stuck, basis);
-            motion.masses = held.masses;
-            if (std::isfinite(held.rest_interval.to.error)) { // where double gives one
-                motion.rest_interval = held.rest_interval;
+            set_stuck_response(scene, system.stuck, basis, std::nullopt, s);
+            if (std::isfinite(s.rest_interval->to.error)) { // where double gives one
+                motion.rest_interval = s.rest_interval;
                 motion.rest_interval->rests_at = place_of_rest(orbit);
             }
         } else {
-            const OrbitSolution found_orbit = orbit_solution(solver, orbit);
-            motion.masses = found_orbit.masses;
-            motion.stops = found_orbit.stops;
+            set_motion_of_orbit(scene, {Asked::phase, std::nullopt}, solver, orbit, s);
+            motion.stops = std::move(s.stops);
         }
+        motion.masses = std::move(s.masses);
         motions.push_back(std::move(motion));
     }
 
@@ -282,13 +282,18 @@ private:
 
 } // namespace
 
-OrbitSolution orbit_solution(ExactSolver& solver, const PeriodicOrbit& orbit, std::optional<Mass> only, double frame) {
+void set_motion_of_orbit(const Scene<double>& scene, const Question& question, ExactSolver& solver, const PeriodicOrbit& orbit,
+                         Solution& s) {
+    const bool all = question.asked == Asked::motion && !question.mass;
+    const Contact& contact = solver.system().stuck.contact;
+    const std::size_t j = solver.system().contact.index, N = orbit.start.x.size(), count = std::max(N, j + 1);
+    const Bounded<double> moves = all ? amplitude_of_frame(scene) : Bounded<double>(0);
+    const double frame = moves.x;
     OnOrbit on_orbit(solver, orbit);
     std::vector<MassMotion> absolute;
     if (frame > 0)
         for (const Extremum& each : solver.largest_displacements(orbit.error_bound, frame))
             absolute.push_back({std::abs(each.x), wrapped(each.x < 0 ? each.instant + pi<double>() : each.instant), each.spread});
-    const std::size_t j = solver.system().contact.index, count = std::max(orbit.start.x.size(), j + 1);
     double largest = std::max(orbit.contact.amplitude, frame); // with the state at the start, where maxima were not sought
     for (double x : orbit.start.x) largest = std::max(largest, abs(x));
     for (const MassMotion& mass : orbit.masses) largest = std::max(largest, mass.amplitude);
@@ -302,22 +307,31 @@ OrbitSolution orbit_solution(ExactSolver& solver, const PeriodicOrbit& orbit, st
         const double phase_error = std::min(pi<double>(), error_of_instant + mass.spread + 4 * unit_of<double>());
         return SolvedMass{number(mass.amplitude, orbit.error_bound), number(mass.phase, phase_error), std::nullopt};
     };
-    OrbitSolution solution;
-    solution.stops = stops_of(on_orbit, solver, orbit);
+    s.stops = stops_of(on_orbit, solver, orbit);
+    s.masses = std::vector<SolvedMass>(count);
+    s.relative_error = 0;
     for (std::size_t k = 0; k < count; ++k) {
-        if (only && k != only->index) {
-            solution.masses.push_back({});
-            continue;
-        }
-        const SolvedMass& mass = solution.masses.emplace_back(solved(k, k == j ? orbit.contact : orbit.masses[k]));
+        if (question.mass && k != question.mass->index) continue;
+        const SolvedMass& mass = s.masses[k] = solved(k, k == j ? orbit.contact : orbit.masses[k]);
         if (!mass.phase) continue;
         const double relative = mass.amplitude.value > 0 ? orbit.error_bound / mass.amplitude.value : 1.0;
-        solution.relative_amplitude = std::max(solution.relative_amplitude, relative);
-        solution.phase_error = std::max(solution.phase_error, mass.phase->error);
+        s.relative_error = std::max({s.relative_error, relative, question.asked == Asked::amplitude ? 0 : mass.phase->error});
     }
     on_orbit.frame = frame;
-    for (std::size_t k = 0; k < absolute.size(); ++k) solution.from_ground.push_back(solved(k, absolute[k]));
-    return solution;
+    s.from_ground.clear();
+    for (std::size_t k = 0; k < absolute.size(); ++k) s.from_ground.push_back(from_ground(solved(k, absolute[k]), moves));
+    for (std::size_t k = 0; all && scene.system.base_motion == BaseMotion::alone && k < N; ++k) // absolute as they are
+        s.from_ground.push_back(from_ground(s.masses[k], Bounded<double>(1)));
+    State start = orbit.start;
+    for (std::vector<double>* part : {&start.x, &start.x_prime}) contact.append(*part);
+    s.start.emplace();
+    for (std::size_t k = 0; k < start.x.size(); ++k) {
+        s.start->x.push_back(number(start.x[k], orbit.error_bound));
+        s.start->x_prime.push_back(number(start.x_prime[k], orbit.velocity_errors[k]));
+    }
+    s.periods = orbit.periods;
+    s.symmetric = orbit.symmetric;
+    if (question.asked == Asked::motion) s.stability = stability_of(orbit);
 }
 
 std::optional<Certified> place_of_rest(const PeriodicOrbit& orbit) {

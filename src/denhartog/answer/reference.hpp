@@ -5,7 +5,6 @@
 #include <functional>
 #include <vector>
 
-#include "denhartog/answer/energy.hpp"
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/answer/solution.hpp"
 #include "denhartog/number/errors.hpp"

@@ -1,5 +1,5 @@
 // Boundary, regime and steady state where the contact slides throughout, (38) to (53) and (69), in double. Read
-// `sliding_point`; `sliding_solution` makes an answer of it.
+// `sliding_solution`.
 #include "denhartog/answer/models_in_double.hpp"
 
 #include <algorithm>
@@ -134,22 +134,13 @@ std::vector<MassFromGround> masses_from_ground(const Scene<double>& scene, const
     return seen;
 }
 
-// Writes a point into an answer: regime, limits and masses.
-void write_point(const Scene<double>& scene, SlidingPoint& point, Asked asked, Solution& s) {
-    const Boundary<Number>& b = point.boundary;
-    s.limits = Limits{certified(b.exact), certified(b.paper), certified(b.approximate), std::nullopt, b.binding};
-    if (b.sticking) s.limits->sticking = certified(*b.sticking);
-    if (!point.regime) return;
-    s.regime = std::move(*point.regime);
+// The regime by the boundary, and that by (56), if it differs.
+void set_regime(const Boundary<Number>& b, double beta, Solution& s) {
+    s.regime = regime_at(b, beta);
     RegimeBoundary<Number> by_56 = b;
     by_56.exact = b.paper;
-    const Number beta(*scene.beta);
-    const Regime other = regime_of(by_56, beta);
-    if (other != regime_of(static_cast<const RegimeBoundary<Number>&>(b), beta)) s.regime_by_56 = other;
-    if (!point.state) return;
-    s.masses.reserve(point.state->masses.size());
-    for (const MassResponse<Number>& m : point.state->masses) s.masses.push_back(solved_mass(m, asked == Asked::motion));
-    s.from_ground = std::move(point.from_ground);
+    const Regime other = regime_of(by_56, Number(beta));
+    if (other != regime_of<Number>(b, Number(beta))) s.regime_by_56 = other;
 }
 
 } // namespace
@@ -189,45 +180,47 @@ SteadyState<Number> SearchedSums::steady_state(const Number& beta, std::optional
     return state;
 }
 
-SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Number>& basis, const Question& question,
-                           Effort* effort) {
-    const bool limits = question.asked == Asked::motion || question.asked == Asked::regime;
-    SearchedSums at(bounded_sums(scene.system, basis, as_input(*scene.r), effort), effort);
-    SlidingPoint point{boundary_with(at.sums(), as_input(scene.mu), at.demands()), std::nullopt, std::nullopt};
-    if (at.sums().coupled) point.boundary.paper = paper_limit(scene, basis, point.boundary, effort);
-    const Boundary<Number>& b = point.boundary;
-    require_finite(b);
-    if (limits || !scene.beta) point.attempted = errors_of_boundary(b);
-    if (!scene.beta) return point;
-    point.regime = regime_at(b, *scene.beta);
-    point.attempted.decided = !point.regime->on_boundary;
-    // Where mu > 1 the motion from rest may be the sliding one, whatever is asked.
-    if (point.regime->regime != Regime::continuous || (question.asked == Asked::regime && scene.mu == 1)) return point;
-    point.state = at.steady_state(as_input(*scene.beta), question.mass, true);
-    point.attempted.relative = std::max(point.attempted.relative, error_of_masses(*point.state, question.mass));
-    if (question.asked == Asked::motion && !question.mass)
-        point.from_ground = masses_from_ground(scene, at.sums(), *point.state, effort);
-    return point;
+void set_point(const System<double>& system, double r, std::optional<double> beta, double mu, Asked asked, Solution& s) {
+    s.asked = asked;
+    s.contact = system.contact;
+    s.r = exactly(r);
+    s.mu = exactly(mu);
+    if (beta) s.beta = exactly(*beta);
+    if (const auto base = amplitude_of_base(system.base_motion, as_input(r))) s.base_amplitude = certified(*base);
 }
 
 Solution sliding_solution(const SceneSource& source, const Question& question, std::shared_ptr<const ModalBasis<Number>> modes) {
     const Aim aim = aim_of(question.digits);
     const Scene<double>& scene = source->in_double();
+    const Asked asked = question.asked;
+    Effort* effort = source->effort;
     if (!modes) check(scene);
     (void)frequency_ratio_of(scene);
-    if (!modes) modes = modes_with_errors(scene.system, source->effort);
+    if (!modes) modes = modes_with_errors(scene.system, effort);
     check_poles(*modes, scene.system, *scene.r);
-    SlidingPoint point = sliding_point(scene, *modes, question, source->effort);
-    Solution s;
-    s.asked = question.asked;
-    s.contact = scene.system.contact;
-    s.r = exactly(*scene.r);
-    s.mu = exactly(scene.mu);
-    if (scene.beta) s.beta = exactly(*scene.beta);
-    if (const auto base = amplitude_of_base(scene.system.base_motion, as_input(*scene.r))) s.base_amplitude = certified(*base);
-    write_point(scene, point, question.asked, s);
-    s.method = {point.state ? "closed form" : "boundary of the sliding regime", "double", verdict(point.attempted, aim)};
-    s.relative_error = point.attempted.relative;
+    SearchedSums at(bounded_sums(scene.system, *modes, as_input(*scene.r), effort), effort);
+    Boundary<Number> b = boundary_with(at.sums(), as_input(scene.mu), at.demands());
+    if (at.sums().coupled) b.paper = paper_limit(scene, *modes, b, effort);
+    require_finite(b);
+    Solution s{};
+    set_point(scene.system, *scene.r, scene.beta, scene.mu, asked, s);
+    s.limits = Limits{certified(b.exact), certified(b.paper), certified(b.approximate), std::nullopt, b.binding};
+    if (b.sticking) s.limits->sticking = certified(*b.sticking);
+    Attempted attempted{0};
+    if (asked == Asked::motion || asked == Asked::regime || !scene.beta) attempted = errors_of_boundary(b);
+    if (scene.beta) set_regime(b, *scene.beta, s);
+    attempted.decided = !s.regime.on_boundary;
+    const char* model = "boundary of the sliding regime";
+    // Where mu > 1 the motion from rest may be the sliding one, whatever is asked.
+    if (scene.beta && s.regime.regime == Regime::continuous && (asked != Asked::regime || scene.mu > 1)) {
+        const SteadyState<Number> state = at.steady_state(as_input(*scene.beta), question.mass, true);
+        attempted.relative = std::max(attempted.relative, error_of_masses(state, question.mass));
+        for (const MassResponse<Number>& m : state.masses) s.masses.push_back(solved_mass(m, asked == Asked::motion));
+        if (asked == Asked::motion && !question.mass) s.from_ground = masses_from_ground(scene, at.sums(), state, effort);
+        model = "closed form";
+    }
+    s.method = {model, "double", verdict(attempted, aim)};
+    s.relative_error = attempted.relative;
     s.digits_reached = s.relative_error <= aim.tolerance;
     return s;
 }

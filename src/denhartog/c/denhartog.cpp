@@ -8,7 +8,7 @@
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/sliding/bounded_modes.hpp"
-#include "denhartog/solve/decision.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "denhartog/version.hpp"
 
 using namespace denhartog;

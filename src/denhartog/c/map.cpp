@@ -13,7 +13,7 @@
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/number/parallel.hpp"
 #include "denhartog/scene/point_rules.hpp"
-#include "denhartog/solve/decision.hpp"
+#include "denhartog/solve/solve.hpp"
 
 using namespace denhartog;
 using namespace denhartog::c_interface;

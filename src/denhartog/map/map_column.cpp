@@ -14,7 +14,7 @@
 #include "denhartog/sliding/contact_alone.hpp"
 #include "denhartog/sliding/coupled_sums.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
-#include "denhartog/solve/decision.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 
 namespace denhartog {
@@ -41,45 +41,48 @@ std::optional<State> on_line_through(const std::optional<OrbitAt>& a, const std:
     return z;
 }
 
-// The status that a computation in double gives a point; `answer` leaves all but an answer to `decide`.
-template <class Compute>
-PointStatus status_of(const Compute& compute) {
-    const Tried<bool> made = tried(compute);
-    if (made.outcome == Outcome::at_a_pole) return PointStatus::at_a_pole;
-    return made.value.value_or(false) ? PointStatus::answered : PointStatus::failed;
-}
+// Phases and absolute numbers come point by point from `decide`.
+bool is_answered_by_solve(const MapRequest& request) { return request.phases || request.from_ground; }
 
 class MapColumn {
 public:
-    MapColumn(const PreparedSystem& prepared_, const MapRequest& request_, double r_, const std::optional<ContactColumn>& arrays,
-              std::span<MapPoint> points_, std::span<double> amplitudes_, Effort& effort_)
-        : prepared(prepared_), request(request_), r(r_), effort(effort_), by_arrays(arrays.has_value()),
-          column(arrays ? *arrays : evaluated()), points(points_), amplitudes(amplitudes_),
+    MapColumn(const PreparedSystem& prepared_, const MapRequest& request_, double r_, std::span<const double> beta_,
+              const std::optional<ContactColumn>& arrays, std::span<MapPoint> points_, std::span<double> amplitudes_,
+              std::span<double> phases_, Effort& effort_)
+        : prepared(prepared_), request(request_), r(r_), beta(beta_), effort(effort_), by_arrays(arrays.has_value()),
+          points(points_), amplitudes(amplitudes_), phases(phases_),
           contact_alone(std::ranges::all_of(request.masses, [&](Mass k) { return k == system.contact; })),
-          damped(every_motion_is_damped(system.basis)) {}
+          damped(every_motion_is_damped(system.basis)) {
+        if (arrays)
+            column = *arrays;
+        else if (!is_answered_by_solve(request))
+            column = tried([&] { return evaluated(); });
+    }
 
     // The point in double; as `solve` answers it, where the bounds do not tell the regime or leave an amplitude too few digits.
     // If that finds no more, the point is next to a boundary and has the numbers that double has.
     PointStatus answer(std::size_t n) {
         is_near = false;
-        if (status_of([&] { return answer_in_double(n); }) == PointStatus::answered) return points[n].status;
-        const Tried<Solution> answer = decided(n);
-        const PointStatus status = write(n, answer);
-        if (status != PointStatus::failed || is_told(n) || !std::isfinite(column.boundary.exact.e)) return status;
+        if (column.outcome == Outcome::at_a_pole) return PointStatus::at_a_pole;
+        const bool by_column = column.is_answered() && !is_answered_by_solve(request);
+        if (by_column && is_in_double(n)) return points[n].status;
+        const PointStatus status = write(n, decided(n));
+        const bool is_final = has_numbers(status) || status == PointStatus::at_a_pole;
+        if (is_final || !by_column || is_told(n) || !std::isfinite(limits().exact.e)) return status;
         is_near = true;
-        if (const PointStatus again = status_of([&] { return answer_in_double(n); }); again != PointStatus::answered)
-            return again;
+        if (!is_in_double(n)) return status;
         return points[n].status == PointStatus::answered ? PointStatus::on_boundary : points[n].status;
     }
 
     // As many points from n on as the closed form or the rest answer without a motion to follow; the contact's amplitude alone.
     std::size_t answer_together(std::size_t n) {
-        if (!answers_together(prepared, request)) return 0;
+        if (!column.is_answered() || !answers_together(prepared, request)) return 0;
         is_near = false;
         const std::size_t first = n;
-        while (n < points.size() && slides(request.beta[n]) && is_told(n)) ++n;
-        contact_amplitudes({column.V_dj.re.x, column.V_dj.im.x}, column.U_dj.x, column.G_j.x,
-                           std::span(request.beta).subspan(first, n - first), amplitudes.subspan(first, n - first));
+        while (n < points.size() && slides(beta[n]) && is_told(n)) ++n;
+        const ContactColumn& c = *column.value;
+        contact_amplitudes({c.V_dj.re.x, c.V_dj.im.x}, c.U_dj.x, c.G_j.x, beta.subspan(first, n - first),
+                           amplitudes.subspan(first, n - first));
         for (std::size_t m = first; m < n; ++m) {
             if (is_accurate(contact_amplitude(m)))
                 points[m] = {PointStatus::answered, Regime::continuous, 0, 1};
@@ -87,7 +90,7 @@ public:
                 n = m;
         }
         if (n > first) sliding = n - 1;
-        for (; n < points.size() && mu == 1 && rests(request.beta[n]) && is_told(n); ++n) {
+        for (; n < points.size() && mu == 1 && rests(beta[n]) && is_told(n); ++n) {
             amplitudes[n] = 0;
             points[n] = {PointStatus::answered, Regime::permanent_sticking, 0, 1};
         }
@@ -109,29 +112,34 @@ private:
         return {sums.V[j], sums.U[j], sums.G[j], regime_boundary(sums, as_input(mu))};
     }
 
-    bool slides(double beta) const { return beta < column.boundary.exact.x; }
-    bool rests(double beta) const { return !slides(beta) && column.boundary.sticking && beta >= column.boundary.sticking->x; }
+    const RegimeBoundary<Bounded<double>>& limits() const { return column.value->boundary; }
+    bool slides(double b) const { return b < limits().exact.x; }
+    bool rests(double b) const { return !slides(b) && limits().sticking && b >= limits().sticking->x; }
 
     // True if the errors of the limits leave the regime as it is.
     bool is_told(std::size_t n) const {
         if (is_near) return true;
-        const auto apart = [beta = request.beta[n]](const Bounded<double>& limit) { return std::abs(beta - limit.x) >= limit.e; };
-        return apart(column.boundary.exact) && (!column.boundary.sticking || apart(*column.boundary.sticking));
+        const auto apart = [b = beta[n]](const Bounded<double>& limit) { return std::abs(b - limit.x) >= limit.e; };
+        return apart(limits().exact) && (!limits().sticking || apart(*limits().sticking));
     }
 
     // The amplitude of the contact with its bound; what the arrays tell is far inside of what is asked.
     Bounded<double> contact_amplitude(std::size_t n) const {
         if (by_arrays) return Bounded<double>(amplitudes[n]);
-        return evaluation::displacement_transmissibility_of_contact(column.V_dj, column.U_dj, column.G_j,
-                                                                    as_input(request.beta[n]));
+        const ContactColumn& c = *column.value;
+        return evaluation::displacement_transmissibility_of_contact(c.V_dj, c.U_dj, c.G_j, as_input(beta[n]));
+    }
+
+    // True if double has the point; `answer` leaves all else to `decide`.
+    bool is_in_double(std::size_t n) {
+        return tried([&] { return answer_in_double(n); }).value.value_or(false);
     }
 
     bool answer_in_double(std::size_t n) {
-        const double beta = request.beta[n];
-        const bool may_differ = mu > 1 && beta > 0;
+        const bool may_differ = mu > 1 && beta[n] > 0;
         if (may_differ && request.start == MapStart::rest) return follow_rest(n);
-        if (slides(beta)) return is_told(n) && slide(n);
-        if (rests(beta) && (!may_differ || !last)) return is_told(n) && stick(n);
+        if (slides(beta[n])) return is_told(n) && slide(n);
+        if (rests(beta[n]) && (!may_differ || !last)) return is_told(n) && stick(n);
         return is_told(n) && sweep(n);
     }
 
@@ -147,7 +155,7 @@ private:
 
     bool slide(std::size_t n) {
         const std::optional<Mass> only = request.masses.size() == 1 ? std::optional(request.masses.front()) : std::nullopt;
-        const SteadyState<Bounded<double>> state = at().steady_state(as_input(request.beta[n]), only, false);
+        const SteadyState<Bounded<double>> state = at().steady_state(as_input(beta[n]), only, false);
         if (!write(n, [&](std::size_t k) { return state.masses[k].amplitude; })) return false;
         points[n] = {PointStatus::answered, Regime::continuous, 0, 1};
         sliding = n;
@@ -156,15 +164,17 @@ private:
     }
 
     bool stick(std::size_t n) {
-        if (!contact_alone && !held) {
+        if (!contact_alone && held.empty()) {
             Scene<double> scene = prepared.scene();
             scene.r = r;
-            scene.beta = request.beta[n];
-            held = held_solution(scene, system.stuck, *prepared.bounded);
+            scene.beta = beta[n];
+            Solution s;
+            set_stuck_response(scene, system.stuck, *prepared.bounded, std::nullopt, s);
+            held = std::move(s.masses);
         }
         const auto number = [&](std::size_t k) {
             if (k == system.contact.index) return Bounded<double>(0);
-            return Bounded<double>(held->masses[k].amplitude.value, held->masses[k].amplitude.error);
+            return Bounded<double>(held[k].amplitude.value, held[k].amplitude.error);
         };
         if (!write(n, number)) return false;
         points[n] = {PointStatus::answered, Regime::permanent_sticking, 0, 1};
@@ -175,10 +185,10 @@ private:
     // From the motion at the friction ratio before, else from rest. Newton's method starts on the line through the two before.
     bool sweep(std::size_t n) {
         if (!last && sliding) {
-            last = {sliding_at_maximum_of_force(at().values(), request.beta[*sliding]), request.beta[*sliding]};
+            last = {sliding_at_maximum_of_force(at().values(), beta[*sliding]), beta[*sliding]};
             before_last.reset();
         }
-        const std::optional<State> near = on_line_through(before_last, last, request.beta[n]);
+        const std::optional<State> near = on_line_through(before_last, last, beta[n]);
         if (last && follow(n, last->start, near) && points[n].status == PointStatus::answered) return true;
         return follow_rest(n);
     }
@@ -187,15 +197,15 @@ private:
     bool follow_rest(std::size_t n) {
         std::optional<State> near;
         if (mu > 1)
-            near = slides(request.beta[n]) ? sliding_at_maximum_of_force(at().values(), request.beta[n])
-                                           : on_line_through(before_last, last, request.beta[n]);
+            near = slides(beta[n]) ? sliding_at_maximum_of_force(at().values(), beta[n])
+                                   : on_line_through(before_last, last, beta[n]);
         return follow(n, at_rest(system.basis.r_n.size()), near);
     }
 
     bool follow(std::size_t n, const State& start, const std::optional<State>& guess) {
         const bool as_solve_does = !is_near && (mu == 1 || request.start == MapStart::rest);
         if (as_solve_does && !system.rounded_because.empty()) return false;
-        const Excitation excitation{r, request.beta[n], mu};
+        const Excitation excitation{r, beta[n], mu};
         if (!solver) solver.emplace(system, excitation);
         solver->set(excitation);
         OrbitSearch search;
@@ -212,7 +222,7 @@ private:
         const auto number = [&](std::size_t k) {
             return Bounded<double>(contact_alone ? orbit.contact.amplitude : orbit.masses[k].amplitude, orbit.error_bound);
         };
-        const bool beyond = !slides(request.beta[n]), must_stop = beyond && (mu == 1 || damped);
+        const bool beyond = !slides(beta[n]), must_stop = beyond && (mu == 1 || damped);
         const bool open = as_solve_does &&
                           stops_are_open(orbit, beyond, must_stop, !beyond && is_sliding_motion(orbit, contact_amplitude(n).x));
         const bool by_closed_form = !beyond && must_be_sliding_motion(orbit, damped);
@@ -221,31 +231,35 @@ private:
         points[n] = {PointStatus::answered, orbit.stops.empty() && !must_stop ? Regime::continuous : Regime::stick_slip,
                      static_cast<std::int32_t>(orbit.stops.size()), orbit.periods};
         before_last = before;
-        last = OrbitAt{orbit.start, request.beta[n]};
+        last = OrbitAt{orbit.start, beta[n]};
         return true;
     }
 
     // As users ask: where there is more than one motion, the one from the start of the map.
     Tried<Solution> decided(std::size_t n) {
-        Question question;
-        question.asked = Asked::amplitude;
-        if (request.masses.size() == 1) question.mass = request.masses.front();
-        if (mu == 1 || request.start == MapStart::rest || request.beta[n] == 0)
-            return decide(prepared, {r, request.beta[n], nullptr, &effort}, question);
-        return decide_sliding(with_effort(at_point(prepared.source, r, request.beta[n]), &effort), question, prepared.bounded);
+        Question question{request.from_ground ? Asked::motion : request.phases ? Asked::phase : Asked::amplitude, std::nullopt};
+        if (question.asked == Asked::amplitude && request.masses.size() == 1) question.mass = request.masses.front();
+        if (mu == 1 || request.start == MapStart::rest || beta[n] == 0)
+            return decide(prepared, {r, beta[n], nullptr, &effort}, question);
+        return decide_sliding(with_effort(at_point(prepared.source, r, beta[n]), &effort), question, prepared.bounded);
     }
 
     // Writes an answer; one without the amplitude of a mass, or 6 certain digits of it, is none.
     PointStatus write(std::size_t n, const Tried<Solution>& answer) {
-        points[n] = map_point(answer);
-        if (!answer.is_answered()) return points[n].status;
+        PointStatus& status = (points[n] = map_point(answer)).status;
+        if (!has_numbers(status)) return status;
         const Solution& s = *answer.value;
-        if (s.masses.empty() || !s.digits_reached) points[n].status = PointStatus::failed;
-        for (std::size_t m = 0; m < request.masses.size() && has_numbers(points[n].status); ++m) {
-            const Certified& X = s.amplitude(request.masses[m]); // within its error of zero, if the mass does not move
-            amplitudes[n * request.masses.size() + m] = X.error < X.value ? X.value : 0;
+        const bool absolute = request.from_ground;
+        if ((absolute ? s.from_ground.empty() : s.masses.empty()) || !s.digits_reached) return status = PointStatus::failed;
+        for (std::size_t m = 0, at = n * request.masses.size(); m < request.masses.size(); ++m, ++at) {
+            const Mass k = request.masses[m];
+            const Certified& X = absolute ? s.from_ground[k.index].amplitude : s.amplitude(k);
+            const std::optional<Certified>& phase = absolute ? s.from_ground[k.index].phase : s.phase(k);
+            const bool moves = X.error < X.value || is_answered_by_solve(request);
+            amplitudes[at] = moves ? X.value : 0; // else it is within its error of zero
+            if (request.phases && phase) phases[at] = phase->value;
         }
-        return points[n].status;
+        return status;
     }
 
     const PreparedSystem& prepared;
@@ -253,18 +267,19 @@ private:
     const ContactSystem& system = *prepared.moving; // sliding and stuck
     const double mu = prepared.scene().mu;
     double r;
+    std::span<const double> beta;
     Effort& effort;                  // of the point
     std::optional<SearchedSums> at_; // evaluated when it is first needed
     bool by_arrays;                  // whether `column` comes from the arrays
-    ContactColumn column;
+    Tried<ContactColumn> column{};   // unused where `decide` answers every point
     std::span<MapPoint> points;
-    std::span<double> amplitudes;
+    std::span<double> amplitudes, phases;
     bool contact_alone;
     bool damped;                              // every motion
     bool is_near = false;                     // whether the point is taken as double has it
     std::optional<std::size_t> sliding;       // the last point where the closed form answered
     std::optional<OrbitAt> last, before_last; // the last periodic orbits, that of sliding among them
-    std::optional<HeldSolution> held;         // found when it is first needed
+    std::vector<SolvedMass> held;             // masses where it rests; found when they are first needed
     std::optional<ExactSolver> solver;        // set up when it is first needed
 };
 
@@ -272,6 +287,7 @@ private:
 
 MapPoint map_point(const Tried<Solution>& answer) {
     if (answer.outcome == Outcome::at_a_pole) return {PointStatus::at_a_pole};
+    if (answer.outcome == Outcome::not_converged) return {PointStatus::not_converged};
     if (!answer.is_answered()) return {PointStatus::failed};
     const Solution& s = *answer.value;
     const bool may_choose = s.mu.value > 1 && s.beta && s.beta->value > 0 && !s.rest_interval;
@@ -282,28 +298,26 @@ MapPoint map_point(const Tried<Solution>& answer) {
 }
 
 bool answers_together(const PreparedSystem& system, const MapRequest& request) {
-    if (!system.scene().system.load_phases.empty()) return false; // the arrays have one row of the load
+    if (is_answered_by_solve(request) || !system.scene().system.load_phases.empty()) return false; // one row of the load
     return !system.moving->basis.coupled() && request.masses.size() == 1 && request.masses.front() == system.moving->contact &&
            (system.scene().mu == 1 || request.start == MapStart::sliding);
 }
 
-void compute_column(const PreparedSystem& system, const MapRequest& request, double r, const std::optional<ContactColumn>& arrays,
-                    const std::atomic<bool>& stop, std::span<MapPoint> points, std::span<double> amplitudes) {
-    const std::size_t masses = request.masses.size(), modes = system.moving->basis.r_n.size();
-    const auto stopped = [&stop] { return stop.load(std::memory_order_relaxed); };
-    std::optional<MapColumn> column;
-    QuestionEffort effort(modes, request.effort, stopped);
-    const PointStatus prepared = status_of([&] {
-        column.emplace(system, request, r, arrays, points, amplitudes, effort);
-        return true;
-    });
-    for (std::size_t n = 0; n < points.size() && !stop; ++n) {
-        if (const std::size_t together = column ? column->answer_together(n) : 0; together > 0) {
+void compute_column(const PreparedSystem& system, const MapRequest& request, std::size_t m, std::span<const double> beta,
+                    const std::optional<ContactColumn>& arrays, const std::atomic<bool>& stop, RegimeMap& map) {
+    const std::size_t rows = beta.size(), masses = request.masses.size(), modes = system.moving->basis.r_n.size();
+    const auto points = std::span(map.points).subspan(m * rows, rows);
+    const auto amplitudes = std::span(map.amplitudes).subspan(m * rows * masses, rows * masses);
+    const auto phases = request.phases ? std::span(map.phases).subspan(m * rows * masses, rows * masses) : std::span<double>();
+    QuestionEffort effort(modes, request.effort, [&stop] { return stop.load(std::memory_order_relaxed); });
+    MapColumn column(system, request, request.r[m], beta, arrays, points, amplitudes, phases, effort);
+    for (std::size_t n = 0; n < rows && !stop; ++n) {
+        if (const std::size_t together = column.answer_together(n); together > 0) {
             n += together - 1;
             continue;
         }
         effort.spent = 0;
-        points[n].status = column ? column->answer(n) : prepared;
+        points[n].status = column.answer(n);
         if (has_numbers(points[n].status)) continue;
         points[n] = {points[n].status};
         std::ranges::fill(amplitudes.subspan(n * masses, masses), std::nan(""));

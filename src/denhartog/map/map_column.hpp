@@ -26,11 +26,11 @@ struct ContactColumn {
     RegimeBoundary<Bounded<double>> boundary; ///< where the regimes part
 };
 
-/// @brief Computes a column of a map of a system that is prepared for every regime. `arrays` is what the arrays tell of its frequency ratio, if its limits part the friction ratios for
-/// certain; else it is evaluated here. Once `stop` is set, the rest of the column is left undone. Amplitudes were filled with NaN
-/// before.
-void compute_column(const PreparedSystem& system, const MapRequest& request, double r, const std::optional<ContactColumn>& arrays,
-                    const std::atomic<bool>& stop, std::span<MapPoint> points, std::span<double> amplitudes);
+/// @brief Computes column m of a map of a system that is prepared for every regime, at friction ratios that need not be those of the
+/// request. `arrays` is what the arrays tell of its frequency ratio, if its limits part the friction ratios for certain; else it is
+/// evaluated here. Once `stop` is set, the rest of the column is left undone. Amplitudes and phases were filled with NaN before.
+void compute_column(const PreparedSystem& system, const MapRequest& request, std::size_t m, std::span<const double> beta,
+                    const std::optional<ContactColumn>& arrays, const std::atomic<bool>& stop, RegimeMap& map);
 
 /// @brief The point of a map that an answer makes; one without numbers where there is none.
 [[nodiscard]] MapPoint map_point(const Tried<Solution>& answer);

@@ -1,6 +1,5 @@
-// Regimes and amplitudes over a grid. `regime_map` has the arrays of `contact_alone.hpp` for many columns at once, and
-// `compute_column` for each; phases and absolute numbers come point by point from `decide`. `map_in_units` scales friction and
-// amplitudes for a scene in units.
+// Regimes and amplitudes over a grid. Read `map_of`: it has the arrays of `contact_alone.hpp` for many columns at once, and
+// `compute_column` for each. `map_in_units` scales friction and amplitudes for a scene in units.
 #include "denhartog/map/regime_map.hpp"
 
 #include <algorithm>
@@ -16,7 +15,7 @@
 #include "denhartog/number/parallel.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/contact_alone.hpp"
-#include "denhartog/solve/decision.hpp"
+#include "denhartog/solve/solve.hpp"
 
 namespace denhartog {
 namespace {
@@ -48,96 +47,26 @@ void check_request(const MapRequest& request, std::size_t N) {
 // Sums and limits of many columns at once, where the contact alone is asked for and the limits tell its regime.
 class Arrays {
 public:
-    Arrays(const PreparedSystem& prepared, const MapRequest& request)
-        : system(prepared), wanted(answers_together(prepared, request)) {
-        if (wanted) ascending = request.beta;
-        std::ranges::sort(ascending);
-    }
-
-    void compute(std::span<const double> r, unsigned threads) {
+    Arrays(const PreparedSystem& prepared, const MapRequest& request, std::span<const double> r, unsigned threads)
+        : wanted(answers_together(prepared, request)) {
         if (!wanted) return;
-        contact_sums(*system.bounded, system.moving->contact, system.moving->load, r, threads, sums);
-        contact_limits(sums, system.scene().mu, threads, limits);
+        contact_sums(*prepared.bounded, prepared.moving->contact, prepared.moving->load, r, threads, sums);
+        contact_limits(sums, prepared.scene().mu, threads, limits);
     }
 
-    [[nodiscard]] std::optional<ContactColumn> at(std::size_t m) const {
-        if (!wanted || !limits_tell(limits, m, ascending)) return std::nullopt;
+    // A column of them; none where its limits do not part the friction ratios for certain.
+    [[nodiscard]] std::optional<ContactColumn> at(std::size_t m, std::vector<double> beta) const {
+        if (!wanted) return std::nullopt;
+        if (!std::ranges::is_sorted(beta)) std::ranges::sort(beta);
+        if (!limits_tell(limits, m, beta)) return std::nullopt;
         return ContactColumn{{sums.V_re[m], sums.V_im[m]}, sums.U[m], sums.G[m], {limits.exact[m], limits.sticking[m]}};
     }
 
 private:
-    const PreparedSystem& system;
     bool wanted;
-    std::vector<double> ascending;
     ContactSums sums;
     ContactLimits limits;
 };
-
-// Absolute amplitudes, or phases, as `solve` answers at every point.
-RegimeMap map_by_solve(const Scene<double>& scene, const MapRequest& request, const std::atomic<bool>& stop,
-                       const std::function<void(std::size_t done)>& done) {
-    const bool absolute = request.from_ground;
-    if (absolute && scene.system.base_motion == BaseMotion::none)
-        throw InputError("base_motion", "must be given for absolute amplitudes", "");
-    if (request.start != MapStart::rest)
-        throw InputError("start", absolute ? "must be rest for absolute amplitudes" : "must be rest for phases", "sliding");
-    const PreparedSystem prepared = prepare(scene_source(scene), {}, Prepared::every_regime);
-    const std::size_t columns = request.r.size(), rows = request.beta.size(), masses = request.masses.size();
-    RegimeMap map;
-    map.points.resize(columns * rows);
-    map.amplitudes.assign(map.points.size() * masses, std::nan(""));
-    if (request.phases) map.phases = map.amplitudes;
-    const Question question{absolute ? Asked::motion : Asked::phase, std::nullopt};
-    Progress progress(done);
-    parallel_for(columns, request.threads, [&](std::size_t m) {
-        for (std::size_t n = 0; n < rows; ++n) {
-            if (stop) return false;
-            QuestionEffort effort(number_of_masses(scene.system), request.effort, [&stop] { return stop.load(); });
-            const Tried<Solution> answer = decide(prepared, {request.r[m], request.beta[n], nullptr, &effort}, question);
-            MapPoint& point = map.points[m * rows + n] = map_point(answer);
-            if (!answer.is_answered()) continue;
-            const Solution& s = *answer.value;
-            if (has_numbers(point.status) && ((absolute && s.from_ground.empty()) || !s.digits_reached)) point = {};
-            for (std::size_t k = 0; k < masses && has_numbers(point.status); ++k) {
-                const std::size_t mass = request.masses[k].index, at = (m * rows + n) * masses + k;
-                map.amplitudes[at] = absolute ? s.from_ground[mass].amplitude.value : s.masses[mass].amplitude.value;
-                const std::optional<Certified>& phase = absolute ? s.from_ground[mass].phase : s.masses[mass].phase;
-                if (request.phases && phase) map.phases[at] = phase->value;
-            }
-        }
-        progress.add(1);
-        return true;
-    });
-    map.complete = progress.done() == columns;
-    return map;
-}
-
-// A map of which each column has a scene of its own: the load or its unit changes with the frequency. `column_at` gives the map of
-// the m-th frequency ratio alone.
-RegimeMap map_by_columns(const MapRequest& request, const std::function<RegimeMap(std::size_t m, MapRequest one)>& column_at,
-                         const std::function<void(std::size_t done)>& done) {
-    const std::size_t columns = request.r.size(), rows = request.beta.size(), amplitudes = rows * request.masses.size();
-    check_size_of_map(columns, amplitudes);
-    RegimeMap all;
-    all.points.resize(columns * rows);
-    all.amplitudes.resize(columns * amplitudes);
-    if (request.phases) all.phases.resize(columns * amplitudes);
-    Progress progress(done);
-    parallel_for(columns, request.threads, [&](std::size_t m) {
-        MapRequest one = request;
-        one.threads = 1;
-        one.r = {request.r[m]};
-        const RegimeMap column = column_at(m, std::move(one));
-        if (!column.complete) return false;
-        std::ranges::copy(column.points, all.points.begin() + static_cast<std::ptrdiff_t>(m * rows));
-        std::ranges::copy(column.amplitudes, all.amplitudes.begin() + static_cast<std::ptrdiff_t>(m * amplitudes));
-        std::ranges::copy(column.phases, all.phases.begin() + static_cast<std::ptrdiff_t>(request.phases ? m * amplitudes : 0));
-        progress.add(1);
-        return true;
-    });
-    all.complete = progress.done() == columns;
-    return all;
-}
 
 // The rows of a map in units, with the level of the load and the friction of the scene.
 struct RowsInUnits {
@@ -186,6 +115,49 @@ RowsInUnits rows_of(const Scene<double>& scene, RowsOf of, const std::vector<dou
     return rows;
 }
 
+// A map whose columns have friction ratios of their own, as many as the request has.
+RegimeMap map_of(const Scene<double>& scene, const MapRequest& request,
+                 const std::function<std::vector<double>(std::size_t m)>& ratios_of_column, const std::atomic<bool>& stop,
+                 const std::function<void(std::size_t done)>& done) {
+    check(scene);
+    check_request(request, number_of_masses(scene.system));
+    const bool absolute = request.from_ground;
+    if (absolute && scene.system.base_motion == BaseMotion::none)
+        throw InputError("base_motion", "must be given for absolute amplitudes", "");
+    if ((absolute || request.phases) && request.start != MapStart::rest)
+        throw InputError("start", absolute ? "must be rest for absolute amplitudes" : "must be rest for phases", "sliding");
+    const std::size_t columns = request.r.size(), rows = request.beta.size();
+    RegimeMap map;
+    map.points.resize(columns * rows);
+    map.amplitudes.assign(map.points.size() * request.masses.size(), std::nan(""));
+    if (request.phases) map.phases = map.amplitudes;
+    Progress progress(done);
+    const bool own_loads = load_depends_on_frequency(scene.system); // each column then has a system of its own
+    for (std::size_t start = 0; start < columns && !stop; start += columns_at_a_time) {
+        const std::span<const double> r = std::span(request.r).subspan(start, std::min(columns_at_a_time, columns - start));
+        const auto prepared_for = [&](std::span<const double> some, unsigned threads) {
+            Scene<double> there = scene;
+            if (own_loads) there.r = some.front();
+            PreparedSystem prepared = prepare(scene_source(there), {}, Prepared::every_regime);
+            Arrays arrays(prepared, request, some, threads);
+            return std::pair{std::move(prepared), std::move(arrays)};
+        };
+        const auto all = own_loads ? std::nullopt : std::optional(prepared_for(r, request.threads));
+        parallel_for(r.size(), request.threads, [&](std::size_t column) {
+            if (stop) return false;
+            const std::vector<double> beta = ratios_of_column(start + column);
+            const auto own = own_loads ? std::optional(prepared_for(r.subspan(column, 1), 1)) : std::nullopt;
+            const auto& [prepared, arrays] = own ? *own : *all;
+            compute_column(prepared, request, start + column, beta, arrays.at(own ? 0 : column, beta), stop, map);
+            if (stop) return false;
+            progress.add(1);
+            return true;
+        });
+    }
+    map.complete = progress.done() == columns;
+    return map;
+}
+
 } // namespace
 
 std::string name(PointStatus status) {
@@ -201,41 +173,8 @@ std::string name(PointStatus status) {
 
 RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, const std::atomic<bool>& stop,
                      const std::function<void(std::size_t done)>& done) {
-    check(scene);
-    check_request(request, number_of_masses(scene.system));
-    if (request.from_ground || request.phases) return map_by_solve(scene, request, stop, done);
-    if (load_depends_on_frequency(scene.system) && !(request.r.size() == 1 && scene.r == request.r.front()))
-        return map_by_columns(
-            request,
-            [&](std::size_t m, const MapRequest& one) {
-                Scene<double> there = scene;
-                there.r = request.r[m];
-                return regime_map(there, one, stop);
-            },
-            done);
-    const PreparedSystem prepared = prepare(scene_source(scene), {}, Prepared::every_regime);
-    Arrays arrays(prepared, request);
-    const std::size_t columns = request.r.size(), rows = request.beta.size(), masses = request.masses.size();
-    RegimeMap map;
-    map.points.resize(columns * rows);
-    map.amplitudes.assign(map.points.size() * masses, std::nan(""));
-    Progress progress(done);
-    for (std::size_t start = 0; start < columns && !stop; start += columns_at_a_time) {
-        const std::size_t n = std::min(columns_at_a_time, columns - start);
-        arrays.compute(std::span(request.r).subspan(start, n), request.threads);
-        parallel_for(n, request.threads, [&](std::size_t column) {
-            if (stop) return false;
-            const std::size_t m = start + column;
-            compute_column(prepared, request, request.r[m], arrays.at(column), stop,
-                           std::span(map.points).subspan(m * rows, rows),
-                           std::span(map.amplitudes).subspan(m * rows * masses, rows * masses));
-            if (stop) return false;
-            progress.add(1);
-            return true;
-        });
-    }
-    map.complete = progress.done() == columns;
-    return map;
+    return map_of(
+        scene, request, [&](std::size_t) { return request.beta; }, stop, done);
 }
 
 std::vector<BoundaryPoint> boundary_curves(const Scene<double>& scene, const std::vector<double>& r) {
@@ -282,20 +221,9 @@ RegimeMap map_in_units(const Scene<double>& scene, const FrequenciesInUnits& fre
                        const std::function<void(std::size_t done)>& done) {
     const RowsInUnits rows = rows_of(scene, of, values);
     request.r = frequencies.r;
-    RegimeMap map;
-    if (scene.units->force_changes()) {
-        request.beta = values; // each column has ratios of its own
-        map = map_by_columns(
-            request,
-            [&](std::size_t m, MapRequest one) {
-                one.beta = rows.ratios(frequencies.force[m]);
-                return regime_map(scene, one, stop);
-            },
-            done);
-    } else {
-        request.beta = rows.ratios(frequencies.force.front());
-        map = regime_map(scene, request, stop, done);
-    }
+    request.beta = rows.ratios(frequencies.force.front());
+    RegimeMap map = map_of(
+        scene, request, [&](std::size_t m) { return rows.ratios(frequencies.force[m]); }, stop, done);
     const std::size_t masses = request.masses.size();
     for (std::size_t n = 0; n < map.points.size(); ++n) {
         const double P = rows.force(n % values.size(), frequencies.force[n / values.size()]);

@@ -1,13 +1,15 @@
-// The choice between double and the reference. Read `in_turn` first, which has the rule; the functions after it ask it for a
-// solution and for the sliding motion alone.
-#include "denhartog/solve/decision.hpp"
+// The choice between double and the reference. Read `in_turn` first, which has the rule; `decide` asks it for the steady motion,
+// `decide_sliding` for the sliding motion alone.
+#include "denhartog/solve/solve.hpp"
 
 #include <algorithm>
 #include <utility>
 
+#include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/answer/reference.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/effort.hpp"
+#include "denhartog/scene/point_rules.hpp"
 
 namespace denhartog {
 namespace {
@@ -132,10 +134,8 @@ AnswerByReference answer_by_reference(const PreparedSystem& p, const SolvePoint&
     }
     const double mu = s.mu.value == 1 && s.mu.error > 0 ? 2 : scene.mu; // a text may be above 1 by less than double tells
     if (!prepared.bounded && !p.contact) prepared.bounded = modes_in_double(source).basis;
-    if (prepared.bounded)
-        say_whether_unique(*prepared.bounded, contact_row(scene.system), scene.system, mu, s);
-    else
-        say_whether_unique(*p.contact->basis, p.contact->contact, scene.system, mu, s);
+    const auto& modes = prepared.bounded ? prepared.bounded : p.contact->basis;
+    say_whether_unique(*modes, prepared.bounded ? contact_row(scene.system) : p.contact->contact, scene.system, mu, s);
     if (question.all) {
         Question others = question;
         others.digits.reset();
@@ -148,35 +148,44 @@ AnswerByReference answer_by_reference(const PreparedSystem& p, const SolvePoint&
 
 } // namespace
 
-Tried<Solution> answer_or_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question) {
+Tried<Solution> decide(const PreparedSystem& prepared, const SolvePoint& asked_about, const Question& question) {
+    const std::size_t N = number_of_masses(prepared.scene().system);
+    check(question, N);
+    check_frequency_ratio(asked_about.r);
+    check_friction_ratio(asked_about.beta);
+    const SceneSource& source = asked_about.source != nullptr ? *asked_about.source : prepared.source;
+    const GivenEffort effort(asked_about.effort != nullptr ? asked_about.effort : source->effort, N);
+    SolvePoint at = asked_about;
+    at.effort = effort.get();
+    std::optional<PreparedSystem> there; // where what is prepared has the load of another frequency
+    if (load_depends_on_frequency(prepared.scene().system)) there.emplace(PreparedSystem{source_at(prepared, at)});
+    const PreparedSystem& p = there ? *there : prepared;
     const auto in_double = [&] { return answer_in_double(p, at, question); };
     const auto by_reference = [&](const AnswerInDouble* seen) { return answer_by_reference(p, at, question, seen); };
-    return with_digits(question.digits,
-                       in_turn(number_of_masses(p.scene().system), at.effort, question, by_reference, in_double));
+    return with_digits(question.digits, in_turn(N, at.effort, question, by_reference, in_double));
 }
 
 Tried<Solution> decide_sliding(const SceneSource& asked_about, const Question& question,
                                const std::shared_ptr<const ModalBasis<Bounded<double>>>& modes) {
     const ScenePaidFor scene(asked_about);
     const SceneSource& source = scene.source();
-    const auto in_double = [&](const Question& asked, const std::shared_ptr<const ModalBasis<Bounded<double>>>& known) {
-        return tried_in_double([&] {
-            AnswerInDouble found{sliding_solution(source, asked, known)};
-            take_contact_between(source->in_double().system, *found.value);
-            keep_asked_mass(asked, *found.value);
-            return found;
-        });
+    const auto in_double = [&](const Question& asked) {
+        AnswerInDouble found{tried([&] { return sliding_solution(source, asked, modes); })};
+        if (!found.is_answered()) return found;
+        take_contact_between(source->in_double().system, *found.value);
+        keep_asked_mass(asked, *found.value);
+        return found;
     };
     const auto by_reference = [&](const AnswerInDouble*) -> AnswerByReference {
         AnswerByReference answer = solution_by_reference(source, {question, std::nullopt, true}, {});
         if (answer.is_answered()) return answer;
-        AnswerInDouble regime = in_double({Asked::regime, {}}, nullptr); // says where there is a pole
+        AnswerInDouble regime = in_double({Asked::regime, {}}); // says where there is a pole
         if (regime.outcome == Outcome::at_a_pole) return {std::move(regime)};
         return answer;
     };
     (void)aim_of(question.digits);
     return in_turn(number_of_masses(source->in_double().system), source->effort, question, by_reference,
-                   [&] { return in_double(question, modes); });
+                   [&] { return in_double(question); });
 }
 
 Solution sliding_answer(const SceneSource& source, std::optional<int> digits, bool proved) {

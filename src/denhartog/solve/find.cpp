@@ -17,8 +17,8 @@
 #include "denhartog/scene/json_document.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/scene/scene_json.hpp"
-#include "denhartog/solve/decision.hpp"
 #include "denhartog/solve/detail/amplitude_search.hpp"
+#include "denhartog/solve/solve.hpp"
 
 namespace denhartog {
 namespace {

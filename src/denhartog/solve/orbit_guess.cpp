@@ -1,10 +1,11 @@
 // The guesses that a proof starts from, of a motion that double found: `guess_of` names its phases, `with_other_stops` those that
 // rounding may have invented or hidden.
-#include "denhartog/solve/decision.hpp"
+#include "denhartog/solve/solve.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/number.hpp"
 

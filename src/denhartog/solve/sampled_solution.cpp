@@ -14,8 +14,8 @@
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/friction_motion.hpp"
-#include "denhartog/solve/decision.hpp"
 #include "denhartog/solve/quantities.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "elementary/elementary.hpp"
 

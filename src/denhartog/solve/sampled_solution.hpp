@@ -4,7 +4,6 @@
 
 #include <memory>
 
-#include "denhartog/answer/energy.hpp"
 #include "denhartog/answer/solution.hpp"
 
 namespace denhartog {

@@ -1,13 +1,12 @@
 // The choice of the model that answers a question in double. Read `answer` first: it asks the closed form, follows the start from
 // rest where that is needed, and takes the stuck response where the contact rests. `solve_in_double` puts the cheapest model
-// before it. `decide`, at the end, asks double and then the reference.
+// before it. `decide`, in `decision.cpp`, asks double and then the reference.
 #include "denhartog/solve/solve.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "denhartog/answer/certify.hpp"
-#include "denhartog/answer/models_in_double.hpp"
 #include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/effort.hpp"
@@ -15,7 +14,6 @@
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/bounded_modes.hpp"
 #include "denhartog/sliding/coupled_sums.hpp"
-#include "denhartog/solve/decision.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 
 namespace denhartog {
@@ -29,16 +27,9 @@ struct SolveTask {
     Aim aim;                                     // the digits
     ModesInDouble known;                         // its modal basis
     std::shared_ptr<const ContactSystem> moving; // for the exact solver; none where it is still to be prepared
-    bool open = false;                           // whether double leaves something open
-    bool regime_is_certain = true;               // whether the regime is certain nevertheless
+    AnswerInDouble& found;                       // the answer so far
     Refusal sliding{};                           // why boundaries and closed form are not known, where they are not
-    std::optional<PeriodicOrbit> orbit{};        // the motion from rest, where it was followed
 };
-
-void check(const Question& question, std::size_t N) {
-    (void)aim_of(question.digits);
-    if (question.mass) check_mass(*question.mass, N, "mass");
-}
 
 // True where amplitude or phase of the contact is all that is asked for.
 bool asks_for_contact(const Question& question, const System<double>& s) {
@@ -74,13 +65,10 @@ bool answer_by_contact(const PreparedSystem& p, const SolvePoint& at, const Ques
     const double relative = found.amplitude.e / found.amplitude.x;
     const Attempted attempted{question.asked == Asked::phase ? std::max(relative, found.phase.e) : relative};
     if (!(attempted.relative <= aim.tolerance)) return false;
-    s.r = exactly(at.r);
-    s.beta = exactly(at.beta);
     s.slides_below = exactly(found.slides_below.x * (1 - aim.tolerance)); // its rounding must not raise it
     s.masses = {{certified(found.amplitude), certified(found.phase), std::nullopt}};
     s.method = {"closed form", "double", verdict(attempted, aim)};
     s.relative_error = attempted.relative;
-    s.contact = p.scene().system.contact;
     s.only = s.contact;
     s.regime = {Regime::continuous, {}, false, Why::certainly_slides};
     return true;
@@ -94,46 +82,9 @@ bool must_stop(const SolveTask& task, const Solution& s) {
 // The stuck response as the answer; `rests_at` is where the contact rests, if that was followed.
 void answer_by_stuck_response(const SolveTask& task, const std::optional<Certified>& rests_at, Solution& s) {
     const std::shared_ptr<const ContactSystem> moving = task.moving ? task.moving : moving_in_double(task.source, task.known);
-    const HeldSolution held = held_solution(task.scene, moving->stuck, *task.known.basis, task.question.mass);
-    s.masses = held.masses;
-    s.from_ground = held.from_ground;
-    s.rest_interval = held.rest_interval;
+    set_stuck_response(task.scene, moving->stuck, *task.known.basis, task.question.mass, s);
     s.rest_interval->rests_at = rests_at;
-    s.sticking_by_88 = held.sticking_by_88;
-    s.method = {"stuck response", "double", Why::bound_by_equations + verdict({held.relative}, task.aim)};
-    s.relative_error = held.relative;
-}
-
-// Numbers of the state of an orbit with their errors, that of the contact behind those of the masses where it has a row of its
-// own.
-std::vector<Certified> certified_of(std::vector<double> numbers, const ExactSolver& solver, const auto& error) {
-    std::vector<Certified> out;
-    solver.system().stuck.contact.append(numbers);
-    for (std::size_t k = 0; k < numbers.size(); ++k) out.push_back({numbers[k], error(k), {}});
-    return out;
-}
-
-// A periodic orbit as the answer; `open` where double does not tell if the motion stops.
-void answer_by_orbit(const SolveTask& task, ExactSolver& solver, const PeriodicOrbit& orbit, bool open, Solution& s) {
-    const bool all = task.question.asked == Asked::motion && !task.question.mass;
-    const Bounded<double> frame = amplitude_of_frame(task.scene);
-    OrbitSolution found = orbit_solution(solver, orbit, task.question.mass, all ? frame.x : 0);
-    s.masses = std::move(found.masses);
-    s.from_ground.clear();
-    const bool absolute = task.scene.system.base_motion == BaseMotion::alone; // as they are
-    const std::vector<SolvedMass>& seen = absolute ? s.masses : found.from_ground;
-    for (std::size_t k = 0; all && k < std::min(seen.size(), number_of_masses(task.scene.system)); ++k)
-        s.from_ground.push_back(from_ground(seen[k], absolute ? Bounded<double>(1) : frame));
-    s.stops = std::move(found.stops);
-    s.start = SolvedState{certified_of(orbit.start.x, solver, [&](std::size_t) { return orbit.error_bound; }),
-                          certified_of(orbit.start.x_prime, solver, [&](std::size_t k) { return orbit.velocity_errors[k]; })};
-    s.periods = orbit.periods;
-    s.symmetric = orbit.symmetric;
-    if (task.question.asked == Asked::motion) s.stability = stability_of(orbit);
-    s.relative_error = task.question.asked == Asked::amplitude ? found.relative_amplitude
-                                                               : std::max(found.relative_amplitude, found.phase_error);
-    const Attempted attempted{s.relative_error, !open, Why::stops_open};
-    s.method = {"exact solver", "double", Why::bound_by_residual + verdict(attempted, task.aim)};
+    s.method = {"stuck response", "double", Why::bound_by_equations + verdict({s.relative_error}, task.aim)};
 }
 
 void set_regime(const SolveTask& task, Regime met, const Reasons& reason, Solution& s) {
@@ -225,7 +176,7 @@ Refusal answer_from_rest(SolveTask& task, Solution& s) {
             *task.scene.beta);
         how.guess = &near;
     }
-    const PeriodicOrbit& orbit = task.orbit.emplace(periodic_orbit(solver, at_rest(system.basis.r_n.size()), how));
+    const PeriodicOrbit& orbit = task.found.orbit.emplace(periodic_orbit(solver, at_rest(system.basis.r_n.size()), how));
     if (!is_from_start(orbit)) {
         const bool found = orbit.status == OrbitStatus::not_from_start;
         s.not_from_rest = orbit.reason + cost_of_fast_mode(solver, orbit);
@@ -246,10 +197,14 @@ Refusal answer_from_rest(SolveTask& task, Solution& s) {
         set_regime(task, Regime::continuous, Why::rest_leads_to_sliding, s);
     } else {
         const bool open = known && stops_are_open(orbit, sticks, orbit.stops.empty() && must_stop(task, s), slides);
-        task.regime_is_certain = !open || must_stop(task, s);
-        if (!regime_alone) answer_by_orbit(task, solver, orbit, open, s);
+        task.found.open = open;
+        task.found.regime_is_certain = !open || must_stop(task, s);
+        if (!regime_alone) {
+            set_motion_of_orbit(task.scene, task.question, solver, orbit, s);
+            s.method = {"exact solver", "double",
+                        Why::bound_by_residual + verdict({s.relative_error, !open, Why::stops_open}, task.aim)};
+        }
         set_regime_by_stops(task, orbit, open, s);
-        task.open = task.open || open;
         if (!regime_alone) {
             if (s.not_from_rest.empty()) s.regime.reason += orbit.reason;
             return {};
@@ -293,24 +248,18 @@ bool is_vague(const SolveTask& task, const Solution& s) {
 AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, const Question& question) {
     AnswerInDouble found;
     Solution& s = *found.value;
-    s.asked = question.asked;
+    set_point(p.scene().system, at.r, at.beta, p.scene().mu, question.asked, s);
     if (answer_by_contact(p, at, question, s)) {
         say_whether_unique(*p.contact->basis, p.contact->contact, p.scene().system, p.scene().mu, s);
     } else {
         const SceneSource source = source_at(p, at);
-        SolveTask task{source, question, source->in_double(), aim_of(question.digits), {p.bounded}, p.moving};
+        SolveTask task{source, question, source->in_double(), aim_of(question.digits), {p.bounded}, p.moving, found};
         if (!task.known.basis) task.known = modes_in_double(source);
-        s.r = exactly(at.r);
-        s.beta = exactly(at.beta);
-        s.contact = p.scene().system.contact;
         if (Refusal none = answer(task, s); !none.is_answered()) return {{std::move(none)}};
         say_whether_unique(*task.known.basis, contact_row(task.scene.system), task.scene.system, task.scene.mu, s);
-        s.asked = question.asked;
         s.digits_reached = s.relative_error <= task.aim.tolerance;
-        found.open = task.open || !task.sliding.is_answered();
-        found.regime_is_certain = task.regime_is_certain;
+        found.open = found.open || !task.sliding.is_answered();
         found.vague = is_vague(task, s);
-        found.orbit = std::move(task.orbit);
         if (question.all) {
             if (!task.moving) task.moving = moving_in_double(source, task.known);
             s.motions = other_motions(task.scene, *task.moving, task.known.basis, source->effort);
@@ -318,12 +267,15 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
         keep_asked_mass(question, s);
     }
     take_contact_between(p.scene().system, s);
-    if (const auto base = amplitude_of_base(p.scene().system.base_motion, as_input(at.r))) s.base_amplitude = certified(*base);
-    s.mu = exactly(p.scene().mu);
     return found;
 }
 
 } // namespace
+
+void check(const Question& question, std::size_t N) {
+    (void)aim_of(question.digits);
+    if (question.mass) check_mass(*question.mass, N, "mass");
+}
 
 PreparedSystem prepare(const SceneSource& source, const Question& question, Prepared points) {
     PreparedSystem p{source};
@@ -352,22 +304,9 @@ SceneSource source_at(const PreparedSystem& p, const SolvePoint& at) {
 }
 
 AnswerInDouble answer_in_double(const PreparedSystem& p, const SolvePoint& at, const Question& question) {
-    return tried_in_double([&] { return solve_in_double(p, at, question); });
-}
-
-Tried<Solution> decide(const PreparedSystem& prepared, const SolvePoint& asked_about, const Question& question) {
-    const std::size_t N = number_of_masses(prepared.scene().system);
-    check(question, N);
-    check_frequency_ratio(asked_about.r);
-    check_friction_ratio(asked_about.beta);
-    const SceneSource& source = asked_about.source != nullptr ? *asked_about.source : prepared.source;
-    const GivenEffort effort(asked_about.effort != nullptr ? asked_about.effort : source->effort, N);
-    SolvePoint at = asked_about;
-    at.effort = effort.get();
-    std::optional<PreparedSystem> there; // where what is prepared has the load of another frequency
-    if (load_depends_on_frequency(prepared.scene().system)) there.emplace(PreparedSystem{source_at(prepared, at)});
-    const PreparedSystem& p = there ? *there : prepared;
-    return answer_or_reference(p, at, question);
+    Tried<AnswerInDouble> found = tried([&] { return solve_in_double(p, at, question); });
+    if (found.is_answered()) return *std::move(found.value);
+    return {{Refusal(std::move(found))}};
 }
 
 Solution solve(const SceneSource& source, const Question& question) {

@@ -1,26 +1,29 @@
 /// @file
-/// @brief `solve`: the answer in every regime by the cheapest model that is certain to have the digits asked for; and what a
-/// question to a system needs that does not depend on r and beta, done once for many points.
+/// @brief `solve`: the answer in every regime by the cheapest model that is certain to have the digits asked for; the choice between
+/// double and the reference; and what a question to a system needs that does not depend on r and beta, done once for many points.
 ///
 /// The models, cheapest first:
 ///  1. amplitude or phase of the mass in contact alone, mu = 1: (38), (39) below a lower bound of (69), see `contact_alone.hpp`;
 ///  2. boundary, regime and closed form of all masses, or of the one that is asked about, see `sliding_solution`;
-///  3. for a contact that rests the stuck response, see `held_solution`;
+///  3. for a contact that rests the stuck response, see `set_stuck_response`;
 ///  4. the exact solver's periodic orbit.
-/// Each is in double, with the bounds of its numbers. Where these do not leave the digits, or the regime is open, the reference
-/// answers, see `decision.hpp`.
-/// The boundaries tell the regime where mu = 1. Where mu > 1 more than one motion may exist: the exact solver then follows the
-/// start from rest, and where that leads into the closed form or the stuck response these give the numbers.
+/// Each is in double, with the bounds of its numbers. The boundaries tell the regime where mu = 1. Where mu > 1 more than one motion
+/// may exist: the exact solver then follows the start from rest, and where that leads into the closed form or the stuck response
+/// these give the numbers.
+///
+/// The reference answers if a proof or 15 digits and more are asked for, or if double does not have the digits, the regime or the
+/// stability. If it has no proof either, double answers if its regime is certain; else nothing does. Where a question has no answer,
+/// that is a value, see `Outcome`, which is decided where it arises; the functions that users call make an exception of it.
 #pragma once
 
 #include <memory>
 #include <optional>
+#include <vector>
 
-#include "denhartog/answer/certify.hpp"
-#include "denhartog/answer/scene_source.hpp"
-#include "denhartog/answer/solution.hpp"
+#include "denhartog/answer/models_in_double.hpp"
+#include "denhartog/number/tried.hpp"
 #include "denhartog/sliding/contact_alone.hpp"
-#include "denhartog/stick_slip/exact_motion.hpp"
+#include "denhartog/stick_slip/motion_record.hpp"
 
 namespace denhartog {
 
@@ -55,5 +58,64 @@ struct PreparedSystem {
 /// prepared for is answered as well. The work of the answer is that of this point, paid from a budget, if there is one.
 [[nodiscard]] Solution solve(const PreparedSystem& system, double r, double beta, const Question& question,
                              Effort* effort = nullptr);
+
+/// @brief The point asked about.
+struct SolvePoint {
+    double r;                  ///< frequency ratio
+    double beta;               ///< friction ratio
+    const SceneSource* source; ///< where both are to be had to any digits; null where the doubles are what is meant
+    Effort* effort = nullptr;  ///< the work allowed; null: what the scene has, or else by default
+};
+
+/// @brief The outcome of a question at a point of a prepared system: the answer in double, or else by the reference; none where
+/// the digits asked for are not reached. A bad question or point is an InputError.
+[[nodiscard]] Tried<Solution> decide(const PreparedSystem& p, const SolvePoint& at, const Question& question);
+
+/// @brief Boundary, regime and sliding motion of a scene, as `sliding_solution` has them in double.
+[[nodiscard]] Tried<Solution> decide_sliding(const SceneSource& source, const Question& question,
+                                             const std::shared_ptr<const ModalBasis<Bounded<double>>>& modes = nullptr);
+
+/// @brief Boundary, regime and sliding motion; DomainError at a pole, PrecisionError where there is none for another reason.
+[[nodiscard]] inline Solution sliding_answer(const SceneSource& source, const Question& question,
+                                             const std::shared_ptr<const ModalBasis<Bounded<double>>>& modes = nullptr) {
+    return std::move(decide_sliding(source, question, modes).required());
+}
+
+/// @brief Boundary, regime and sliding motion of every mass, refused if the digits asked for are not reached.
+[[nodiscard]] Solution sliding_answer(const SceneSource& source, std::optional<int> digits, bool proved);
+
+/// @brief The answer of double to a question.
+struct AnswerInDouble : Tried<Solution> {
+    bool open = false;                    ///< whether double does not tell what the contact does
+    bool regime_is_certain = true;        ///< whether it is, so that double answers if the reference has no proof
+    bool vague = false;                   ///< whether double does not tell if the motion is stable
+    std::optional<PeriodicOrbit> orbit{}; ///< the motion from rest, where it was followed
+
+    /// @brief True where it needs nothing more: it has its digits, and regime and stability are certain.
+    [[nodiscard]] bool is_settled() const {
+        return is_answered() && value->digits_reached && !open && !vague && !value->regime.on_boundary;
+    }
+};
+
+/// @brief The answer in double to a question at a point of a prepared system.
+[[nodiscard]] AnswerInDouble answer_in_double(const PreparedSystem& p, const SolvePoint& at, const Question& question);
+
+/// @brief The scene of a system at a point, with the work allowed there.
+[[nodiscard]] SceneSource source_at(const PreparedSystem& p, const SolvePoint& at);
+
+/// @brief Checks a question to a system of N masses. InputError where it breaks a rule.
+void check(const Question& question, std::size_t N);
+
+/// @brief The guess for a proof of a motion that double found periodic. Stops and slips shorter than `shortest`, in tau, are left
+/// out. There are no directions where the motion has no phases that repeat.
+[[nodiscard]] OrbitGuess guess_of(ExactSolver& solver, const PeriodicOrbit& orbit, double shortest = 0);
+
+/// @brief Motions that differ from a guess by one stop of nearly no length, which rounding may have invented or hidden; the
+/// likeliest first: one where the contact turns or is slow, and the guess without its shortest stop or slip.
+[[nodiscard]] std::vector<OrbitGuess> with_other_stops(const OrbitGuess& guess);
+
+/// @brief Motions near the one from rest, as double sees them, the likeliest first; that one is followed here if it was not before.
+[[nodiscard]] std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source,
+                                                 std::optional<PeriodicOrbit>& followed);
 
 } // namespace denhartog

@@ -5,7 +5,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/reference/orbit.hpp"
 #include "denhartog/reference/sliding.hpp"
-#include "denhartog/solve/decision.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "tests/benchmark/generator/motion.hpp"
 
 namespace denhartog::benchmark {

@@ -106,12 +106,7 @@ void add_find_command(CLI::App& app, ExitStatus& status) {
         "units of P / k_1 if it is given in ratios. An amplitude over a second number is the largest, or least, that was seen.\n"
         "Motions over it without an answer are left out, and `left_out` counts them.\n"
         "If nothing was found and some samples have no answer, the exit status is 3.");
-    command->callback([options, &status] {
-        answer_scenes(
-            *options,
-            [&](const SceneText& part, Effort* effort) { return off_poles([&] { return found(part, *options, effort); }); },
-            status);
-    });
+    answer_every_scene(*command, options, status, found);
 }
 
 } // namespace denhartog::program

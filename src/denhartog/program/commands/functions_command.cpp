@@ -91,7 +91,7 @@ std::string functions_table(const Json& a) {
 }
 
 std::string evaluate(const SceneText& part, const SceneOptions& options, Effort* effort) {
-    const Json answer = off_poles([&] { return functions_json(source_of(part, options.damping, effort)); });
+    const Json answer = functions_json(source_of(part, options.damping, effort));
     return options.json ? answer.dump() + "\n" : functions_table(answer);
 }
 
@@ -107,10 +107,7 @@ void add_functions_command(CLI::App& app, ExitStatus& status) {
         "they are computed by the reference if double does not have these. error_bounds: bounds of the errors, of a complex\n"
         "number that of the part that is off by more. beta is not needed. If the damping matrix couples the modes, they have\n"
         "no v, u and g of their own, and zeta is what the diagonal of the matrix gives.");
-    command->callback([options, &status] {
-        answer_scenes(
-            *options, [&](const SceneText& part, Effort* effort) { return evaluate(part, *options, effort); }, status);
-    });
+    answer_every_scene(*command, options, status, evaluate);
 }
 
 } // namespace denhartog::program

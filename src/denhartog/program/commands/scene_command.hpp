@@ -1,18 +1,16 @@
 // Common parts of the subcommands that answer scenes: options, the walk over the scenes, errors in their place.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/program/exit_status.hpp"
 #include "denhartog/scene/scene_json.hpp"
-#include "denhartog/solve/decision.hpp"
-
-namespace CLI {
-class App;
-} // namespace CLI
+#include "denhartog/solve/solve.hpp"
 
 namespace denhartog::program {
 
@@ -64,6 +62,16 @@ auto off_poles(const Ask& ask) {
     } catch (const DomainError& e) {
         throw InputError("r", std::string("must not be at a pole: ") + e.what(), "");
     }
+}
+
+// Makes a subcommand answer every scene of its input; its options must outlive the parse.
+template <class Options>
+void answer_every_scene(CLI::App& command, const std::shared_ptr<Options>& options, ExitStatus& status,
+                        std::string (*answer)(const SceneText&, const Options&, Effort*)) {
+    const auto answered = [options, answer](const SceneText& part, Effort* effort) {
+        return off_poles([&] { return answer(part, *options, effort); });
+    };
+    command.callback([options, answered, &status] { answer_scenes(*options, answered, status); });
 }
 
 } // namespace denhartog::program

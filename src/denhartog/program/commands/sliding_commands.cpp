@@ -6,7 +6,6 @@
 
 #include "denhartog/answer/reference.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/number_text.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/json/solution_json.hpp"
 #include "denhartog/scene/point_rules.hpp"
@@ -35,7 +34,7 @@ std::string response_table(const Json& a) {
 std::string respond(const SceneText& part, const SceneOptions& options, Effort* effort) {
     const SceneSource source = source_of(part, options.damping, effort);
     (void)friction_ratio_of(source->in_double());
-    const Solution found = off_poles([&] { return sliding_answer(source, options.digits, options.proved); });
+    const Solution found = sliding_answer(source, options.digits, options.proved);
     Json answer = response_json(found, NumberWriter{options.digits});
     add_damping(answer, source);
     add_dimensional(answer, source, found, NumberWriter{options.digits});
@@ -67,11 +66,8 @@ struct BoundaryOptions : SceneOptions {
 constexpr const char* range_name = "--invariant-points";
 
 RangeInText range_from(const std::string& text) {
+    if (!interval_from("r", text)) throw InputError(range_name, "must be A:B, two numbers", text);
     const std::size_t colon = text.find(':');
-    double end{};
-    const auto is_number = [&](const std::string& part) { return number_from_text(part, end) == NumberFault::none; };
-    if (colon == std::string::npos || !is_number(text.substr(0, colon)) || !is_number(text.substr(colon + 1)))
-        throw InputError(range_name, "must be A:B, two numbers", text);
     return {text.substr(0, colon), text.substr(colon + 1)};
 }
 
@@ -108,7 +104,7 @@ std::string invariant_points_table(const Json& masses) {
 std::string bound(const SceneText& part, const BoundaryOptions& options, Effort* effort) {
     const SceneSource source = without_friction_ratio(source_of(part, options.damping, effort));
     const NumberWriter write{options.digits};
-    const Solution found = off_poles([&] { return sliding_answer(source, options.digits, options.proved); });
+    const Solution found = sliding_answer(source, options.digits, options.proved);
     Json answer = boundary_json(found, write);
     add_dimensional(answer, source, found, write);
     if (!options.range.empty())
@@ -135,10 +131,7 @@ void add_response_command(CLI::App& app, ExitStatus& status) {
         "6 digits, and more precision is used if double does not reach them.\n"
         "dimensional: the same in the units of a scene that was given by masses and stiffnesses.\n"
         "warning: if a unit in the last place of a number of the scene changes amplitudes by more than a thousandth.");
-    command->callback([options, &status] {
-        answer_scenes(
-            *options, [&](const SceneText& part, Effort* effort) { return respond(part, *options, effort); }, status);
-    });
+    answer_every_scene(*command, options, status, respond);
 }
 
 void add_boundary_command(CLI::App& app, ExitStatus& status) {
@@ -159,10 +152,7 @@ void add_boundary_command(CLI::App& app, ExitStatus& status) {
         "friction ratio, bounds of their errors, and kind: 87, a root of (87); U_k = 0, the factor that (87) divides out.\n"
         "undecided: ranges of r of which it is not known whether there is a point.\n"
         "dimensional: the friction forces of a scene of masses, stiffnesses and force.");
-    command->callback([options, &status] {
-        answer_scenes(
-            *options, [&](const SceneText& part, Effort* effort) { return bound(part, *options, effort); }, status);
-    });
+    answer_every_scene(*command, options, status, bound);
 }
 
 } // namespace denhartog::program

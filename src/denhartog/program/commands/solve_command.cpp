@@ -5,7 +5,6 @@
 
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
-#include "denhartog/program/json/energy_json.hpp"
 #include "denhartog/program/json/solution_json.hpp"
 #include "denhartog/program/output/result_files.hpp"
 #include "denhartog/scene/limits.hpp"
@@ -160,12 +159,7 @@ void add_solve_command(CLI::App& app, ExitStatus& status) {
         "--all: motions lists each motion found, with its stability, from, a state at the maximum of the force that leads to\n"
         "it, and found, where that start comes from. A motion that is not listed may still exist.\n"
         "If no steady motion is found, or not to the digits asked for, the answer has a reason and the exit status is 3.");
-    command->callback([options, &status] {
-        answer_scenes(
-            *options,
-            [&](const SceneText& part, Effort* effort) { return off_poles([&] { return solved(part, *options, effort); }); },
-            status);
-    });
+    answer_every_scene(*command, options, status, solved);
 }
 
 } // namespace denhartog::program

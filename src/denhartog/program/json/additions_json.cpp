@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "denhartog/answer/from_a_start.hpp"
 #include "denhartog/answer/modes_in_double.hpp"
@@ -10,6 +11,12 @@
 
 namespace denhartog::program {
 namespace {
+
+// The error of a number in other units; it is converted in double: units and products are rounded a few times.
+double error_in(double unit, const Certified& x) {
+    constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+    return unit * (x.error + rounding * std::abs(x.value));
+}
 
 // `relative`: whether displacements are relative to what moves.
 Json dimensional_json(const Solution& s, const Units& units, bool relative) {
@@ -19,9 +26,7 @@ Json dimensional_json(const Solution& s, const Units& units, bool relative) {
     Json all = units_json(units, s.r.value, beta, s.mu.value);
     if (!units.force) return all;
     const double P = *units.force, length = displacement_unit(units, P);
-    // The numbers are converted in double: units and products are rounded a few times.
-    constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
-    const auto bound = [&](double unit, const Certified& x) { return write(unit * (x.error + rounding * std::abs(x.value))); };
+    const auto bound = [&](double unit, const Certified& x) { return write(error_in(unit, x)); };
     const auto displacement = [&](const SolvedMass& m) {
         const Certified largest{m.amplitude.value, error_of_displacements(m)};
         return Json{{"amplitude", write(length * m.amplitude.value)}, {"error_bound", bound(length, largest)}};
@@ -54,6 +59,38 @@ Json dimensional_json(const Solution& s, const Units& units, bool relative) {
     if (s.rest_interval)
         all["rest_interval"] = {{"from", write(length * s.rest_interval->from.value)},
                                 {"to", write(length * s.rest_interval->to.value)}};
+    return all;
+}
+
+// Units of energy, force, damping and length.
+struct UnitsOfEnergy {
+    double energy = 1, force = 1, damping = 1, length = 1;
+};
+
+// The members in any units; in others than the answer's own the numbers are converted in double.
+Json energies_json(const Energies& e, const UnitsOfEnergy& in, const NumberWriter& write) {
+    Json all;
+    const auto add = [&](const std::string& key, const Certified& x, double unit = 1) {
+        all[key] = unit == 1 ? write(x) : write(unit * x.value);
+        all[key + "_error_bound"] = write.bound(unit == 1 ? x.error : error_in(unit, x));
+    };
+    add("contact", e.contact, in.energy);
+    add("dampers", e.dampers, in.energy);
+    add("friction", e.friction, in.force);
+    add("on_base", e.on_base, in.force);
+    if (!e.equivalent) return all;
+    const EquivalentDamping& c = *e.equivalent;
+    add("equivalent_damping", c.coefficient, in.damping);
+    add("equivalent_damping_ratio", c.ratio);
+    const Json others = std::exchange(all, Json());
+    add("contact", c.textbook_energy, in.energy);
+    add("contact_off", c.textbook_energy_error);
+    if (c.textbook_amplitude) {
+        add("amplitude", *c.textbook_amplitude, in.length);
+        add("amplitude_off", *c.textbook_amplitude_error);
+    }
+    const Json textbook = std::exchange(all, others);
+    all["textbook"] = textbook;
     return all;
 }
 
@@ -100,15 +137,12 @@ void add_place_of_rest(Json& answer, const SceneSource& source) {
     const NumberWriter write;
     const bool in_units = answer.contains("dimensional") && answer.at("dimensional").contains("displacement_unit");
     const double length = in_units ? answer.at("dimensional").at("displacement_unit").get<double>() : 1;
-    constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
     for (std::size_t k = 0; k < places.size(); ++k) {
         const Certified& x = places[k];
         answer["place_of_rest"].push_back({{"mass", k + 1}, {"x", write(x)}, {"error_bound", write.bound(x.error)}});
         if (in_units)
             answer["dimensional"]["place_of_rest"].push_back(
-                {{"mass", k + 1},
-                 {"x", write(length * x.value)},
-                 {"error_bound", write.bound(length * (x.error + rounding * std::abs(x.value)))}});
+                {{"mass", k + 1}, {"x", write(length * x.value)}, {"error_bound", write(error_in(length, x))}});
     }
 }
 
@@ -188,6 +222,43 @@ std::string dimensional_table(const Json& answer) {
             {contact_in_words(name), cell(a.at("contact"), "amplitude"), "+- " + cell(a.at("contact"), "error_bound")});
     }
     return text + aligned(rows) + "\n";
+}
+
+void add_energies(Json& answer, const SceneSource& source, const Solution& solution, const Energies& e,
+                  const NumberWriter& write) {
+    answer["energy"] = energies_json(e, {}, write);
+    const std::optional<Units> units = source->in_double().units;
+    if (!units || !units->force) return;
+    const double P = *units->force, length = displacement_unit(*units, P), omega = angular_frequency(*units, solution.r.value);
+    answer["dimensional"]["energy"] =
+        energies_json(e, {P * length, P, P / length / (omega / solution.r.value), length}, NumberWriter{});
+}
+
+std::string energy_table(const Json& answer) {
+    if (!answer.contains("energy")) return "";
+    const bool in_units = answer.contains("dimensional") && answer.at("dimensional").contains("energy");
+    const Json &e = answer.at("energy"), &there = in_units ? answer.at("dimensional").at("energy") : e;
+    Rows rows{{"in a period of the force", "in ratios", "error bound"}};
+    if (in_units) rows.front().emplace_back("in the units of the scene");
+    const auto add = [&](const Json& here, const Json& scene, const std::string& key, const char* name) {
+        if (!here.contains(key)) return;
+        rows.push_back({name, cell(here, key.c_str()), cell(here, (key + "_error_bound").c_str())});
+        if (in_units) rows.back().push_back(cell(scene, key.c_str()));
+    };
+    add(e, there, "contact", "energy dissipated in the contact");
+    add(e, there, "dampers", "energy dissipated in the dampers");
+    add(e, there, "friction", "largest friction force");
+    add(e, there, "on_base", "largest force on the base");
+    add(e, there, "equivalent_damping", "equivalent viscous damping of the contact");
+    add(e, there, "equivalent_damping_ratio", "its damping ratio");
+    if (e.contains("textbook")) {
+        const Json &here = e.at("textbook"), &scene = there.at("textbook");
+        add(here, scene, "contact", "textbooks: energy 4 F X");
+        add(here, scene, "contact_off", "  relative error");
+        add(here, scene, "amplitude", "textbooks: amplitude by that damping");
+        add(here, scene, "amplitude_off", "  relative error");
+    }
+    return aligned(rows) + "\n";
 }
 
 } // namespace denhartog::program

@@ -62,6 +62,12 @@ void add_dimensional(Json& answer, const SceneSource& source, const Solution& so
 [[nodiscard]] std::string from_ground_table(const Json& answer);
 [[nodiscard]] std::string dimensional_table(const Json& answer);
 
+// Adds `energy` to an answer of `solve`, and to its `dimensional` the same in the units of the scene; and that as lines, empty
+// where there is none.
+void add_energies(Json& answer, const SceneSource& source, const Solution& solution, const Energies& e,
+                  const NumberWriter& write);
+[[nodiscard]] std::string energy_table(const Json& answer);
+
 // The warning of an answer as a line; empty where there is none.
 [[nodiscard]] std::string warning_line(const Json& answer);
 
