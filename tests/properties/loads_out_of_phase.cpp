@@ -147,6 +147,24 @@ TEST_CASE("forces that all lead by one angle are forces in phase, that much earl
         }
 }
 
+TEST_CASE("a force on one mass that leads by an angle is that force, that much earlier", "[phases][eq:69]") {
+    const auto answer = [](const std::string& load) { return solve(named_scene("two {" + load + "}")); };
+    for (const bool first : {true, false})
+        for (const std::string beta : {"0.0625", "0.5"}) {
+            const std::string load = (first ? R"("load": [1, 0], "beta": )" : R"("load": [0, 1], "beta": )") + beta;
+            INFO(load);
+            const Solution a = answer(load),
+                           b = answer(load + (first ? R"(, "load_phases": [0.75, 0])" : R"(, "load_phases": [0, 0.75])"));
+            CHECK(b.regime.regime == a.regime.regime);
+            CHECK(b.limits.value().exact.value == Approx(a.limits.value().exact.value).epsilon(1e-12));
+            for (std::size_t k = 0; k < 2; ++k) {
+                CHECK(b.masses[k].amplitude.value == Approx(a.masses[k].amplitude.value).epsilon(1e-9));
+                CHECK(std::abs(std::remainder(a.masses[k].phase.value().value - 0.75 - b.masses[k].phase.value().value,
+                                              2 * pi<double>())) < 1e-8);
+            }
+        }
+}
+
 TEST_CASE("invariant points, (86) and (88) as printed are refused or left out where forces are out of phase", "[eq:87][phases]") {
     const Scene<double> at = phased("[0, 0, 0]", "[0, 1.25, -2]", "4");
     CHECK_THROWS_WITH(invariant_points(scene_source(at), {"0.25", "2"}, std::nullopt),

@@ -4,6 +4,7 @@
 #include "denhartog/answer/reference.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/solve/quantities.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/reference/proofs.hpp"
@@ -54,6 +55,16 @@ TEST_CASE("as many digits as are asked for are certain, and more digits begin wi
             }
         }
     }
+}
+
+TEST_CASE("numbers of a point that double does not have to all digits come from the reference, proved", "[driver][eq:69]") {
+    const std::vector<double> tau{0.5};
+    const QuantitiesAnswer all = quantities(named_source(R"(two {"beta": 0.0625})"), tau, 15),
+                           few = quantities(named_source(R"(two {"beta": 0.0625})"), tau, 6);
+    CHECK(all.method.precision == "reference");
+    CHECK(all.method.proved);
+    CHECK(few.method.precision == "double");
+    CHECK_FALSE(few.method.proved);
 }
 
 TEST_CASE("one tenth as text is one tenth to a thousand digits, and as a number it is the double", "[driver]") {

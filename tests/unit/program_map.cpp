@@ -161,6 +161,13 @@ TEST_CASE("a number that the units take beyond a double is no answer", "[program
     )");
 }
 
+TEST_CASE("a map in units takes a friction of zero", "[program][map]") {
+    const auto rows = rows_of("map --frequency-hz 2:2:1 --friction 0:1:2 --mass 1", R"(pushed {"friction": null})");
+    CHECK(rows.at(1).at(1) == "0");
+    CHECK(rows.at(1).at(2) == "continuous");
+    CHECK(rows.at(1).back() == "answered");
+}
+
 TEST_CASE("units are refused where a scene has none", "[program][map][bad-input]") {
     expect(R"(
         2 map --frequency-hz 1:2:2 --friction 0:1:2           < two {"r": null, "beta": null} ! frequency_hz

@@ -9,6 +9,7 @@
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/named_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;
@@ -251,6 +252,22 @@ TEST_CASE("a map is the same to the last bit for any number of threads", "[map][
         const RegimeMap many = regime_map(equal_pair(1, {}, 1), grid, never);
         CHECK(std::ranges::equal(one.points, many.points, equal));
         CHECK(one.amplitudes == many.amplitudes);
+    }
+}
+
+TEST_CASE("columns of a long map, which are prepared in parts, have the numbers of a map of their own", "[map]") {
+    MapRequest grid{values(0.5, 2, 4100), {0.125}, {Mass{0}}, MapStart::rest, 1};
+    const Scene<double> scene = named_scene(R"(one {"r": null, "beta": null})");
+    const RegimeMap long_map = regime_map(scene, grid, never);
+    CHECK(long_map.complete);
+    for (const std::size_t first : {0UL, 4090UL}) {
+        MapRequest part = grid;
+        part.r = {grid.r.begin() + static_cast<std::ptrdiff_t>(first), grid.r.begin() + static_cast<std::ptrdiff_t>(first + 10)};
+        const RegimeMap map = regime_map(scene, part, never);
+        for (std::size_t n = 0; n < 10; ++n) {
+            CHECK(equal(map.points[n], long_map.points[first + n]));
+            CHECK(map.amplitudes[n] == long_map.amplitudes[first + n]);
+        }
     }
 }
 
