@@ -1,11 +1,16 @@
 #include "conformance/diagnose.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <numbers>
 #include <set>
+#include <string_view>
 
 #include "conformance/diagnosis/explanations.hpp"
-#include "conformance/grade.hpp"
+#include "conformance/verdict.hpp"
+#include "denhartog/number/number_text.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -52,18 +57,18 @@ struct Evidence {
 
     [[nodiscard]] Says says(std::size_t n) {
         if (!judged[n].answered || !judged[n].vector->reject.empty()) return Says::nothing;
-        const auto known = alone.find(n);
-        const Says of_one =
-            known != alone.end() ? known->second : (alone[n] = look(n, mistake.answer(judged[n].vector->question)));
+        const ProtocolQuestion& q = judged[n].vector->question;
+        const Says of_one = kept(alone, n, [&] { return look(n, mistake.answer(q)); });
         if (with.empty() || of_one == Says::agrees || !is_wrong_value(judged[n].verdict)) return of_one;
-        const auto tried = together.find(n);
-        const Says of_all = tried != together.end() ? tried->second : (together[n] = look_together(n));
+        const Says of_all =
+            kept(together, n, [&] { return mistake.answer.touches(q) ? look(n, answer_with_several(with, q)) : Says::nothing; });
         return of_all == Says::agrees ? of_all : of_one;
     }
 
-    [[nodiscard]] Says look_together(std::size_t n) const {
-        const ProtocolQuestion& q = judged[n].vector->question;
-        return mistake.answer.touches(q) ? look(n, answer_with_several(with, q)) : Says::nothing;
+    template <class Look>
+    static Says kept(std::map<std::size_t, Says>& known, std::size_t n, const Look& look_there) {
+        const auto found = known.find(n);
+        return found != known.end() ? found->second : known[n] = look_there();
     }
 
     [[nodiscard]] Says look(std::size_t n, const std::optional<Value>& value) const {
@@ -86,36 +91,29 @@ struct Weighed {
     Evidence* evidence = nullptr;
 };
 
-// The quantities of a mistake's core that were answered; all, if none was.
-std::set<std::string> answered_core(std::span<const Judged> judged, const Mistake& mistake) {
-    std::set<std::string> core;
-    for (const Judged& one : judged) {
-        const std::string& asked = one.vector->question.quantity;
-        if (one.answered && std::ranges::find(mistake.core, asked) != mistake.core.end()) core.insert(asked);
-    }
-    return core;
-}
-
 Weighed weigh(std::span<Judged> judged, Evidence& evidence, const std::vector<std::size_t>& left,
               const std::set<std::size_t>& set_aside) {
     Weighed weighed;
     Finding& finding = weighed.finding;
     finding.mistake = evidence.mistake;
     weighed.evidence = &evidence;
-    const std::set<std::string> core = answered_core(judged, evidence.mistake);
-    std::set<std::string> of;
+    std::set<std::string> core, of; // the quantities of its core that were answered, all if none was; those that it explains
     std::optional<std::size_t> example;
-    const auto is_own = [&](std::size_t n) { return core.empty() || core.contains(judged[n].vector->question.quantity); };
+    const auto asked = [&](std::size_t n) -> const std::string& { return judged[n].vector->question.quantity; };
+    for (std::size_t n = 0; n < judged.size(); ++n)
+        if (judged[n].answered && std::ranges::find(evidence.mistake.core, asked(n)) != evidence.mistake.core.end())
+            core.insert(asked(n));
+    const auto is_own = [&](std::size_t n) { return core.empty() || core.contains(asked(n)); };
     for (const std::size_t n : left) {
         if (evidence.says(n) != Says::agrees) continue;
         ++finding.explained;
         weighed.own += is_own(n);
         weighed.numbers += !is_word(*judged[n].vector);
-        of.insert(judged[n].vector->question.quantity);
+        of.insert(asked(n));
         if (!example || judged[n].error.value_or(0) > judged[*example].error.value_or(0)) example = n;
     }
     if (!example || weighed.own < std::min(least_explained, left.size())) return weighed;
-    const auto is_explained = [&](std::size_t n) { return of.contains(judged[n].vector->question.quantity); };
+    const auto is_explained = [&](std::size_t n) { return of.contains(asked(n)); };
     for (const std::size_t n : left) weighed.wrong += core.empty() ? is_explained(n) : is_own(n);
     finding.example = &judged[*example];
     for (std::size_t n = 0; n < judged.size(); ++n) {
@@ -126,8 +124,7 @@ Weighed weigh(std::span<Judged> judged, Evidence& evidence, const std::vector<st
         if (evidence.says(n) == Says::contradicts && counts) ++finding.contradicted;
     }
     finding.quantities.assign(of.begin(), of.end());
-    constexpr double rough = 1e-4;
-    weighed.rough = evidence.agreement > rough;
+    weighed.rough = evidence.agreement > 1e-4;
     finding.weak = finding.explained < least_explained;
     return weighed;
 }
@@ -164,12 +161,9 @@ bool is_possible(std::span<const Judged> judged, Evidence& evidence, const std::
     return agrees > 0 && contradicts <= agrees;
 }
 
-long balance(const Finding& finding) { return static_cast<long>(finding.explained) - static_cast<long>(finding.contradicted); }
-
-// Of two mistakes, the one that is told first.
-bool is_before(const Weighed& a, const Weighed& b) {
-    if (balance(a.finding) != balance(b.finding)) return balance(a.finding) > balance(b.finding);
-    return a.made_wrong < b.made_wrong;
+// The order in which mistakes are told.
+auto order(const Weighed& w) {
+    return std::pair(static_cast<long>(w.finding.contradicted) - static_cast<long>(w.finding.explained), w.made_wrong);
 }
 
 // The mistake that is told next.
@@ -183,16 +177,9 @@ std::optional<Weighed> most_telling(std::span<Judged> judged, std::vector<Eviden
         if (!is_possible(judged, candidate, some)) continue;
         Weighed weighed = weigh(judged, candidate, left, set_aside);
         if (weighed.finding.example == nullptr || !is_accepted(weighed, wrong, least)) continue;
-        if (!best || is_before(weighed, *best)) best = std::move(weighed);
+        if (!best || order(weighed) < order(*best)) best = std::move(weighed);
     }
     return best;
-}
-
-void call_as_printed(Judged& one, const Mistake& mistake) {
-    if (one.verdict != Verdict::wrong || !mistake.as_printed) return;
-    one.verdict = Verdict::as_printed;
-    one.equation = mistake.equation;
-    one.reason = "the value of Eq. (" + mistake.equation + ") as printed";
 }
 
 // The mistakes that explain wrong answers, one after the other; what one explains is not left to the next.
@@ -214,7 +201,11 @@ std::vector<Finding> findings_of(std::span<Judged> judged, std::span<const Mista
         finding.mistaken = (is_of_one ? alone : answer_with_several(best->evidence->with, example)).value_or(Value{});
         std::erase_if(left, [&](std::size_t n) {
             if (best->evidence->says(n) != Says::agrees) return false;
-            call_as_printed(judged[n], mistake);
+            if (judged[n].verdict == Verdict::wrong && mistake.as_printed) {
+                judged[n].verdict = Verdict::as_printed;
+                judged[n].equation = mistake.equation;
+                judged[n].reason = "the value of Eq. (" + mistake.equation + ") as printed";
+            }
             return set_aside.insert(n).second;
         });
         findings.push_back(finding);
@@ -238,13 +229,122 @@ std::vector<Finding> findings_of(std::span<Judged> judged, std::span<const Mista
 
 // The answers that belong to the first link of the chain to which any of them does.
 std::vector<const Judged*> in_first_link(const std::vector<const Judged*>& wrong) {
-    std::vector<const Judged*> first;
-    std::size_t place = static_cast<std::size_t>(-1);
-    for (const Judged* one : wrong) place = std::min(place, place_in_chain(one->vector->question));
-    std::ranges::copy_if(wrong, std::back_inserter(first),
-                         [&](const Judged* one) { return place_in_chain(one->vector->question) == place; });
-    return first;
+    std::map<std::size_t, std::vector<const Judged*>> links;
+    for (const Judged* one : wrong) links[place_in_chain(one->vector->question)].push_back(one);
+    return links.empty() ? wrong : links.begin()->second;
 }
+
+constexpr double share_in_common = 0.9;
+constexpr double least_lift = 1.25;
+constexpr std::size_t most_told = 3;
+constexpr std::size_t least_wrong = 3;
+
+// Properties of a question in words, each with its opposite.
+std::set<std::string> properties(const Vector& v) {
+    const ProtocolQuestion& q = v.question;
+    std::set<std::string> all;
+    for (const std::string& flag : v.flags) all.insert("flag " + flag);
+    all.insert(masses_of(q) > 1 ? "N > 1" : "N = 1");
+    all.insert(masses_of(q) > 2 ? "N > 2" : "N <= 2");
+    if (q.quantity == "displacement") all.insert(q.tau > std::numbers::pi ? "tau > pi" : "tau <= pi");
+    all.insert(q.mu > 1 ? "mu > 1" : "mu = 1");
+    all.insert(is_of_the_paper(q) ? "a scene of the paper" : "a system beyond the paper");
+    if (q.contact_with == 0 && q.load != 0) {
+        all.insert(q.contact == q.load ? "j = l" : "j != l");
+        if (q.contact != q.load) all.insert(q.contact < q.load ? "j < l" : "j > l");
+    }
+    if (q.mass != 0 && q.contact_with == 0) all.insert(q.mass == q.contact ? "k = j" : "k != j");
+    all.insert(q.beta == 0 ? "beta = 0" : "beta > 0");
+    all.insert(q.r > 1 ? "r > 1" : "r <= 1");
+    if (!v.regime.empty()) all.insert("regime " + v.regime);
+    const auto undamped = [](double zeta) { return zeta == 0; };
+    if (std::any_of(q.damping_ratios.begin(), q.damping_ratios.end(), undamped)) all.insert("a zeta of 0");
+    if (is_overdamped(q)) all.insert("a zeta of 1 or more");
+    return all;
+}
+
+using Answers = std::vector<const Judged*>;
+
+// The answers that were judged right or wrong: to every quantity, or to some.
+Answers answered(std::span<const Judged> judged, const std::set<std::string>& quantities = {}) {
+    Answers all;
+    for (const Judged& one : judged)
+        if (one.vector->reject.empty() && (is_right(one.verdict) || is_wrong_value(one.verdict)) &&
+            (quantities.empty() || quantities.contains(one.vector->question.quantity)))
+            all.push_back(&one);
+    return all;
+}
+
+// Wrong answers, and all that were asked for, by what they share; by name.
+template <class Of>
+std::vector<InCommon> counted(std::span<const Judged* const> wrong, const Answers& asked, const Of& properties_of) {
+    std::map<std::string, InCommon> all;
+    const auto count = [&](const auto& answers, std::size_t InCommon::*number) {
+        for (const Judged* one : answers)
+            for (const std::string& property : properties_of(*one->vector))
+                ++(all.try_emplace(property, InCommon{property, 0, wrong.size(), 0, asked.size()}).first->second.*number);
+    };
+    count(asked, &InCommon::asked);
+    count(wrong, &InCommon::wrong);
+    std::vector<InCommon> list;
+    for (const auto& [property, one] : all) list.push_back(one);
+    return list;
+}
+
+std::size_t count_of(const auto& list, const auto& condition) {
+    return static_cast<std::size_t>(std::ranges::count_if(list, condition));
+}
+
+bool larger_share_of_wrong(const InCommon& a, const InCommon& b) {
+    return a.wrong * b.asked != b.wrong * a.asked ? a.wrong * b.asked > b.wrong * a.asked : a.wrong > b.wrong;
+}
+
+// Whether each number of an answer has so few decimal digits.
+bool has_digits(const Judged& one, int digits) {
+    return !one.given.numbers.empty() &&
+           std::ranges::all_of(one.given.numbers, [&](double x) { return finite_number(number_in_digits(x, digits)) == x; });
+}
+
+bool is_too_small(const Judged& one) {
+    return one.error && std::abs(one.given.numbers[one.worst]) < std::abs(one.vector->nearest[one.worst]);
+}
+
+// Properties of the answers: that they are all too small or too large, or have few digits, as all answers have then.
+void add_of_answers(std::vector<InCommon>& found, std::span<const Judged* const> wrong, const Answers& asked) {
+    const std::size_t numbers = count_of(wrong, [](const Judged* one) { return one->error.has_value(); });
+    const std::size_t small = count_of(wrong, [](const Judged* one) { return is_too_small(*one); });
+    if (numbers < wrong.size()) return;
+    for (const auto& [told, count] : {std::pair("the answer is too small", small), {"the answer is too large", numbers - small}})
+        if (count == numbers) found.push_back({told, count, count, count, count});
+    constexpr int fewest = 3, most = 8;
+    for (int digits = fewest; digits <= most; ++digits) {
+        const std::size_t with = count_of(asked, [&](const Judged* one) { return has_digits(*one, digits); });
+        if (share(with, asked.size()) < share_in_common) continue;
+        found.push_back(
+            {"the answer has no more than " + std::to_string(digits) + " digits", numbers, numbers, with, asked.size()});
+        return;
+    }
+}
+
+constexpr std::array<std::string_view, 19> links{"natural frequencies",
+                                                 "R = r / r_n, (22)",
+                                                 "shapes",
+                                                 "v of one mass, (23)",
+                                                 "u of one mass, (28)",
+                                                 "g of one mass, (29)",
+                                                 "V, (33)",
+                                                 "U, (34)",
+                                                 "G, (35)",
+                                                 "H, (64)",
+                                                 "S, (56), (57)",
+                                                 "boundary",
+                                                 "rest interval",
+                                                 "initial values, (44), (45)",
+                                                 "displacement, (46)",
+                                                 "monoharmonic response, (52), (53)",
+                                                 "amplitude",
+                                                 "phase",
+                                                 "motion and stops"};
 
 } // namespace
 
@@ -265,6 +365,40 @@ Diagnosis diagnose(std::span<Judged> judged, std::span<const Mistake> known, con
     diagnosis.by_quantity = by_quantity(diagnosis.unexplained, judged);
     diagnosis.in_common = properties_in_common(in_first_link(diagnosis.unexplained), judged);
     return diagnosis;
+}
+
+std::vector<InCommon> chain_of(std::span<const Judged* const> wrong, std::span<const Judged> judged) {
+    std::vector<InCommon> chain = counted(
+        wrong, answered(judged), [](const Vector& v) { return std::array{std::string(links[place_in_chain(v.question)])}; });
+    std::ranges::sort(chain, {}, [](const InCommon& link) { return std::ranges::find(links, link.property); });
+    return chain;
+}
+
+std::vector<InCommon> properties_in_common(std::span<const Judged* const> wrong, std::span<const Judged> judged) {
+    if (wrong.size() < least_wrong) return {};
+    std::set<std::string> quantities;
+    for (const Judged* one : wrong) quantities.insert(one->vector->question.quantity);
+    const Answers asked = answered(judged, quantities);
+    std::vector<InCommon> found = counted(wrong, asked, properties);
+    std::erase_if(found, [](const InCommon& one) {
+        return share(one.wrong, one.all_wrong) < share_in_common ||
+               share(one.wrong, one.asked) < least_lift * share(one.all_wrong, one.all_asked);
+    });
+    std::stable_sort(found.begin(), found.end(), larger_share_of_wrong);
+    if (found.size() > most_told) found.resize(most_told);
+    std::erase_if(found, [&](const InCommon& one) { // what separates much worse than the first says nothing new
+        return share(one.wrong, one.asked) < share_in_common * share(found.front().wrong, found.front().asked);
+    });
+    add_of_answers(found, wrong, asked);
+    return found;
+}
+
+std::vector<InCommon> by_quantity(std::span<const Judged* const> wrong, std::span<const Judged> judged) {
+    std::vector<InCommon> found =
+        counted(wrong, answered(judged), [](const Vector& v) { return std::array{v.question.quantity}; });
+    std::erase_if(found, [](const InCommon& one) { return one.wrong == 0; });
+    std::ranges::stable_sort(found, std::greater(), &InCommon::wrong);
+    return found;
 }
 
 } // namespace denhartog::conformance

@@ -2,19 +2,9 @@
 /// @brief Diagnosis of an implementation: the known mistakes whose answers it gives, and what its other wrong answers have
 /// in common.
 ///
-/// A mistake is a signature. It explains a wrong answer that agrees with the answer of the mistake, to the mistake's own
-/// `agreement`, and that is at least ten times nearer to it than to the truth. A right answer contradicts the mistake if the
-/// mistake would have made it wrong. A wrong answer contradicts it if it explains others to the same quantity, but not this one.
-///
-/// A mistake in an equation is weighed by the answers to the quantities of that equation, its core: each wrong one of them that it
-/// does not explain contradicts it, and no other answer counts. If none of them was answered, or if the mistake has no core, all
-/// answers count. The diagnosis names a mistake if all of this holds: it explains three answers, or all if fewer are wrong, and
-/// then the finding is called weak; it reaches the shares of `Thresholds`; and it explains a number, if it would have made a
-/// number wrong. Words and counts agree by chance, so there must be more of them than chance explains.
-///
-/// The report begins with the mistake for which explained minus contradicted answers are most; of two equal ones, with the one
-/// that fewer answers contradict. The answers that it explains are set aside, and the search starts again with the rest. From then
-/// on a mistake may explain an answer by itself, or together with those that were found before it.
+/// A mistake is a signature: it explains a wrong answer that agrees with the answer of the mistake, to the mistake's own
+/// `agreement`, and that is at least ten times nearer to it than to the truth. docs/diagnosis.md says what contradicts it, and
+/// when it is named.
 #pragma once
 
 #include <map>
@@ -29,9 +19,7 @@
 namespace denhartog::conformance {
 
 /// @brief Mistakes, each that has a number of its own, such as a grid of instants, with the number that fits some answers best.
-/// @param judged  the answers
-/// @param known   the mistakes
-/// @return        the mistakes
+/// @param judged the answers @param known the mistakes @return the mistakes
 [[nodiscard]] std::vector<Mistake> fitted_to(std::span<const Judged> judged,
                                              std::vector<Mistake> known = {mistakes().begin(), mistakes().end()});
 
@@ -56,8 +44,8 @@ struct Finding {
     Value mistaken;                      ///< what the mistake answers there
 };
 
-/// @brief A property that wrong answers have in common, a quantity, or a link of the chain of quantities, each made of those before
-/// it: the first that is wrong is where to look.
+/// @brief A property that wrong answers have in common, a quantity, or a link of the chain of quantities, each made of those
+/// before it: the first that is wrong is where to look.
 struct InCommon {
     std::string property;      ///< in words: `mu > 1`, `amplitude`, `shapes`
     std::size_t wrong = 0;     ///< number of unexplained wrong answers that have it
@@ -79,11 +67,10 @@ struct Diagnosis {
 };
 
 /// @brief Looks for known mistakes.
-/// @param judged  the answers; a wrong answer that an equation gives as printed gets the verdict `as-printed`
-/// @param known   the mistakes
-/// @param least   what a mistake must reach to be named
-/// @param guess   whether to look for simple explanations as well: a factor or an offset, another value of one input
-/// @return        the diagnosis; it refers to the answers
+/// @param judged the answers; a wrong answer that an equation gives as printed gets the verdict `as-printed`
+/// @param known the mistakes @param least what a mistake must reach to be named
+/// @param guess whether to look for simple explanations as well: a factor or an offset, another value of one input
+/// @return the diagnosis; it refers to the answers
 [[nodiscard]] Diagnosis diagnose(std::span<Judged> judged, std::span<const Mistake> known, const Thresholds& least = {},
                                  bool guess = true);
 

@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
 
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/legible.hpp"
 #include "denhartog/number/number_text.hpp"
+#include "denhartog/scene/json_document.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/scene/scene_json.hpp"
 
@@ -83,15 +88,10 @@ std::vector<double> matrix_or_nothing(const nlohmann::json& object, const char* 
     return entries;
 }
 
-std::size_t rows_of(const std::vector<double>& matrix) {
-    return static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(matrix.size()))));
-}
-
-nlohmann::ordered_json matrix_json(const std::vector<double>& matrix) {
-    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-    const auto N = static_cast<std::ptrdiff_t>(rows_of(matrix));
-    for (std::ptrdiff_t i = 0; i < N; ++i)
-        rows.push_back(std::vector<double>(matrix.begin() + i * N, matrix.begin() + (i + 1) * N));
+std::vector<std::vector<double>> rows_of(const std::vector<double>& matrix) {
+    const auto N = std::lround(std::sqrt(static_cast<double>(matrix.size())));
+    std::vector<std::vector<double>> rows;
+    for (long i = 0; i < N; ++i) rows.emplace_back(matrix.begin() + i * N, matrix.begin() + (i + 1) * N);
     return rows;
 }
 
@@ -108,29 +108,26 @@ constexpr PartOfSystem parts_of_system[] = {
     {"stiffness_ratios", &ProtocolQuestion::stiffness_ratios, "stiffness_matrix", &ProtocolQuestion::stiffness_matrix},
     {"damping_ratios", &ProtocolQuestion::damping_ratios, "damping_matrix", &ProtocolQuestion::damping_matrix}};
 
+constexpr std::pair<const char*, double ProtocolQuestion::*> numbers_of_scene[] = {
+    {"mu", &ProtocolQuestion::mu}, {"r", &ProtocolQuestion::r}, {"beta", &ProtocolQuestion::beta}};
+
 // As `denhartog solve` takes it.
 nlohmann::ordered_json scene_json(const ProtocolQuestion& q) {
     nlohmann::ordered_json scene;
+    using Json = nlohmann::ordered_json;
     for (const PartOfSystem& part : parts_of_system) {
         if ((q.*part.matrix).empty())
             scene[part.ratios_key] = q.*part.ratios;
         else
-            scene[part.matrix_key] = matrix_json(q.*part.matrix);
+            scene[part.matrix_key] = rows_of(q.*part.matrix);
     }
-    if (q.contact_with == 0)
-        scene["contact"] = q.contact;
-    else
-        scene["contact"] = {q.contact, q.contact_with};
+    scene["contact"] = q.contact_with == 0 ? Json(q.contact) : Json{q.contact, q.contact_with};
     if (!q.base_motion.empty())
         scene["base_motion"] = q.base_motion;
-    else if (!q.loads.empty())
-        scene["load"] = q.loads;
     else
-        scene["load"] = q.load;
+        scene["load"] = q.loads.empty() ? Json(q.load) : Json(q.loads);
     if (!q.load_phases.empty()) scene["load_phases"] = q.load_phases;
-    scene["mu"] = q.mu;
-    scene["r"] = q.r;
-    scene["beta"] = q.beta;
+    for (const auto& [key, number] : numbers_of_scene) scene[key] = q.*number;
     return scene;
 }
 
@@ -138,9 +135,8 @@ void read_places(const nlohmann::json& scene, ProtocolQuestion& q) {
     if (scene.contains("contact") && scene["contact"].is_array()) {
         const nlohmann::json& two = scene["contact"];
         if (two.size() != 2) throw InputError("contact", "must be one mass or two", text_of_json(two));
-        const nlohmann::json of_two{{"contact", two[0]}, {"contact_with", two[1]}};
-        q.contact = whole(of_two, "contact");
-        q.contact_with = whole(of_two, "contact_with");
+        q.contact = whole({{"contact", two[0]}}, "contact");
+        q.contact_with = whole({{"contact_with", two[1]}}, "contact_with");
     } else {
         q.contact = whole(scene, "contact");
     }
@@ -154,13 +150,110 @@ void read_places(const nlohmann::json& scene, ProtocolQuestion& q) {
     if (scene.contains("load_phases")) q.load_phases = member<std::vector<double>>(scene, "load_phases");
 }
 
+std::string in_quotes(std::string_view text) { return "'" + legible(text, 60) + "'"; }
+
+Answer value_of_words(const std::vector<std::string>& words) {
+    if (words.size() == 1 && is_regime(words.front())) return Value{{}, words.front()};
+    Value value;
+    for (const std::string& word : words) {
+        const std::optional<double> x = finite_number(word);
+        if (!x) return Unusable{in_quotes(word) + " is neither a finite number nor a regime"};
+        value.numbers.push_back(*x);
+    }
+    return value;
+}
+
+std::vector<std::string> words_of(std::string_view text) {
+    std::istringstream stream{std::string(text)};
+    return {std::istream_iterator<std::string>(stream), {}};
+}
+
+std::string place_of(std::size_t line) { return "line " + std::to_string(line); }
+
+struct Row {
+    std::vector<std::string> cells;
+    std::size_t line = 1;
+};
+
+// CSV as RFC 4180 has it: quotes round a cell, doubled within.
+std::vector<Row> rows_of(std::string_view text) {
+    std::vector<Row> rows;
+    std::size_t line = 1;
+    for (std::size_t n = 0; n < text.size();) {
+        Row row{{""}, line};
+        bool quoted = false;
+        for (; n < text.size(); ++n) {
+            const char c = text[n];
+            if (c == '\n') ++line;
+            if (quoted && c == '"' && n + 1 < text.size() && text[n + 1] == '"') {
+                row.cells.back() += '"';
+                ++n;
+            } else if (c == '"' && (quoted || row.cells.back().empty())) {
+                quoted = !quoted;
+            } else if (!quoted && c == ',') {
+                row.cells.emplace_back();
+            } else if (!quoted && c == '\n') {
+                ++n;
+                break;
+            } else {
+                row.cells.back() += c;
+            }
+        }
+        if (quoted) throw InputError("answers", "must end every quoted cell", "", place_of(row.line));
+        if (!row.cells.back().empty() && row.cells.back().back() == '\r') row.cells.back().pop_back();
+        if (row.cells.size() > 1 || !row.cells.front().empty()) rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+void put(std::map<std::string, Answer>& answers, const std::set<std::string>& known, const std::string& id, Answer answer,
+         std::size_t line) {
+    if (!known.contains(id)) throw InputError("id", "must be a vector's", legible(id), place_of(line));
+    if (!answers.emplace(id, std::move(answer)).second) throw InputError("id", "must be given once", id, place_of(line));
+}
+
+std::map<std::string, Answer> from_csv(std::string_view text, const std::set<std::string>& known) {
+    const std::vector<Row> rows = rows_of(text);
+    if (rows.empty() || rows.front().cells != std::vector<std::string>{"id", "value"})
+        throw InputError("answers", "must be JSON Lines, or CSV with the heading id,value",
+                         rows.empty() ? "empty" : legible(rows.front().cells.front()), place_of(1));
+    std::map<std::string, Answer> answers;
+    for (std::size_t n = 1; n < rows.size(); ++n) {
+        const Row& row = rows[n];
+        if (row.cells.size() != 2)
+            throw InputError("answers", "must have two cells a line, numbers separated by spaces",
+                             std::to_string(row.cells.size()) + " cells", place_of(row.line));
+        put(answers, known, row.cells[0], answer_from_cell(row.cells[1]), row.line);
+    }
+    return answers;
+}
+
+std::map<std::string, Answer> from_json_lines(std::string_view text, const std::set<std::string>& known) {
+    std::map<std::string, Answer> answers;
+    std::size_t line = 1;
+    for (std::size_t start = 0; start < text.size(); ++line) {
+        const std::size_t end = std::min(text.find('\n', start), text.size());
+        const std::string_view one = text.substr(start, end - start);
+        start = end + 1;
+        if (one.find_first_not_of(" \t\r") == std::string_view::npos) continue;
+        const nlohmann::json object = json_or_nothing(one);
+        if (!object.is_object() || !object.contains("id") || !object["id"].is_string())
+            throw InputError("answers", "must hold a JSON object with an id in every line", legible(one), place_of(line));
+        const std::string id = object["id"];
+        put(answers, known, id, answer_from_json(one, id), line);
+    }
+    return answers;
+}
+
 } // namespace
 
 std::span<const Quantity> quantities() { return table; }
 
 bool is_of_the_paper(const ProtocolQuestion& q) { return beyond_the_paper(q).empty(); }
 
-std::size_t masses_of(const ProtocolQuestion& q) { return q.mass_matrix.empty() ? q.mass_ratios.size() : rows_of(q.mass_matrix); }
+std::size_t masses_of(const ProtocolQuestion& q) {
+    return q.mass_matrix.empty() ? q.mass_ratios.size() : rows_of(q.mass_matrix).size();
+}
 
 std::vector<std::string> beyond_the_paper(const ProtocolQuestion& q) {
     std::vector<std::string> names;
@@ -180,7 +273,7 @@ bool asks_for(const ProtocolQuestion& q, std::initializer_list<std::string_view>
 }
 
 const Quantity& quantity(std::string_view name) {
-    const auto found = std::find_if(table.begin(), table.end(), [&](const Quantity& q) { return q.name == name; });
+    const auto* const found = std::ranges::find(table, name, &Quantity::name);
     if (found == table.end()) throw InputError("quantity", "must be one of the protocol's", std::string(name));
     return *found;
 }
@@ -192,7 +285,7 @@ std::size_t place_in_chain(const ProtocolQuestion& q) {
 }
 
 bool is_overdamped(const ProtocolQuestion& q) {
-    return std::any_of(q.damping_ratios.begin(), q.damping_ratios.end(), [](double zeta) { return zeta >= 1; });
+    return std::ranges::any_of(q.damping_ratios, [](double zeta) { return zeta >= 1; });
 }
 
 Scene<double> scene_of(const ProtocolQuestion& q) {
@@ -257,13 +350,85 @@ ProtocolQuestion question_from_json(const nlohmann::json& object) {
         q.*part.matrix = matrix_or_nothing(scene, part.matrix_key);
     }
     read_places(scene, q);
-    q.mu = member<double>(scene, "mu");
-    q.r = member<double>(scene, "r");
-    q.beta = member<double>(scene, "beta");
+    for (const auto& [key, number] : numbers_of_scene) q.*number = member<double>(scene, key);
     if (object.contains("mass")) q.mass = whole(object, "mass");
     if (object.contains("tau")) q.tau = member<double>(object, "tau");
     if (object.contains("samples")) q.samples = whole(object, "samples");
     return q;
+}
+
+bool is_regime(std::string_view word) { return word == "continuous" || word == "stick_slip" || word == "permanent_sticking"; }
+
+std::optional<double> finite_number(std::string_view text) {
+    const std::string copy(text);
+    char* end = nullptr;
+    const double x = std::strtod(copy.c_str(), &end);
+    const bool whole = !copy.empty() && copy.front() != ' ' && end == copy.c_str() + copy.size();
+    return whole && std::isfinite(x) ? std::optional(x) : std::nullopt;
+}
+
+std::string joined(std::span<const std::string> words, std::string_view between) {
+    std::string text;
+    for (const std::string& word : words) text.append(text.empty() ? "" : between).append(word);
+    return text;
+}
+
+std::string joined(std::span<const double> numbers, std::string_view between) {
+    std::vector<std::string> words;
+    for (const double x : numbers) words.push_back(number_to_text(x));
+    return joined(words, between);
+}
+
+std::string text_of_json(const nlohmann::json& x) { return x.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); }
+
+Answer answer_from_json(std::string_view line, std::string_view id) {
+    if (nested_too_deeply(line)) return Unusable{in_quotes(line) + " is nested too deeply"};
+    const nlohmann::json object = json_or_nothing(line);
+    if (!object.is_object()) return Unusable{in_quotes(line) + " is no JSON object"};
+    const auto text = [&](const char* key) {
+        return object[key].is_string() ? object[key].get<std::string>() : text_of_json(object[key]);
+    };
+    if (!object.contains("id")) return Unusable{"the answer has no id"};
+    if (text("id") != id) return Unusable{"the answer is to " + in_quotes(text("id")) + ", the question was " + std::string(id)};
+    if (object.contains("skip")) return Skipped{text("skip")};
+    if (object.contains("reject")) return Rejected{text("reject")};
+    if (!object.contains("value")) return Unusable{"the answer has neither value nor reject nor skip"};
+    const nlohmann::json& value = object["value"];
+    std::vector<std::string> words;
+    for (const nlohmann::json& x : value.is_array() ? value : nlohmann::json::array({value})) {
+        if (!x.is_string() && !x.is_number()) return Unusable{in_quotes(text_of_json(x)) + " is no number"};
+        words.push_back(x.is_string() ? x.get<std::string>() : number_to_text(x.get<double>()));
+    }
+    return value_of_words(words);
+}
+
+Answer answer_from_plain(std::string_view line, std::string_view id) {
+    const std::vector<std::string> words = words_of(line);
+    if (words.empty()) return Unusable{"the answer is an empty line"};
+    if (words.front() != id)
+        return Unusable{"the answer is to " + in_quotes(words.front()) + ", the question was " + std::string(id)};
+    if (words.size() < 2) return Unusable{"the answer has neither value nor reject nor skip"};
+    const std::string rest = joined(std::span(words).subspan(2));
+    if (words[1] == "skip") return Skipped{rest};
+    if (words[1] == "reject") return Rejected{rest};
+    if (words[1] != "value") return Unusable{in_quotes(words[1]) + " is neither value nor reject nor skip"};
+    return value_of_words({words.begin() + 2, words.end()});
+}
+
+Answer answer_from_cell(std::string_view text) {
+    const std::vector<std::string> words = words_of(text);
+    if (words.empty()) return Skipped{"no answer"};
+    if (words.front() == "skip") return Skipped{"skip"};
+    if (words.front() == "reject") return Rejected{"reject"};
+    return value_of_words(words);
+}
+
+std::map<std::string, Answer> answers_in(std::string_view text, const std::set<std::string>& known) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    refuse_zero_byte("answers", text);
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    return first != std::string_view::npos && text[first] == '{' ? from_json_lines(text, known) : from_csv(text, known);
 }
 
 } // namespace denhartog::conformance

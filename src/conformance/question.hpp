@@ -43,16 +43,13 @@ struct Quantity {
 /// @brief All quantities, in the order of the protocol. @return the quantities
 [[nodiscard]] std::span<const Quantity> quantities();
 
-/// @brief A quantity by its name.
-/// @param name  its name
-/// @return      the quantity
-/// @throws      InputError if no quantity has the name
+/// @brief A quantity by its name. @param name its name @return the quantity @throws InputError if no quantity has the name
 [[nodiscard]] const Quantity& quantity(std::string_view name);
 
 struct ProtocolQuestion;
 
 /// @brief Which link of the chain of quantities a question belongs to. @param q the question
-/// @return   its place from 0 on; the functions of one mass come before the sums over modes
+/// @return its place from 0 on; the functions of one mass come before the sums over modes
 [[nodiscard]] std::size_t place_in_chain(const ProtocolQuestion& q);
 
 /// @brief A question. Its numbers may break any rule of a scene, because an implementation must reject some questions.
@@ -83,16 +80,14 @@ struct ProtocolQuestion {
 };
 
 /// @brief Whether a question is about a scene of the paper: a chain with modal damping ratios, a wall, one loaded mass.
-/// @param q  the question
-/// @return   false where it has one of the last seven members
+/// @param q the question @return false where it has one of the last seven members
 [[nodiscard]] bool is_of_the_paper(const ProtocolQuestion& q);
 
 /// @brief Number of masses of a question's scene. @param q the question @return N
 [[nodiscard]] std::size_t masses_of(const ProtocolQuestion& q);
 
 /// @brief Features of a question's scene that the paper does not treat, by the names of flags, e.g. `contact-between-masses`.
-/// @param q  the question
-/// @return   the names; none for a scene of the paper
+/// @param q the question @return the names; none for a scene of the paper
 [[nodiscard]] std::vector<std::string> beyond_the_paper(const ProtocolQuestion& q);
 
 /// @brief Whether a mode of a question's scene does not vibrate. @param q the question @return whether a zeta_i is 1 or more
@@ -102,10 +97,9 @@ struct ProtocolQuestion {
 /// @return whether it does
 [[nodiscard]] bool asks_for(const ProtocolQuestion& q, std::initializer_list<std::string_view> names);
 
-/// @brief The scene of a question, as the library has it, its numbers taken as exact.
-/// @param q  the question
-/// @return   the scene, checked; a moving base as the load that it is
-/// @throws   InputError if a number breaks a rule of the scene, or the scene does not have the mass asked about
+/// @brief The scene of a question, as the library has it, its numbers taken as exact. @param q the question
+/// @return the scene, checked; a moving base as the load that it is
+/// @throws InputError if a number breaks a rule of the scene, or the scene does not have the mass asked about
 [[nodiscard]] Scene<double> scene_of(const ProtocolQuestion& q);
 
 /// @brief A question as the object of the protocol's `json` dialect. @param q the question @return the object
@@ -114,10 +108,8 @@ struct ProtocolQuestion {
 /// @brief A question as the line of the protocol's `plain` dialect. @param q the question @return the line, without its end
 [[nodiscard]] std::string question_plain(const ProtocolQuestion& q);
 
-/// @brief Reads a question from the object of the `json` dialect. Unknown members are ignored.
-/// @param object  the object
-/// @return        the question
-/// @throws        InputError if a member is missing or has another type
+/// @brief Reads a question from the object of the `json` dialect. Unknown members are ignored. @param object the object
+/// @return the question @throws InputError if a member is missing or has another type
 [[nodiscard]] ProtocolQuestion question_from_json(const nlohmann::json& object);
 
 /// @brief Numbers, or the name of a regime.
@@ -148,7 +140,7 @@ using Answer = std::variant<Value, Rejected, Skipped, Unusable>;
 [[nodiscard]] bool is_regime(std::string_view word);
 
 /// @brief A number as an answer writes it: decimal or hexadecimal, nothing before or after it. @param text the text
-/// @return   the number; none if it is no finite one
+/// @return the number; none if it is no finite one
 [[nodiscard]] std::optional<double> finite_number(std::string_view text);
 
 /// @brief Words in a line. @param words the words @param between what stands between two of them @return the line
@@ -161,21 +153,16 @@ using Answer = std::variant<Value, Rejected, Skipped, Unusable>;
 /// @brief JSON as text, whatever bytes its strings hold. @param x the JSON @return the text
 [[nodiscard]] std::string text_of_json(const nlohmann::json& x);
 
-/// @brief An answer from a line of the `json` dialect, whose id has to be the question's.
-/// @param line  the line
-/// @param id    the question's id
-/// @return      the answer; `Unusable` with the reason if the line is not an answer
+/// @brief An answer from a line of the `json` dialect, whose id has to be the question's. @param line the line
+/// @param id the question's id @return the answer; `Unusable` with the reason if the line is not an answer
 [[nodiscard]] Answer answer_from_json(std::string_view line, std::string_view id);
 
-/// @brief An answer from a line of the `plain` dialect.
-/// @param line  the line
-/// @param id    the question's id
-/// @return      the answer; `Unusable` with the reason if the line is not an answer
+/// @brief An answer from a line of the `plain` dialect. @param line the line @param id the question's id
+/// @return the answer; `Unusable` with the reason if the line is not an answer
 [[nodiscard]] Answer answer_from_plain(std::string_view line, std::string_view id);
 
 /// @brief An answer from the cell of an answers file: numbers separated by spaces, a regime, `reject`, or `skip`.
-/// @param text  the cell
-/// @return      the answer
+/// @param text the cell @return the answer
 [[nodiscard]] Answer answer_from_cell(std::string_view text);
 
 /// @brief Reads answers in a file: CSV with the heading `id,value`, or JSON Lines as the protocol has them.

@@ -27,9 +27,8 @@ std::vector<std::string> all_hexadecimal(const std::vector<double>& numbers) {
 }
 
 double from_hexadecimal(const std::string& text) {
-    const std::optional<double> x = finite_number(text);
-    if (!x) throw InputError("hex", "must hold finite hexadecimal floats", text);
-    return *x;
+    if (const std::optional<double> x = finite_number(text)) return *x;
+    throw InputError("hex", "must hold finite hexadecimal floats", text);
 }
 
 // Forty digits, of which only those of a double are looked at here.
@@ -48,13 +47,17 @@ void check_text(const std::string& name, const std::string& text) {
 void check_id(const std::string& id) {
     check_text("id", id);
     const auto is_allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-'; };
-    if (id.empty() || !std::all_of(id.begin(), id.end(), is_allowed))
-        throw InputError("id", "must be letters, digits and hyphens", id);
+    if (id.empty() || !std::ranges::all_of(id, is_allowed)) throw InputError("id", "must be letters, digits and hyphens", id);
 }
 
 void check_regime(const std::string& name, const std::string& word) {
     if (!is_regime(word)) throw InputError(name, "must be a regime", word);
 }
+
+constexpr std::pair<const char*, std::string Vector::*> texts[] = {
+    {"group", &Vector::group}, {"equation", &Vector::equation}, {"tier", &Vector::tier}};
+constexpr std::pair<const char*, double Tolerance::*> tolerances[] = {
+    {"pass", &Tolerance::pass}, {"loose", &Tolerance::loose}, {"inaccurate", &Tolerance::inaccurate}};
 
 // Scale, condition and tolerance must be there for each number of an answer.
 void check_numbers(const Vector& v) {
@@ -76,9 +79,7 @@ std::string hexadecimal_float(double x) {
 
 Json vector_json(const Vector& v) {
     Json object = question_json(v.question);
-    object["group"] = v.group;
-    object["equation"] = v.equation;
-    object["tier"] = v.tier;
+    for (const auto& [key, text] : texts) object[key] = v.*text;
     if (!v.reject.empty()) {
         object["reject"] = v.reject;
     } else if (!v.word.empty()) {
@@ -89,7 +90,7 @@ Json vector_json(const Vector& v) {
         object["scale"] = hexadecimal_float(v.scale);
         object["condition"] = Json::object();
         for (const auto& [input, number] : v.condition) object["condition"][input] = number;
-        object["tolerance"] = {{"pass", v.tolerance.pass}, {"loose", v.tolerance.loose}, {"inaccurate", v.tolerance.inaccurate}};
+        for (const auto& [key, number] : tolerances) object["tolerance"][key] = v.tolerance.*number;
     }
     if (!v.regime.empty()) object["regime"] = v.regime;
     if (v.margin) object["margin"] = *v.margin;
@@ -106,13 +107,9 @@ Vector vector_from_json(const nlohmann::json& object) {
     Vector v;
     v.question = question_from_json(object);
     try {
-        v.group = object.at("group");
-        v.equation = object.at("equation");
-        v.tier = object.at("tier");
+        for (const auto& [key, text] : texts) object.at(key).get_to(v.*text);
         check_id(v.question.id);
-        check_text("group", v.group);
-        check_text("equation", v.equation);
-        check_text("tier", v.tier);
+        for (const auto& [key, text] : texts) check_text(key, v.*text);
         v.regime = object.value("regime", "");
         if (!v.regime.empty()) check_regime("regime", v.regime);
         if (object.contains("margin")) v.margin = object["margin"].get<double>();
@@ -140,7 +137,7 @@ Vector vector_from_json(const nlohmann::json& object) {
         for (const std::string& x : object.at("hex").get<std::vector<std::string>>()) v.nearest.push_back(from_hexadecimal(x));
         v.scale = from_hexadecimal(object.at("scale"));
         for (const auto& [input, number] : object.at("condition").items()) v.condition.emplace_back(input, number.get<double>());
-        v.tolerance = {object.at("tolerance").at("pass"), object["tolerance"].at("loose"), object["tolerance"].at("inaccurate")};
+        for (const auto& [key, number] : tolerances) object.at("tolerance").at(key).get_to(v.tolerance.*number);
         check_numbers(v);
     } catch (const nlohmann::json::exception& e) {
         throw InputError("vector " + v.question.id, "must have the members of the format", e.what());
@@ -170,7 +167,7 @@ std::string vector_csv(const Vector& v, bool systems) {
     const bool answered = v.reject.empty(), numbers = answered && v.word.empty();
     add(!answered ? "reject" : numbers ? joined(v.value) : v.word, joined(all_hexadecimal(v.nearest)));
     add(numbers ? hexadecimal_float(v.scale) : "");
-    for (const double x : {v.tolerance.pass, v.tolerance.loose, v.tolerance.inaccurate}) add(numbers ? number_to_text(x) : "");
+    for (const auto& [key, number] : tolerances) add(numbers ? number_to_text(v.tolerance.*number) : "");
     add(joined(condition), v.regime, v.margin ? number_to_text(*v.margin) : "", joined(v.flags), joined(v.catches));
     add(answered ? joined(v.routes, "; ") : "", answered ? std::to_string(v.digits[0]) + " " + std::to_string(v.digits[1]) : "");
     if (systems) add(q.base_motion);

@@ -57,31 +57,25 @@ struct Vector {
 /// @brief A vector as a line of a vector file. @param v the vector @return the object, keys in the order of the format
 [[nodiscard]] nlohmann::ordered_json vector_json(const Vector& v);
 
-/// @brief A vector from an object of a vector file.
-/// @param object  the object
-/// @return        the vector
-/// @throws        InputError that names quantity and rule, if the object is not a vector
+/// @brief A vector from an object of a vector file. @param object the object @return the vector
+/// @throws InputError that names quantity and rule, if the object is not a vector
 [[nodiscard]] Vector vector_from_json(const nlohmann::json& object);
 
 /// @brief Whether a vector is about a system beyond the paper. Such vectors are asked only if chosen. @param v the vector
-/// @return   whether its group is one of those that start with `systems-`
+/// @return whether its group is one of those that start with `systems-`
 [[nodiscard]] bool is_of_systems(const Vector& v);
 
 /// @brief Heading of a table of vectors.
-/// @param systems  whether it has the five columns at the end that only systems beyond the paper fill
-/// @return         the line, without its end
+/// @param systems whether it has the five columns at the end that only systems beyond the paper fill
+/// @return the line, without its end
 [[nodiscard]] std::string vector_csv_heading(bool systems = false);
 
 /// @brief A vector as a line of a table; lists are numbers separated by spaces, matrices such lists row by row.
-/// @param v        the vector
-/// @param systems  as the heading has it
-/// @return         the line, without its end
+/// @param v the vector @param systems as the heading has it @return the line, without its end
 [[nodiscard]] std::string vector_csv(const Vector& v, bool systems = false);
 
-/// @brief All vectors of a folder: its files *.jsonl in the order of their names.
-/// @param folder  the folder
-/// @return        the vectors
-/// @throws        InputError if a file cannot be read, a line is not a vector, or an id is given twice
+/// @brief All vectors of a folder: its files *.jsonl in the order of their names. @param folder the folder @return the vectors
+/// @throws InputError if a file cannot be read, a line is not a vector, or an id is given twice
 [[nodiscard]] std::vector<Vector> read_vectors(const std::filesystem::path& folder);
 
 } // namespace denhartog::conformance

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "conformance/grade.hpp"
+#include "conformance/verdict.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/runner_fixtures.hpp"
 
@@ -27,9 +27,10 @@ std::vector<Mistake> known_stubs() {
     std::vector<Mistake> stubs{{"twice", "38", "Everything is twice as large.", "factors of two", {}},
                                {"mu-squared", "", "Amplitudes go with mu squared.", "where mu enters", {}},
                                {"printed", "46", "The sign of the print.", "the sign in (46)", {}},
-                               {"rough", "", "An integrator's mistake.", "the steps", {}, 3e-2}};
+                               {"rough", "", "An integrator's mistake.", "the steps", {}, {}, 3e-2}};
     stubs[2].as_printed = true;
-    for (Mistake& stub : stubs) stub.answer = [name = stub.name](const ProtocolQuestion& q) { return stub_answer(name, q); };
+    for (Mistake& stub : stubs)
+        stub.answer.alone = [name = stub.name](const ProtocolQuestion& q) { return stub_answer(name, q); };
     return stubs;
 }
 
@@ -129,7 +130,7 @@ TEST_CASE("a mistake is matched to its own agreement: an integrator's loosely, a
 
 TEST_CASE("what cannot be used agrees with nothing", "[conformance][diagnosis]") {
     std::vector<Mistake> nothing = stubs;
-    for (Mistake& stub : nothing) stub.answer = [](const ProtocolQuestion&) { return std::optional(Value{}); };
+    for (Mistake& stub : nothing) stub.answer.alone = [](const ProtocolQuestion&) { return std::optional(Value{}); };
     std::vector<Judged> judged = judged_by([](const ProtocolQuestion&) { return Unusable{"nan"}; });
     const Diagnosis d = diagnose(judged, nothing);
     CHECK(d.wrong == 20);

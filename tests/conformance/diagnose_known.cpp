@@ -2,8 +2,8 @@
 #include <map>
 
 #include "conformance/diagnose.hpp"
-#include "conformance/grade.hpp"
 #include "conformance/plain/closed_form.hpp"
+#include "conformance/verdict.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/runner_fixtures.hpp"
 #include "tests/conformance/seeded_questions.hpp"

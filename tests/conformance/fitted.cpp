@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "conformance/diagnose.hpp"
-#include "conformance/grade.hpp"
 #include "conformance/plain/closed_form.hpp"
+#include "conformance/verdict.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/vector_folder.hpp"
 

@@ -1,4 +1,4 @@
-#include "conformance/grade.hpp"
+#include "conformance/verdict.hpp"
 
 #include <cmath>
 #include <functional>
@@ -6,7 +6,6 @@
 
 #include "conformance/plain/closed_form.hpp"
 #include "conformance/vector.hpp"
-#include "conformance/verdict.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/scene/scene.hpp"
 #include "denhartog/sliding/boundary.hpp"

@@ -1,5 +1,5 @@
 // What a method can do decides how its answers are judged.
-#include "conformance/grade.hpp"
+#include "conformance/verdict.hpp"
 
 #include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"

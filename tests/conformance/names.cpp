@@ -6,7 +6,7 @@
 #include <set>
 
 #include "conformance/diagnose.hpp"
-#include "conformance/grade.hpp"
+#include "conformance/verdict.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/unknown_mistakes.hpp"
 #include "tests/conformance/vector_folder.hpp"

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <map>
 
-#include "conformance/grade.hpp"
 #include "conformance/vector.hpp"
+#include "conformance/verdict.hpp"
 #include "denhartog/scene/scene.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/seeded_questions.hpp"

@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "conformance/grade.hpp"
 #include "conformance/vector.hpp"
+#include "conformance/verdict.hpp"
 #include "denhartog/scene/json_document.hpp"
 #include "denhartog/scene/scene.hpp"
 #include "tests/fuzz/answer_claims.hpp"

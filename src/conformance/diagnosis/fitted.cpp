@@ -2,21 +2,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 
 #include "conformance/diagnosis/explanations.hpp"
-#include "conformance/grade.hpp"
 #include "conformance/mistakes/mistake_definition.hpp"
-#include "conformance/plain/closed_form.hpp"
+#include "conformance/verdict.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "elementary/elementary.hpp"
 
 namespace denhartog::conformance {
 namespace {
 
+using std::numbers::pi;
+
 constexpr double of_instants = 1e-6; // agreement
-constexpr std::size_t most_observed = 24;
 constexpr double largest_step = 0.8; // of a grid that deserves the name
 
 // A wrong answer that depends on a maximum over tau.
@@ -27,32 +26,21 @@ struct Observed {
     double S; // that the answer amounts to
 };
 
-double maximum_behind(const ProtocolQuestion& q, double given, const PlainModes& m) {
-    if (q.quantity == "S_j") return given;
-    const double V = modulus(m.V[m.j]) / given, U = m.U[m.j];
-    return std::sqrt(V * V - U * U);
-}
-
-std::optional<Observed> observed(const Judged& one) {
-    const ProtocolQuestion& q = one.vector->question;
-    if (!is_wrong_value(one.verdict) || one.given.numbers.size() != 1 || is_overdamped(q) || !is_of_the_paper(q))
-        return std::nullopt;
-    if (!asks_for(q, {"S_j", "beta_lim_exact", "beta_lim_paper"})) return std::nullopt;
-    Observed seen{q, one.given.numbers.front(), plain_modes(q, {}), 0};
-    seen.S = maximum_behind(q, seen.given, seen.modes);
-    return std::isfinite(seen.S) ? std::optional(seen) : std::nullopt;
-}
-
 // Some of them, from all over the list.
 std::vector<Observed> all_observed(std::span<const Judged> judged) {
+    constexpr std::size_t most_observed = 24;
     std::vector<Observed> all;
-    for (const Judged& one : judged)
-        if (std::optional<Observed> seen = observed(one)) all.push_back(std::move(*seen));
+    for (const Judged& one : judged) {
+        const ProtocolQuestion& q = one.vector->question;
+        if (!is_wrong_value(one.verdict) || one.given.numbers.size() != 1 || is_overdamped(q) || !is_of_the_paper(q) ||
+            !asks_for(q, {"S_j", "beta_lim_exact", "beta_lim_paper"}))
+            continue;
+        Observed seen{q, one.given.numbers.front(), plain_modes(q, {}), one.given.numbers.front()};
+        const double V = modulus(seen.modes.V[seen.modes.j]) / seen.given, U = seen.modes.U[seen.modes.j];
+        if (q.quantity != "S_j") seen.S = std::sqrt(V * V - U * U);
+        if (std::isfinite(seen.S)) all.push_back(std::move(seen));
+    }
     return spread(all, most_observed);
-}
-
-double printed_of_mode(const PlainModes& m, std::size_t i, double tau) {
-    return m.psi[m.j][i] * m.psi[m.j][i] * printed_demand_of_mode(m, i, tau);
 }
 
 // Steps from an end of the half-period at which a function that is large there has a value.
@@ -107,132 +95,101 @@ Instants instants_of(const Grid& grid, const PlainModes& m) {
     return {first, before_end, static_cast<std::size_t>(std::min(steps, 4096.0)) + 1};
 }
 
-// Treatment of the load condition (67).
-enum class LoadCondition : std::uint8_t { asked, beyond_68, left_out };
-
-constexpr std::array load_conditions{LoadCondition::asked, LoadCondition::beyond_68, LoadCondition::left_out};
-
-// Search for a maximum, by (57) as printed or as corrected.
+// Search for a maximum, by (57) as printed or as corrected, of each mode or of the sum, and what becomes of the load condition
+// (67).
 struct WayOfSearch {
     Grid grid;
     bool as_printed = false, of_each_mode = false;
-    LoadCondition load = LoadCondition::asked;
+    bool Choices::*load = nullptr; // none: it is asked
 };
 
-void choose(Choices& c, LoadCondition load) {
-    c.without_load_condition = c.without_load_condition || load == LoadCondition::left_out;
-    c.sliding_beyond_68 = c.sliding_beyond_68 || load == LoadCondition::beyond_68;
-}
+constexpr std::array<bool Choices::*, 3> load_conditions{nullptr, &Choices::sliding_beyond_68, &Choices::without_load_condition};
 
-Choices choices_of(const WayOfSearch& search, const PlainModes& m) {
-    Choices c;
+// Changes the choices that a search makes, and no other.
+void choose(Choices& c, const WayOfSearch& search, const PlainModes& m) {
     c.demand_as_printed = search.as_printed;
     c.instants = instants_of(search.grid, m);
-    c.maximum_of_each_mode = search.of_each_mode;
-    choose(c, search.load);
-    return c;
+    c.maximum_of_each_mode = c.maximum_of_each_mode || search.of_each_mode;
+    if (search.load != nullptr) c.*search.load = true;
 }
 
-using ByLoadCondition = std::array<std::size_t, load_conditions.size()>;
+using ByWay = std::array<std::size_t, 2 * load_conditions.size()>; // of the sum and of each mode, for each load condition
 
-// Number of answers that a search explains, for each treatment of the load condition (67), which leaves the maxima alone.
-ByLoadCondition agreeing(std::span<const Observed> all, const WayOfSearch& search) {
-    ByLoadCondition count{};
+WayOfSearch way_of_search(const Grid& grid, bool as_printed, std::size_t way) {
+    return {grid, as_printed, way % 2 == 1, load_conditions[way / 2]};
+}
+
+// Number of answers that a grid explains in each way.
+ByWay agreeing(std::span<const Observed> all, const Grid& grid, bool as_printed) {
+    ByWay count{};
     for (const Observed& one : all) {
         const std::string& asked = one.question.quantity;
-        const PlainModes& m = one.modes;
-        const Choices c = choices_of(search, m);
-        const double S = plain_demand(m, c, asked == "beta_lim_paper");
-        const auto agrees = [&](double x) { return std::abs(x - one.given) <= of_instants * std::abs(x); };
-        for (std::size_t n = 0; n < count.size(); ++n) {
-            Choices with = c;
-            choose(with, load_conditions[n]);
-            count[n] += agrees(asked == "S_j" ? S : plain_limit(m, with, S));
+        std::array<double, 2> S{}; // the load condition leaves the maxima alone
+        for (std::size_t way = 0; way < count.size(); ++way) {
+            Choices c;
+            choose(c, way_of_search(grid, as_printed, way), one.modes);
+            if (way < 2) S[way] = plain_demand(one.modes, c, asked == "beta_lim_paper");
+            const double x = asked == "S_j" ? S[way % 2] : plain_limit(one.modes, c, S[way % 2]);
+            count[way] += std::abs(x - one.given) <= of_instants * std::abs(x);
         }
     }
     return count;
 }
 
-// The best of some grids, each with the sum before the maximum or after it, with the load condition or without.
+// The best way of some grids; of equal ones the first.
 std::optional<WayOfSearch> best_of(const std::vector<Observed>& all, bool as_printed, const std::vector<Grid>& grids) {
     constexpr std::size_t first_look = 6;
     const auto first = std::span(all).first(std::min(first_look, all.size()));
     std::optional<WayOfSearch> best;
     std::size_t most = least_agreeing - 1;
     for (const Grid& grid : grids) {
-        std::array<ByLoadCondition, 2> counts{};
-        for (const bool of_each_mode : {false, true}) {
-            const WayOfSearch search{grid, as_printed, of_each_mode};
-            const ByLoadCondition seen = agreeing(first, search);
-            if (seen == ByLoadCondition{}) continue;
-            counts[of_each_mode] = agreeing(all, search);
-            for (std::size_t n = 0; n < seen.size(); ++n)
-                if (seen[n] == 0) counts[of_each_mode][n] = 0;
+        const ByWay seen = agreeing(first, grid, as_printed);
+        if (seen == ByWay{}) continue;
+        const ByWay counts = agreeing(all, grid, as_printed);
+        for (std::size_t way = 0; way < counts.size(); ++way) {
+            if (seen[way] == 0 || counts[way] <= most) continue;
+            most = counts[way];
+            best = way_of_search(grid, as_printed, way);
         }
-        for (std::size_t n = 0; n < load_conditions.size(); ++n)
-            for (const bool of_each_mode : {false, true}) {
-                if (counts[of_each_mode][n] <= most) continue;
-                most = counts[of_each_mode][n];
-                best = WayOfSearch{grid, as_printed, of_each_mode, load_conditions[n]};
-            }
     }
     return best;
 }
 
-// Steps from the ends of the half-period at which (57) as printed has the values that are observed.
-struct EndSteps {
-    std::vector<double> at_start, at_end, at_both;
-};
+// Steps from the start of the half-period, from its end, and from both, at which (57) as printed has a value that is observed.
+using EndSteps = std::array<std::vector<double>, 3>;
 
 EndSteps end_steps(const Observed& one) {
     const PlainModes& m = one.modes;
-    const auto sum = [&](const std::function<double(std::size_t)>& of_mode) {
+    const auto larger = [&](double h) {
         double S = 0;
-        for (std::size_t i = 0; i < m.R.size(); ++i) S += of_mode(i);
+        for (std::size_t i = 0; i < m.R.size(); ++i)
+            S += m.psi[m.j][i] * m.psi[m.j][i] * std::max(demand_of_mode(m, i, h, true), demand_of_mode(m, i, pi - h, true));
         return S;
     };
-    const auto late = [](double step) { return std::numbers::pi - step; };
-    const auto larger = [&](std::size_t i, double h) {
-        return std::max(printed_of_mode(m, i, h), printed_of_mode(m, i, late(h)));
-    };
-    return {steps_at([&](double h) { return sum([&](std::size_t i) { return printed_of_mode(m, i, h); }); }, one.S),
-            steps_at([&](double h) { return sum([&](std::size_t i) { return printed_of_mode(m, i, late(h)); }); }, one.S),
-            steps_at([&](double h) { return sum([&](std::size_t i) { return larger(i, h); }); }, one.S)};
+    return {steps_at([&](double h) { return plain_demand_at(m, h, true); }, one.S),
+            steps_at([&](double h) { return plain_demand_at(m, pi - h, true); }, one.S), steps_at(larger, one.S)};
 }
 
 void add_grids(std::vector<Grid>& shown, const std::vector<Observed>& all, const std::vector<EndSteps>& steps,
                const GridMeasure& measure) {
-    const auto common = [&](std::vector<double> EndSteps::*end) {
+    std::array<std::optional<double>, 3> common;
+    for (std::size_t end = 0; end < common.size(); ++end) {
         std::vector<double> numbers;
         for (std::size_t n = 0; n < all.size(); ++n)
-            for (const double h : steps[n].*end) numbers.push_back(h / measure.of(all[n].modes));
-        return most_common(std::move(numbers));
+            for (const double h : steps[n][end]) numbers.push_back(h / measure.of(all[n].modes));
+        common[end] = most_common(std::move(numbers));
+    }
+    const auto& [start, end, both] = common;
+    const double fine = pi / 1000;
+    const auto add = [&](double first, std::optional<double> before_end, std::initializer_list<double> each_step) {
+        for (const double step : each_step) shown.push_back({first, before_end, step, &measure});
     };
-    const std::optional<double> start = common(&EndSteps::at_start), end = common(&EndSteps::at_end),
-                                both = common(&EndSteps::at_both);
-    const double fine = std::numbers::pi / 1000;
-    const auto add = [&](double first, std::optional<double> before_end, double step) {
-        shown.push_back({first, before_end, step, &measure});
-    };
-    for (const std::optional<double>& h : {both, start, end}) {
-        if (!h) continue;
-        add(*h, *h, *h);
-        add(*h, *h, fine);
-    }
-    if (start && end) {
-        add(*start, *end, *start);
-        add(*start, *end, *end);
-        add(*start, *end, fine);
-    }
-    if (start) {
-        add(*start, std::nullopt, *start);
-        add(*start, 0, *start);
-        add(*start, 0, fine);
-    }
-    if (end) {
-        add(*end, *end, *end);
-        add(fine, *end, fine);
-    }
+    for (const std::optional<double>& h : {both, start, end})
+        if (h) add(*h, *h, {*h, fine});
+    if (start && end) add(*start, *end, {*start, *end, fine});
+    if (start) add(*start, std::nullopt, {*start});
+    if (start) add(*start, 0, {*start, fine});
+    if (end) add(fine, *end, {fine});
 }
 
 std::vector<Grid> grids_shown(const std::vector<Observed>& all) {
@@ -254,20 +211,7 @@ std::vector<Grid> coarse_grids() {
 
 Answering answer_of(const WayOfSearch& search) {
     return where_modes_vibrate(
-        by_formulas_of({"S_j", "beta_lim_exact", "beta_lim_paper", "regime"}, [search](Choices& c, const ProtocolQuestion& q) {
-            const Choices of_search = choices_of(search, plain_modes(q, {}));
-            c.demand_as_printed = of_search.demand_as_printed;
-            c.instants = of_search.instants;
-            c.maximum_of_each_mode = c.maximum_of_each_mode || of_search.maximum_of_each_mode;
-            choose(c, search.load);
-        }));
-}
-
-std::vector<std::string> named_besides(const WayOfSearch& search) {
-    std::vector<std::string> names;
-    if (search.of_each_mode) names.emplace_back("56-as-printed");
-    if (search.load == LoadCondition::beyond_68) names.emplace_back("68-as-printed");
-    return names;
+        by_formulas_of(of_maximum, [search](Choices& c, const ProtocolQuestion& q) { choose(c, search, plain_modes(q, {})); }));
 }
 
 std::string told(const WayOfSearch& search) {
@@ -277,11 +221,25 @@ std::string told(const WayOfSearch& search) {
            (grid.before_end ? " to pi - " + number(*grid.before_end) : " on, " + number(grid.step) + " apart") +
            (search.as_printed ? "" : ", " + std::to_string(instants_of(grid, {}).count) + " of them") +
            (search.of_each_mode ? "; the maximum of each mode, (56)" : "; the maximum of the sum over the modes") +
-           (search.load == LoadCondition::left_out ? "; without the load condition (67)" : "");
+           (search.load == &Choices::without_load_condition ? "; without the load condition (67)" : "");
 }
 
-constexpr int most_periods = 200;
-constexpr std::size_t most_probed = 9, first_probed = 3;
+// Finds the instants at which a program looks for the maximum of (57), from wrong answers for S_j and the boundaries: of
+// `57-as-printed` or `coarse-grid-of-tau`. The instants may be the same in every scene, or proportional to r, 1 / r, R_1 or R_N.
+std::optional<Mistake> fitted_instants(std::span<const Judged> judged) {
+    const std::vector<Observed> all = all_observed(judged);
+    if (all.size() < least_agreeing) return std::nullopt;
+    std::optional<WayOfSearch> search = best_of(all, true, grids_shown(all));
+    if (!search) search = best_of(all, false, coarse_grids());
+    if (!search) return std::nullopt;
+    Mistake fitted{search->as_printed ? "57-as-printed" : "coarse-grid-of-tau", "", "", "", answer_of(*search)};
+    fitted.number = told(*search);
+    if (search->of_each_mode) fitted.besides.emplace_back("56-as-printed");
+    if (search->load == &Choices::sliding_beyond_68) fitted.besides.emplace_back("68-as-printed");
+    return fitted;
+}
+
+constexpr std::size_t most_periods = 200;
 
 // Distance of a wrong answer from the motion from rest, for each of its periods; infinite for an answer that is not of a period.
 std::vector<double> distances(const Judged& one) {
@@ -298,6 +256,7 @@ std::vector<double> distances(const Judged& one) {
 }
 
 std::vector<const Judged*> probes(std::span<const Judged> judged) {
+    constexpr std::size_t most_probed = 9;
     std::vector<const Judged*> all;
     for (const Judged& one : judged) {
         const Vector& v = *one.vector;
@@ -317,34 +276,22 @@ struct Shown {
 // The period that most answers show; of two the one to which they are nearer.
 Shown shown_by(const std::vector<std::vector<double>>& all) {
     Shown best;
-    for (int n = 1; n <= most_periods; ++n) {
-        Shown of_n{n, 0, 0};
+    for (std::size_t n = 0; n < most_periods; ++n) {
+        Shown of_n{static_cast<int>(n) + 1};
         for (const std::vector<double>& of_one : all) {
-            const double apart = of_one[static_cast<std::size_t>(n - 1)];
-            if (!std::isfinite(apart)) continue;
+            if (!std::isfinite(of_one[n])) continue;
             ++of_n.agreeing;
-            of_n.distance += elementary::log10(std::max(apart, 1e-16));
+            of_n.distance += elementary::log10(std::max(of_one[n], 1e-16));
         }
-        if (of_n.agreeing > best.agreeing || (of_n.agreeing == best.agreeing && of_n.distance < best.distance)) best = of_n;
+        if (std::pair(of_n.agreeing, -of_n.distance) > std::pair(best.agreeing, -best.distance)) best = of_n;
     }
     return best;
 }
 
-// Finds the instants at which a program looks for the maximum of (57), from wrong answers for S_j and the boundaries: of
-// `57-as-printed` or `coarse-grid-of-tau`. The instants may be the same in every scene, or proportional to r, 1 / r, R_1 or R_N.
-std::optional<Fitted> fitted_instants(std::span<const Judged> judged) {
-    const std::vector<Observed> all = all_observed(judged);
-    if (all.size() < least_agreeing) return std::nullopt;
-    std::optional<WayOfSearch> search = best_of(all, true, grids_shown(all));
-    if (!search) search = best_of(all, false, coarse_grids());
-    if (!search) return std::nullopt;
-    return Fitted{search->as_printed ? "57-as-printed" : "coarse-grid-of-tau", told(*search), answer_of(*search),
-                  named_besides(*search)};
-}
-
 } // namespace
 
-std::optional<Fitted> fitted_transient(std::span<const Judged> judged) {
+std::optional<Mistake> fitted_transient(std::span<const Judged> judged) {
+    constexpr std::size_t first_probed = 3;
     const std::vector<const Judged*> some = probes(judged);
     if (some.size() < least_agreeing) return std::nullopt;
     std::vector<std::vector<double>> all;
@@ -357,15 +304,17 @@ std::optional<Fitted> fitted_transient(std::span<const Judged> judged) {
     }
     const Shown shown = shown_by(all);
     if (shown.agreeing < least_agreeing || 2 * shown.agreeing < all.size()) return std::nullopt; // of 200 some agree by chance
-    return Fitted{"transient", "read off in period " + std::to_string(shown.period) + " from rest",
-                  [period = shown.period](const ProtocolQuestion& q) {
-                      if (!asks_for(q, {"amplitude", "phase", "motion_under_force"})) return std::optional<Value>();
-                      return where_finite([&] { return answers_of_transient(q, period, period).front(); });
-                  }};
+    const auto answer = [period = shown.period](const ProtocolQuestion& q) {
+        if (!asks_for(q, {"amplitude", "phase", "motion_under_force"})) return std::optional<Value>();
+        return answers_of_transient(q, period, period).front();
+    };
+    Mistake fitted{"transient", "", "", "", {answer}};
+    fitted.number = "read off in period " + std::to_string(shown.period) + " from rest";
+    return fitted;
 }
 
 std::vector<Mistake> fitted_to(std::span<const Judged> judged, std::vector<Mistake> known) {
-    for (const std::optional<Fitted>& fitted : {fitted_instants(judged), fitted_transient(judged)})
+    for (const std::optional<Mistake>& fitted : {fitted_instants(judged), fitted_transient(judged)})
         for (Mistake& mistake : known) {
             if (!fitted || mistake.name != fitted->name) continue;
             mistake.number = fitted->number;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <numbers>
 
@@ -18,82 +17,83 @@ constexpr double fits = 1e-6;
 
 std::string short_text(double x) { return number_in_digits(x, 4); }
 
-bool is_in_numbers(const Judged& one) {
-    return one.answered && one.given.word.empty() && !one.given.numbers.empty() &&
-           one.given.numbers.size() == one.vector->nearest.size();
-}
-
 // The answers in numbers to each quantity.
 std::map<std::string, std::vector<const Judged*>> numbers_by_quantity(std::span<const Judged* const> wrong) {
     std::map<std::string, std::vector<const Judged*>> all;
     for (const Judged* one : wrong)
-        if (is_in_numbers(*one)) all[one->vector->question.quantity].push_back(one);
+        if (one->answered && !one->given.numbers.empty() && one->given.numbers.size() == one->vector->nearest.size())
+            all[one->vector->question.quantity].push_back(one);
     return all;
 }
 
-Mistake changed_numbers(std::string told, const std::string& asked,
-                        std::function<double(double x, const ProtocolQuestion& q)> change) {
-    return {"", "", std::move(told), "", each_changed({quantity(asked).name}, std::move(change))};
+// A change of the answers to a quantity by a number, which an answer, the truth and the question show; not finite where they do
+// not.
+struct ChangeByNumber {
+    const char* told;
+    double (*number)(double given, double truth, const ProtocolQuestion& q, bool angle);
+    double (*made)(double x, double number, const ProtocolQuestion& q, bool angle);
+    bool in_halves = false; // whether the number is half of a whole one, and one in two answers may show none
+};
+
+// The power of a number of the scene that a factor is.
+template <double (*of)(const ProtocolQuestion&)>
+constexpr ChangeByNumber power_of(const char* told) {
+    return {told,
+            [](double given, double truth, const ProtocolQuestion& q, bool) {
+                const double factor = given / truth, size = of(q);
+                const bool is_power = factor > 0 && std::isfinite(factor) && size > 0 && size != 1;
+                return is_power ? elementary::log(factor) / elementary::log(size) : std::nan("");
+            },
+            [](double x, double exponent, const ProtocolQuestion& q, bool) {
+                return x * elementary::exp(exponent * elementary::log(of(q)));
+            },
+            true};
 }
 
+double frequency_of(const ProtocolQuestion& q) { return q.r; }
+double static_friction_of(const ProtocolQuestion& q) { return q.mu; }
+double mass_ratio_of(const ProtocolQuestion& q) {
+    return q.mass_ratios.empty() ? 1 : q.mass_ratios[static_cast<std::size_t>(q.contact - 1)];
+}
+
+constexpr ChangeByNumber changes[] = {
+    {" plus ",
+     [](double given, double truth, const ProtocolQuestion&, bool angle) {
+         return angle ? wrapped_angle(given - truth) : given - truth;
+     },
+     [](double x, double by, const ProtocolQuestion&, bool angle) { return angle ? wrapped_angle(x + by) : x + by; }},
+    {" times ",
+     [](double given, double truth, const ProtocolQuestion&, bool) { return truth != 0 ? given / truth : std::nan(""); },
+     [](double x, double by, const ProtocolQuestion&, bool) { return by * x; }},
+    power_of<frequency_of>(" times r^"),
+    power_of<static_friction_of>(" times mu^"),
+    power_of<mass_ratio_of>(" times gamma_j^")};
+
 // The middle one of some numbers, or the half of a whole number next to it, if every second number is that.
-std::optional<double> shared(std::vector<double> numbers, bool in_halves = false) {
+std::optional<double> shared(std::vector<double> numbers, bool in_halves) {
     if (numbers.empty()) return std::nullopt;
-    std::nth_element(numbers.begin(), numbers.begin() + static_cast<long>(numbers.size() / 2), numbers.end());
+    std::ranges::nth_element(numbers, numbers.begin() + static_cast<long>(numbers.size() / 2));
     const double middle = numbers[numbers.size() / 2], x = in_halves ? std::round(2 * middle) / 2 : middle;
     const auto equal = [&](double y) { return std::abs(y - x) <= fits * std::abs(x); };
     const bool is_shared = 2 * std::ranges::count_if(numbers, equal) >= static_cast<long>(numbers.size());
     return is_shared && std::abs(middle - x) <= fits ? std::optional(x) : std::nullopt;
 }
 
-// A factor, or an offset, in the answers to a quantity.
-void add_changes(std::vector<Mistake>& all, const std::string& asked, const std::vector<const Judged*>& answers) {
-    std::vector<double> factors, offsets;
-    const bool angle = quantity(asked).angle;
-    for (const Judged* one : answers) {
-        const double given = one->given.numbers.front(), truth = one->vector->nearest.front();
-        if (truth != 0) factors.push_back(given / truth);
-        offsets.push_back(angle ? wrapped_angle(given - truth) : given - truth);
-    }
-    if (const std::optional<double> offset = shared(offsets))
+// Changes by one number of all answers to a quantity.
+void add_changes(std::vector<Mistake>& all, const Quantity& asked, const std::vector<const Judged*>& answers) {
+    for (const ChangeByNumber& change : changes) {
+        std::vector<double> numbers;
+        for (const Judged* one : answers)
+            numbers.push_back(
+                change.number(one->given.numbers.front(), one->vector->nearest.front(), one->vector->question, asked.angle));
+        std::erase_if(numbers, [](double x) { return std::isnan(x); });
+        const std::optional<double> number = shared(numbers, change.in_halves);
+        if (!number || (change.in_halves && (*number == 0 || 2 * numbers.size() < answers.size()))) continue;
+        const auto made = [&change, by = *number, angle = asked.angle](double x, const ProtocolQuestion& q) {
+            return change.made(x, by, q, angle);
+        };
         all.push_back(
-            changed_numbers(asked + " plus " + short_text(*offset), asked, [=, by = *offset](double x, const ProtocolQuestion&) {
-                return angle ? wrapped_angle(x + by) : x + by;
-            }));
-    if (const std::optional<double> factor = shared(factors))
-        all.push_back(changed_numbers(asked + " times " + short_text(*factor), asked,
-                                      [by = *factor](double x, const ProtocolQuestion&) { return by * x; }));
-}
-
-// A number of the scene, to some power of which answers may have a wrong factor.
-struct Base {
-    const char* name;
-    double (*of)(const ProtocolQuestion&);
-};
-
-constexpr Base bases[] = {{"r", [](const ProtocolQuestion& q) { return q.r; }},
-                          {"mu", [](const ProtocolQuestion& q) { return q.mu; }},
-                          {"gamma_j", [](const ProtocolQuestion& q) {
-                               return q.mass_ratios.empty() ? 1 : q.mass_ratios[static_cast<std::size_t>(q.contact - 1)];
-                           }}};
-
-// A power of a number of the scene in the answers to a quantity.
-void add_powers(std::vector<Mistake>& all, const std::string& asked, const std::vector<const Judged*>& answers) {
-    for (const Base& base : bases) {
-        std::vector<double> exponents;
-        for (const Judged* one : answers) {
-            const double factor = one->given.numbers.front() / one->vector->nearest.front();
-            const double size = base.of(one->vector->question);
-            if (factor > 0 && std::isfinite(factor) && size > 0 && size != 1)
-                exponents.push_back(elementary::log(factor) / elementary::log(size));
-        }
-        if (2 * exponents.size() < answers.size()) continue;
-        const double exponent = shared(exponents, true).value_or(0);
-        if (exponent == 0) continue;
-        all.push_back(changed_numbers(asked + " times " + base.name + "^" + short_text(exponent), asked,
-                                      [&base, exponent](double x, const ProtocolQuestion& q) {
-                                          return x * elementary::exp(exponent * elementary::log(base.of(q)));
-                                      }));
+            {"", "", std::string(asked.name) + change.told + short_text(*number), "", each_changed({asked.name}, made)});
     }
 }
 
@@ -117,12 +117,11 @@ constexpr Input inputs[] = {
 const Choices closed_form_alone{.closed_form_alone = true};
 
 Mistake read_as(std::string told, std::function<void(ProtocolQuestion&)> change) {
-    return {"", "", std::move(told), "", [change = std::move(change)](const ProtocolQuestion& q) {
+    return {"", "", std::move(told), "", by_itself([change = std::move(change)](ProtocolQuestion q) {
                 if (!is_of_the_paper(q)) return std::optional<Value>();
-                ProtocolQuestion other = q;
-                change(other);
-                return plain_answer(other, closed_form_alone);
-            }};
+                change(q);
+                return plain_answer(q, closed_form_alone);
+            })};
 }
 
 // Whether a guess gives half of some answers. Most guesses do not, and need no further look.
@@ -158,47 +157,47 @@ void add_factors(std::vector<Mistake>& all, const Input& input, std::span<const 
     }
 }
 
-Mistake with(std::string told, std::function<void(Choices&)> choose) {
-    return {"", "", std::move(told), "", [choose = std::move(choose)](const ProtocolQuestion& q) {
-                Choices c = closed_form_alone;
-                choose(c);
-                return plain_answer(q, c);
-            }};
-}
-
-void add_others(std::vector<Mistake>& all) {
-    const auto reversed = [](std::vector<double>& list, std::size_t from) {
-        std::reverse(list.begin() + static_cast<long>(from), list.end());
+// Masses or springs, from one of them on, in the other order.
+Mistake in_other_order(const std::string& which, std::vector<double> ProtocolQuestion::*ratios, long from) {
+    return read_as("the " + which + " in the other order", [ratios, from](ProtocolQuestion& q) {
+        std::vector<double>& list = q.*ratios;
+        std::reverse(list.begin() + from, list.end());
         const double unit = list.front();
         for (double& x : list) x /= unit;
-    };
-    for (const std::size_t from : {0, 1}) {
-        const std::string which = from == 0 ? "" : " behind the first";
-        all.push_back(
-            read_as("the masses" + which + " in the other order", [=](ProtocolQuestion& q) { reversed(q.mass_ratios, from); }));
-        all.push_back(read_as("the springs" + which + " in the other order",
-                              [=](ProtocolQuestion& q) { reversed(q.stiffness_ratios, from); }));
-    }
-    all.push_back(read_as("mass ratios and stiffness ratios exchanged",
-                          [](ProtocolQuestion& q) { std::swap(q.mass_ratios, q.stiffness_ratios); }));
-    all.push_back(read_as("masses counted from the other end of the chain", [](ProtocolQuestion& q) {
-        const int N = static_cast<int>(q.mass_ratios.size());
-        q.contact = N + 1 - q.contact;
-        q.load = N + 1 - q.load;
-        if (q.mass > 0) q.mass = N + 1 - q.mass;
-    }));
-    all.push_back(with("the last mode is missing", [](Choices& c) {
-        c.change_modes = [](PlainModes& m) {
-            if (m.psi.size() > 1)
-                for (auto& row : m.psi) row.back() = 0;
-        };
-    }));
-    all.push_back(with("damped natural frequencies in R_i of the response", [](Choices& c) {
-        c.change_modes = [](PlainModes& m) {
-            for (std::size_t i = 0; i < m.R.size(); ++i)
-                if (m.zeta[i] < 1) m.R[i] /= std::sqrt(1 - m.zeta[i] * m.zeta[i]);
-        };
-    }));
+    });
+}
+
+Mistake with_modes(std::string told, void (*change)(PlainModes&)) {
+    return {"", "", std::move(told), "", by_itself([change](const ProtocolQuestion& q) {
+                Choices c = closed_form_alone;
+                c.change_modes = change;
+                return plain_answer(q, c);
+            })};
+}
+
+std::vector<Mistake> others() {
+    return {in_other_order("masses", &ProtocolQuestion::mass_ratios, 0),
+            in_other_order("springs", &ProtocolQuestion::stiffness_ratios, 0),
+            in_other_order("masses behind the first", &ProtocolQuestion::mass_ratios, 1),
+            in_other_order("springs behind the first", &ProtocolQuestion::stiffness_ratios, 1),
+            read_as("mass ratios and stiffness ratios exchanged",
+                    [](ProtocolQuestion& q) { std::swap(q.mass_ratios, q.stiffness_ratios); }),
+            read_as("masses counted from the other end of the chain",
+                    [](ProtocolQuestion& q) {
+                        const int N = static_cast<int>(q.mass_ratios.size());
+                        q.contact = N + 1 - q.contact;
+                        q.load = N + 1 - q.load;
+                        if (q.mass > 0) q.mass = N + 1 - q.mass;
+                    }),
+            with_modes("the last mode is missing",
+                       [](PlainModes& m) {
+                           for (auto& row : m.psi)
+                               if (m.psi.size() > 1) row.back() = 0;
+                       }),
+            with_modes("damped natural frequencies in R_i of the response", [](PlainModes& m) {
+                for (std::size_t i = 0; i < m.R.size(); ++i)
+                    if (m.zeta[i] < 1) m.R[i] /= std::sqrt(1 - m.zeta[i] * m.zeta[i]);
+            })};
 }
 
 } // namespace
@@ -224,12 +223,9 @@ std::vector<double> sign_changes(const std::function<double(double)>& f, const s
 std::vector<Mistake> guesses_at(std::span<const Judged* const> wrong) {
     constexpr std::size_t least = 3, most_probed = 6, probes = 2;
     std::vector<Mistake> all;
-    std::map<std::string, std::vector<const Judged*>> of = numbers_by_quantity(wrong);
+    const std::map<std::string, std::vector<const Judged*>> of = numbers_by_quantity(wrong);
     for (const auto& [asked, answers] : of)
-        if (answers.size() >= least) {
-            add_changes(all, asked, answers);
-            add_powers(all, asked, answers);
-        }
+        if (answers.size() >= least) add_changes(all, quantity(asked), answers);
     // The first quantity in the protocol's order, which needs the fewest others, tells most of an input.
     for (const Quantity& each : quantities()) {
         const auto found = of.find(std::string(each.name));
@@ -237,10 +233,8 @@ std::vector<Mistake> guesses_at(std::span<const Judged* const> wrong) {
         const std::vector<const Judged*> probed = spread(found->second, most_probed);
         for (const Input& input : inputs)
             for (const Judged* probe : spread(probed, probes)) add_factors(all, input, probed, *probe);
-        std::vector<Mistake> others;
-        add_others(others);
-        for (Mistake& guess : others)
-            if (fits_some(guess, probed)) all.push_back(std::move(guess));
+        for (const Mistake& guess : others())
+            if (fits_some(guess, probed)) all.push_back(guess);
         break;
     }
     return all;

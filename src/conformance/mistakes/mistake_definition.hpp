@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <initializer_list>
 #include <string_view>
 #include <vector>
 
@@ -21,18 +20,22 @@ inline const Names of_load{"beta_lim_approximate", "beta_lim_exact", "beta_lim_p
     of_boundary{"beta_lim_exact", "beta_lim_paper", "regime"}, of_maximum{"S_j", "beta_lim_exact", "beta_lim_paper", "regime"};
 
 // The plain closed form with other choices. It affects the quantities `touched`; all if there are none.
+[[nodiscard]] Answering by_formulas_of(Names touched, std::function<void(Choices&, const ProtocolQuestion&)> choose);
 [[nodiscard]] Answering by_formulas(Names touched, std::function<void(Choices&)> choose);
 [[nodiscard]] Answering by_formulas(Names touched, bool Choices::*choice);
-[[nodiscard]] Answering by_formulas_of(Names touched, std::function<void(Choices&, const ProtocolQuestion&)> choose);
+
+// The answers of a program that makes a mistake, which is not made together with others.
+[[nodiscard]] inline Answering by_itself(std::function<std::optional<Value>(const ProtocolQuestion&)> answer) {
+    return {std::move(answer)};
+}
 
 // A mistake that is made only if no mode is overdamped.
 [[nodiscard]] Answering where_modes_vibrate(Answering mistake);
 
-// The right answer to some quantities, changed.
+// The right answer to some quantities, changed; or each of its numbers.
 [[nodiscard]] Answering changed(Names touched, std::function<void(Value& value, const ProtocolQuestion& q)> change);
-
-// The right answer to some quantities, each of its numbers changed.
 [[nodiscard]] Answering each_changed(Names touched, std::function<double(double x, const ProtocolQuestion& q)> change);
+[[nodiscard]] Answering each_changed(Names touched, std::function<double(double x)> change);
 
 // The right answer to another question; none if the change leaves the question as it is.
 [[nodiscard]] Answering reading(std::function<void(ProtocolQuestion&)> change);

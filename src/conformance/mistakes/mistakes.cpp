@@ -4,7 +4,6 @@
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog::conformance {
-
 namespace {
 
 // Whether a question is about one of some quantities; about any if there are none.
@@ -14,30 +13,26 @@ std::function<bool(const ProtocolQuestion&)> about(Names touched) {
     };
 }
 
-// The answers of a mistake alone follow from its change.
-Answering of_changes(Answering mistake) {
-    mistake.alone = [parts = mistake](const ProtocolQuestion& q) {
-        const Answering* const only = &parts;
-        return answer_with_several({&only, 1}, q);
-    };
-    return mistake;
-}
-
 } // namespace
+
+std::optional<Value> Answering::operator()(const ProtocolQuestion& q) const {
+    const Answering* const only = this;
+    return alone ? where_finite([&] { return alone(q); }) : answer_with_several({&only, 1}, q);
+}
 
 std::optional<Value> answer_with_several(std::span<const Answering* const> several, const ProtocolQuestion& q) {
     return where_finite([&] {
+        std::vector<const Answering*> made;
+        std::ranges::copy_if(several, std::back_inserter(made), [&](const auto* one) { return one->touches && one->touches(q); });
+        if (made.empty()) return std::optional<Value>();
         ProtocolQuestion read = q;
         Choices c;
-        std::vector<const Answering*> made;
-        for (const Answering* mistake : several)
-            if (mistake->touches && mistake->touches(q)) made.push_back(mistake);
+        bool formulas = false;
         for (const Answering* mistake : made) {
+            formulas = formulas || mistake->choose;
             if (mistake->read) mistake->read(read);
             if (mistake->choose) mistake->choose(c, q);
         }
-        if (made.empty()) return std::optional<Value>();
-        const bool formulas = std::ranges::any_of(made, [](const Answering* mistake) { return bool(mistake->choose); });
         std::optional<Value> value = formulas ? plain_answer(read, c) : plain_answer(read);
         for (const Answering* mistake : made)
             if (value && mistake->change) mistake->change(*value, q);
@@ -46,10 +41,7 @@ std::optional<Value> answer_with_several(std::span<const Answering* const> sever
 }
 
 Answering by_formulas_of(Names touched, std::function<void(Choices&, const ProtocolQuestion&)> choose) {
-    Answering mistake;
-    mistake.touches = about(std::move(touched));
-    mistake.choose = std::move(choose);
-    return of_changes(std::move(mistake));
+    return {.touches = about(std::move(touched)), .choose = std::move(choose)};
 }
 
 Answering by_formulas(Names touched, std::function<void(Choices&)> choose) {
@@ -61,10 +53,7 @@ Answering by_formulas(Names touched, bool Choices::*choice) {
 }
 
 Answering changed(Names touched, std::function<void(Value& value, const ProtocolQuestion& q)> change) {
-    Answering mistake;
-    mistake.touches = about(std::move(touched));
-    mistake.change = std::move(change);
-    return of_changes(std::move(mistake));
+    return {.touches = about(std::move(touched)), .change = std::move(change)};
 }
 
 Answering each_changed(Names touched, std::function<double(double x, const ProtocolQuestion& q)> change) {
@@ -73,35 +62,31 @@ Answering each_changed(Names touched, std::function<double(double x, const Proto
     });
 }
 
+Answering each_changed(Names touched, std::function<double(double x)> change) {
+    return each_changed(std::move(touched),
+                        [change = std::move(change)](double x, const ProtocolQuestion&) { return change(x); });
+}
+
 Answering where_modes_vibrate(Answering mistake) {
     mistake.touches = [touches = std::move(mistake.touches)](const ProtocolQuestion& q) {
         return !is_overdamped(q) && touches(q);
     };
-    return of_changes(std::move(mistake));
+    return mistake;
 }
 
 Answering reading(std::function<void(ProtocolQuestion&)> change) {
-    Answering mistake;
-    mistake.touches = [change](const ProtocolQuestion& q) {
+    const auto touches = [change](const ProtocolQuestion& q) {
         ProtocolQuestion other = q;
         change(other);
         return other != q;
     };
-    mistake.read = std::move(change);
-    return of_changes(std::move(mistake));
+    return {.touches = touches, .read = std::move(change)};
 }
 
 std::span<const Mistake> mistakes() {
     static const std::vector<Mistake> all = [] {
-        std::vector<Mistake> list;
-        for (auto part : {mistakes_of_input(), mistakes_of_formulas(), mistakes_of_output()})
-            for (Mistake& mistake : part) {
-                // none for a place beyond the chain, or a motion that is none
-                mistake.answer.alone = [answer = std::move(mistake.answer.alone)](const ProtocolQuestion& q) {
-                    return where_finite([&] { return answer(q); });
-                };
-                list.push_back(std::move(mistake));
-            }
+        std::vector<Mistake> list = mistakes_of_input();
+        for (const auto& part : {mistakes_of_formulas(), mistakes_of_output()}) list.insert(list.end(), part.begin(), part.end());
         std::ranges::sort(list, {}, &Mistake::name);
         return list;
     }();

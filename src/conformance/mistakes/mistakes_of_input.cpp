@@ -20,15 +20,20 @@ bool has_damped_base(const ProtocolQuestion& q) {
     return std::ranges::any_of(dampers, [](double x) { return x != 0; });
 }
 
-bool is_in_moving_frame(const ProtocolQuestion& q) {
-    return quantity(q.quantity).absolute && (q.base_motion == "with_wall" || q.base_motion == "wall");
-}
-
 // Absolute motions, where the motion of the frame is added so many times: once is right.
 Answering adding_frame(double times) {
-    return Answering(
-        [times](const ProtocolQuestion& q) { return is_in_moving_frame(q) ? plain_answer_in_frame(q, times) : std::nullopt; });
+    return {[times](const ProtocolQuestion& q) {
+        const bool moves = quantity(q.quantity).absolute && (q.base_motion == "with_wall" || q.base_motion == "wall");
+        return moves ? plain_answer_in_frame(q, times) : std::nullopt;
+    }};
 }
+
+void multiply(std::vector<double>& list, double by) {
+    for (double& x : list) x *= by;
+}
+
+const std::vector<std::string> of_limits{"beta_lim_approximate", "beta_lim_exact", "beta_lim_paper",
+                                         "beta_lim_sticking"}; // a core
 
 } // namespace
 
@@ -57,8 +62,7 @@ std::vector<Mistake> mistakes_of_input() {
         {"damping-halved", "19", "Viscous damping is half of what it should be: the 2 of 2 zeta_i Omega_i in (19) is missing.",
          "the factor 2 where modal damping is made from damping ratios; a loss factor is twice a damping ratio",
          reading([](ProtocolQuestion& q) {
-             for (auto* list : {&q.damping_ratios, &q.damping_matrix})
-                 for (double& x : *list) x /= 2;
+             for (auto* list : {&q.damping_ratios, &q.damping_matrix}) multiply(*list, 0.5);
          })},
         {"damping-as-logarithmic-decrement", "18",
          "The damping ratios are taken for logarithmic decrements: zeta_i of (18) is divided by 2 pi.",
@@ -89,13 +93,9 @@ std::vector<Mistake> mistakes_of_input() {
          "the index made from load: the protocol counts masses from 1", reading([](ProtocolQuestion& q) { ++q.load; })},
         {"mass-counted-from-0", "", "The mass asked about is counted from 0: mass is taken as one mass further.",
          "the index made from mass: the protocol counts masses from 1", reading([](ProtocolQuestion& q) { ++q.mass; })},
-        {"mu-ignored",
-         "3",
-         "Static friction is taken equal to kinetic friction: mu of (3) is taken as 1.",
+        {"mu-ignored", "3", "Static friction is taken equal to kinetic friction: mu of (3) is taken as 1.",
          "the conditions (54)b, (67) and (74), which have mu beta where the sliding motion has beta",
-         reading([](ProtocolQuestion& q) { q.mu = 1; }),
-         1e-6,
-         {"beta_lim_approximate", "beta_lim_exact", "beta_lim_paper", "beta_lim_sticking"}},
+         reading([](ProtocolQuestion& q) { q.mu = 1; }), of_limits},
         {"mu-squared", "3", "mu is squared where (3), (67) and (74) have mu.", "every place where mu is multiplied by beta",
          reading([](ProtocolQuestion& q) { q.mu *= q.mu; })},
         {"static-friction-while-sliding", "3",
@@ -114,8 +114,7 @@ std::vector<Mistake> mistakes_of_input() {
          reading([](ProtocolQuestion& q) { q.beta *= 4 / pi; })},
         {"r-over-first-natural-frequency", "10",
          "r is taken as omega over the first natural frequency; (10) has omega sqrt(m_1 / k_1).",
-         "the definition of r: no eigenvalue is in it",
-         reading([](ProtocolQuestion& q) { q.r *= plain_modes(q, {}).r_n.front(); })},
+         "the definition of r: no eigenvalue is in it", reading([](ProtocolQuestion& q) { q.r *= plain_system(q).r_n.front(); })},
         {"r-not-squared", "8", "The mass matrix has gamma_i r where (8) has gamma_i r^2.",
          "the power of r in the non-dimensional mass matrix", reading([](ProtocolQuestion& q) { q.r = std::sqrt(q.r); })},
         {"r-inverted", "10", "r is taken as the natural frequency over that of the load; (10) has it the other way.",
@@ -167,16 +166,13 @@ std::vector<Mistake> mistakes_of_input() {
              if (q.base_motion == "with_wall") q.loads.assign(masses_of(q), 1);
          })},
         {"load-phases-reversed", "1", "The phases of the forces are taken as lags; a force leads cos(tau) by its phase.",
-         "the sign of load_phases: force k is load_k cos(tau + load_phases_k)", reading([](ProtocolQuestion& q) {
-             for (double& theta : q.load_phases) theta = -theta;
-         })},
+         "the sign of load_phases: force k is load_k cos(tau + load_phases_k)",
+         reading([](ProtocolQuestion& q) { multiply(q.load_phases, -1); })},
         {"load-phases-ignored", "1", "The forces are taken as if they were all in phase.",
          "how load_phases enter the load: each force is a complex amplitude",
          reading([](ProtocolQuestion& q) { q.load_phases.clear(); })},
         {"load-phases-in-degrees", "1", "The phases of the forces are taken for degrees; the protocol has radians.",
-         "the unit of load_phases", reading([](ProtocolQuestion& q) {
-             for (double& theta : q.load_phases) theta *= pi / 180;
-         })},
+         "the unit of load_phases", reading([](ProtocolQuestion& q) { multiply(q.load_phases, pi / 180); })},
         {"base-damper-ignored", "4",
          "A base or wall that moves alone loads the masses by springs without their dampers: r C 1 is missing.",
          "the load of base_motion \"alone\": (K + i r C) 1, and of \"wall\": r^2 M 1 less that", reading([](ProtocolQuestion& q) {

@@ -1,10 +1,11 @@
 #include "conformance/plain/closed_form.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
-#include "conformance/plain/stick_slip.hpp"
 #include "elementary/elementary.hpp"
 
 namespace denhartog::conformance {
@@ -12,10 +13,124 @@ namespace {
 
 using std::numbers::pi;
 
+// Largest value of a smooth function over [0, pi]: the best of equally spaced samples, refined by Brent's method to half the
+// digits of the instant, which are all digits of the value.
+double largest_over_half_period(const std::function<double(double)>& f, int steps) {
+    const double h = pi / steps;
+    const auto less = [&](double tau) { return -f(tau); };
+    PlainRow samples;
+    for (int n = 0; n < steps; ++n) samples.push_back(f(n * h)); // at pi it is less than at 0
+    double best = *std::ranges::max_element(samples);
+    const double reach = 1e-2 * std::abs(best);
+    for (int n = 0; n < steps; ++n) {
+        const auto at = static_cast<std::size_t>(n);
+        if (samples[at] < best - reach || (n > 0 && samples[at - 1] > samples[at]) ||
+            (n + 1 < steps && samples[at + 1] > samples[at]))
+            continue;
+        const double from = std::max(0.0, (n - 1) * h), to = (n + 1) * h;
+        best = std::max(best,
+                        -boost::math::tools::brent_find_minima(less, from, to, std::numeric_limits<double>::digits / 2).second);
+    }
+    return best;
+}
+
+// Largest value over the half-period, or at the instants tried: (57) as printed has none but those.
+double largest(const PlainModes& m, const Choices& c, const std::function<double(double)>& f) {
+    if (!c.instants) return largest_over_half_period(f, plain_steps(m));
+    const double from = c.instants->first, to = pi - c.instants->before_end, last = static_cast<double>(c.instants->count - 1);
+    double best = -1e300;
+    for (double n = 0; n <= last; ++n) best = std::max(best, f(n == last ? to : from + n * (to - from) / last));
+    return best;
+}
+
+// (56): the sum of the maxima of the modes.
+double sum_of_maxima(const PlainModes& m, const Choices& c) {
+    if (m.coupled) throw NoPlainAnswer();
+    double S = 0;
+    for (std::size_t i = 0; i < m.R.size(); ++i)
+        S += m.psi[m.j][i] * m.psi[m.j][i] *
+             largest(m, c, [&](double tau) { return demand_of_mode(m, i, tau, c.demand_as_printed); });
+    return S;
+}
+
+// Whether every mode meets (63) on its own.
+bool every_mode_meets_63(const PlainModes& m, double beta) {
+    PlainModes other = m;
+    other.beta = beta;
+    const double phase = plain_phase(other, {});
+    for (std::size_t i = 0; i < m.R.size(); ++i) {
+        const double psi_j = m.psi[m.j][i], psi_l = m.psi[m.l][i], R = m.R[i];
+        const double eta_0 = R * R * (psi_l * times_cosine(m.v[i], phase) - psi_j * m.g[i] * beta);
+        const double load = eta_0 - beta * psi_j * ((1 - R * R) * m.g[i] + 2 * m.zeta[i] * R * m.u[i]);
+        if (std::abs(load) <= std::abs(psi_j) * m.mu * beta) return false;
+    }
+    return true;
+}
+
+// The first friction ratio up to a limit at which a mode fails (63).
+double limit_mode_by_mode(const PlainModes& m, double limit) {
+    constexpr int steps = 256;
+    for (int n = 1; n <= steps; ++n) {
+        if (every_mode_meets_63(m, limit * n / steps)) continue;
+        double met = limit * (n - 1) / steps, failed = limit * n / steps;
+        for (int halvings = 0; halvings < 50; ++halvings)
+            (every_mode_meets_63(m, (met + failed) / 2) ? met : failed) = (met + failed) / 2;
+        return failed;
+    }
+    return limit;
+}
+
+double demand_at_rest(const PlainModes& m) { return m.H_j + m.mu * m.sum_of_squares; }
+
+// (69) with the demand alone; and (67).
+double limit_by(const PlainModes& m, double S) { return modulus(m.V[m.j]) / elementary::hypot(m.U[m.j], S); }
+
+double approximate_limit(const PlainModes& m, const Choices& c) {
+    const double limit = limit_by(m, demand_at_rest(m));
+    return c.load_of_each_mode ? limit_mode_by_mode(m, limit) : limit;
+}
+
+// The smallest beta at which the contact never moves.
+double sticking_limit(const ProtocolQuestion& q, const PlainModes& m, const Choices& c) {
+    return c.sticking ? c.sticking(q) : modulus(m.V[m.j]) / (m.mu * modulus(m.Y_jj));
+}
+
+// The response of the chain of the masses on the load's side of the contact, next to it, times the spring between them.
+double force_of_spring(const ProtocolQuestion& q, const PlainSystem& s,
+                       Phasor (*response)(PlainPart, std::size_t, std::size_t, double)) {
+    const auto j = static_cast<std::size_t>(q.contact - 1), l = static_cast<std::size_t>(q.load - 1);
+    if (l < j) return q.stiffness_ratios[j] * modulus(response(part_of(q, s, 0, j), l, j - 1, q.r));
+    return q.stiffness_ratios[j + 1] * modulus(response(part_of(q, s, j + 1, s.size()), l - j - 1, 0, q.r));
+}
+
+// The response of one mass to a force on another: by modes, as if damping did not couple them; and by the matrices.
+Phasor response_by_modes(PlainPart part, std::size_t load, std::size_t mass, double r) {
+    const PlainShapes modes = shapes_of(part.springs, part.M);
+    const PlainMatrix damping = times(transposed(modes.phi), times(part.C, modes.phi));
+    Phasor X;
+    for (std::size_t i = 0; i < modes.r_n.size(); ++i) {
+        const double stiffness = (modes.r_n[i] - r) * (modes.r_n[i] + r), viscous = r * damping[i][i];
+        const double over = modes.phi[mass][i] * modes.phi[load][i] / (stiffness * stiffness + viscous * viscous);
+        X.re += over * stiffness;
+        X.im -= over * viscous;
+    }
+    return X;
+}
+
+Phasor response_by_matrices(PlainPart part, std::size_t load, std::size_t mass, double r) {
+    PlainRow force(part.M.size());
+    force[load] = 1;
+    for (std::size_t i = 0; i < force.size(); ++i)
+        for (std::size_t k = 0; k < force.size(); ++k) {
+            part.K[i][k] -= r * r * part.M[i][k];
+            part.C[i][k] *= r;
+        }
+    return solved(part.K, part.C, force, PlainRow(force.size()))[mass];
+}
+
 struct PlainExtremum {
-    double tau;   ///< instant in [0, pi]
-    double size;  ///< largest size of the displacement
-    bool minimum; ///< whether the displacement is negative there
+    double tau, size; // instant in [0, pi], and the largest size of the displacement
+    bool minimum;     // whether the displacement is negative there
 };
 
 // Largest displacement of a mass over the half-period: of the contact where it turns, of the others where they do.
@@ -113,12 +228,10 @@ const std::optional<PlainContact>& settled(const ProtocolQuestion& q) {
     of_system.tau = 0;
     if (kept_for != of_system) {
         kept_for = of_system;
-        kept.reset();
         try {
-            PlainContact motion(q);
-            motion.settle();
-            kept = std::move(motion);
+            kept.emplace(q).settle();
         } catch (const NoPlainAnswer&) { // the same holds for the next question
+            kept.reset();
         }
     }
     return kept;
@@ -138,14 +251,13 @@ std::optional<Value> answer_of_steady_motion(const ProtocolQuestion& q, double f
 Value regime(const ProtocolQuestion& q, const PlainModes& m, const Choices& c) {
     if (c.beyond_the_boundary) return {{}, "continuous"};
     if (m.beta < plain_limit(m, c, plain_demand(m, c, false))) return {{}, "continuous"};
-    return {{}, m.beta >= plain_sticking_limit(q, m, c) ? "permanent_sticking" : "stick_slip"};
+    return {{}, m.beta >= sticking_limit(q, m, c) ? "permanent_sticking" : "stick_slip"};
 }
 
-// Force that the load brings to the contact if inertia alone counts, over that of a unit force on the contact, which is the load of
-// (86). Throws NoPlainAnswer if the load of a base or wall grows with the frequency.
-double share_at_high_frequency(const ProtocolQuestion& q) {
+// Force that the load brings to the contact if inertia alone counts, over that of a unit force on the contact, which is the load
+// of (86). Throws NoPlainAnswer if the load of a base or wall grows with the frequency.
+double share_at_high_frequency(const ProtocolQuestion& q, const PlainSystem& s) {
     if (is_of_the_paper(q)) return 1;
-    const PlainSystem s = plain_system(q);
     const PlainRow dampers = times(s.C, PlainRow(s.size(), 1));
     const bool damped = std::ranges::any_of(dampers, [](double c) { return c != 0; });
     if (q.base_motion == "wall" || (q.base_motion == "alone" && damped)) throw NoPlainAnswer();
@@ -170,9 +282,9 @@ PlainRow numbers_of(const ProtocolQuestion& q, const PlainModes& m, const Choice
     if (name == "S_j") return {plain_demand(m, c, false)};
     if (name == "beta_lim_exact" || name == "beta_lim_paper")
         return {plain_limit(m, c, plain_demand(m, c, name == "beta_lim_paper"))};
-    if (name == "beta_lim_approximate") return {plain_approximate_limit(m, c)};
-    if (name == "beta_lim_sticking") return {plain_sticking_limit(q, m, c)};
-    if (name == "beta_lim_high_frequency") return {share_at_high_frequency(q) * 2 / elementary::hypot(2 * m.mu, pi)};
+    if (name == "beta_lim_approximate") return {approximate_limit(m, c)};
+    if (name == "beta_lim_sticking") return {sticking_limit(q, m, c)};
+    if (name == "beta_lim_high_frequency") return {share_at_high_frequency(q, m) * 2 / elementary::hypot(2 * m.mu, pi)};
     if (name == "amplitude") return {largest_displacement(m, c, k).size};
     if (name == "phase") return {wrapped_angle(phase_of_mass(m, c, k))};
     if (name == "amplitude_monoharmonic") return {monoharmonic_amplitude(m, c, k)};
@@ -191,13 +303,12 @@ std::optional<Value> computed(const ProtocolQuestion& q, const Choices& c, doubl
     PlainModes m = plain_modes(q, c);
     std::size_t k = m.j;
     if (quantity(q.quantity).of_mass && (q.mass != 0 || q.contact_with == 0)) {
-        if (q.mass < 1 || static_cast<std::size_t>(q.mass) > m.masses) return std::nullopt;
+        if (q.mass < 1 || static_cast<std::size_t>(q.mass) > m.size()) return std::nullopt;
         k = static_cast<std::size_t>(q.mass - 1);
     }
     if (frame != 0) {
-        const PlainSystem s = plain_system(q);
-        const bool as_given = frame == s.frame && q.loads.empty(); // else a mistake is made
-        k = add_row_in_frame(m, k, as_given ? plain_response_from_ground(s)[k] : Phasor{m.V[k].re + frame, m.V[k].im});
+        const bool as_given = frame == m.frame && q.loads.empty(); // else a mistake is made
+        k = add_row_in_frame(m, k, as_given ? plain_response_from_ground(m)[k] : Phasor{m.V[k].re + frame, m.V[k].im});
     }
     if (m.coupled && asks_for(q, {"modal_frequency_ratios", "mode_shape_products"})) return std::nullopt;
     if (q.quantity == "regime") return regime(q, m, c);
@@ -221,12 +332,39 @@ std::optional<Value> computed_from_ground(ProtocolQuestion q, double times_frame
 
 } // namespace
 
+double plain_sticking_limit_by_88(const ProtocolQuestion& q, bool by_modes) {
+    const PlainSystem s = plain_system(q);
+    return (q.contact == q.load ? 1 : force_of_spring(q, s, by_modes ? response_by_modes : response_by_matrices)) / q.mu;
+}
+
+double plain_sticking_limit_without_damping(const ProtocolQuestion& q) {
+    const PlainSystem s = plain_system(q);
+    const std::vector<Phasor> X = held_response(s);
+    Phasor load{-dot(s.w, s.p), -dot(s.w, s.p_i)};
+    for (std::size_t k = 0; k < s.size(); ++k) {
+        const double elastic = dot(s.w, s.K[k]);
+        load.re += elastic * X[k].re;
+        load.im += elastic * X[k].im;
+    }
+    return modulus(load) / q.mu;
+}
+
+double plain_demand(const PlainModes& m, const Choices& c, bool of_paper) {
+    if (c.demand_at_start) return m.H_j + m.sum_of_squares;
+    if (of_paper || c.maximum_of_each_mode) return sum_of_maxima(m, c);
+    return largest(m, c, [&](double tau) { return plain_demand_at(m, tau, c.demand_as_printed); });
+}
+
+double plain_limit(const PlainModes& m, const Choices& c, double S) {
+    const double by_S = limit_by(m, S);
+    if (c.without_load_condition || (c.sliding_beyond_68 && limit_by(m, m.H_j - m.mu * m.sum_of_squares) < by_S)) return by_S;
+    return c.load_of_each_mode ? std::min(by_S, approximate_limit(m, c)) : limit_by(m, std::max(S, demand_at_rest(m)));
+}
+
 std::optional<Value> where_finite(const std::function<std::optional<Value>()>& answer) {
     try {
         std::optional<Value> value = answer();
-        if (value && !std::all_of(value->numbers.begin(), value->numbers.end(), [](double x) { return std::isfinite(x); }))
-            return std::nullopt;
-        return value;
+        if (!value || std::ranges::all_of(value->numbers, [](double x) { return std::isfinite(x); })) return value;
     } catch (const NoPlainAnswer&) { // there is none
     }
     return std::nullopt;

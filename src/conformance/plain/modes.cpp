@@ -1,4 +1,4 @@
-#include "conformance/plain/modes.hpp"
+#include "conformance/plain/closed_form.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -81,18 +81,11 @@ DampingFunctionsOfMode damping_functions(double R, double zeta) {
     return {2 * f.q / (R * both), difference / both};
 }
 
-// The response of a mode to the n-th harmonic, (23) at n R.
-Phasor response_to_harmonic(int n, double R, double zeta) {
-    const double stiffness = (1 - n * R) * (1 + n * R), damping = 2 * zeta * n * R;
-    const double size = stiffness * stiffness + damping * damping;
-    return {stiffness / size, -damping / size};
-}
-
 // (28), (29) and the braces of (40) for friction as a square wave that is cut off after some harmonics.
 DampingFunctionsOfMode truncated_functions(int highest, double R, double zeta) {
     DampingFunctionsOfMode f{0, 0};
     for (int n = 1; n <= highest; n += 2) {
-        const Phasor y = response_to_harmonic(n, R, zeta);
+        const Phasor y = response_of_mode(R, zeta, n);
         f.u -= 4 / pi * y.re;
         f.g -= 4 / pi * y.im / n;
     }
@@ -102,7 +95,7 @@ DampingFunctionsOfMode truncated_functions(int highest, double R, double zeta) {
 PlainMotion truncated_braces(double tau, int highest, double R, double zeta) {
     PlainMotion f;
     for (int n = 1; n <= highest; n += 2) {
-        const Phasor y = response_to_harmonic(n, R, zeta);
+        const Phasor y = response_of_mode(R, zeta, n);
         f.x += 4 / pi / n * (y.re * sin(n * tau) + y.im * cos(n * tau));
         f.v += 4 / pi * times_cosine(y, n * tau);
     }
@@ -117,6 +110,12 @@ PlainMotion printed_braces(double tau, double R, double zeta, double u, double g
     return {1 - (1 + g) * e * bracket - u * R / w * e * sin(a), -(1 + g) * e * rate - u * R / w * e * rate_of_sine};
 }
 
+// (57).
+double printed_demand(double R, double zeta, double u, double g, double tau) {
+    const double w = std::sqrt(1 - zeta * zeta), a = w * tau / R, e = exp(-zeta * tau / R);
+    return ((1 + g) * e * R / w * sin(a) - u * R * R * e * (sin(a) + zeta / w * cos(a))) / sin(tau);
+}
+
 PlainMotion braces(const PlainModes& m, const Choices& c, std::size_t i, double tau) {
     const double R = m.R[i], zeta = m.zeta[i], u = m.u[i], g = m.g[i];
     if (c.harmonics > 0) return truncated_braces(tau, c.harmonics, R, zeta);
@@ -127,7 +126,7 @@ PlainMotion braces(const PlainModes& m, const Choices& c, std::size_t i, double 
 
 // The friction motion F of a row in (46), without beta.
 PlainMotion friction_motion(const PlainModes& m, const Choices& c, std::size_t k, double tau) {
-    if (m.coupled) return m.coupled->at(m.psi[k], tau);
+    if (m.friction) return m.friction->at(m.psi[k], tau);
     PlainMotion friction;
     for (std::size_t i = 0; i < m.R.size(); ++i) {
         const PlainMotion f = braces(m, c, i, tau);
@@ -161,17 +160,17 @@ void sum_modes(PlainModes& m) {
 }
 
 // The sums for damping that couples the modes: rows are then those of the masses, without modes.
-void sum_without_modes(PlainModes& m, const PlainSystem& s) {
-    m.coupled = std::make_shared<FrictionResponse>(s);
-    const std::vector<Phasor> X = plain_response(s), Y = plain_response_to_contact(s);
+void sum_without_modes(PlainModes& m) {
+    m.friction = std::make_shared<FrictionResponse>(m);
+    const std::vector<Phasor> X = plain_response(m, m.p, m.p_i), Y = plain_response(m, m.w, PlainRow(m.size()));
     for (const PlainRow& row : m.psi) {
-        const PlainMotion start = m.coupled->at(row, 0);
+        const PlainMotion start = m.friction->at(row, 0);
         m.V.push_back(dot(row, X));
         m.U.push_back(-start.v);
         m.G.push_back(-start.x);
     }
-    m.Y_jj = dot(s.w, Y);
-    m.H_j = m.coupled->acceleration_at_start(s.w) - m.sum_of_squares;
+    m.Y_jj = dot(m.w, Y);
+    m.H_j = m.friction->acceleration_at_start(m.w) - m.sum_of_squares;
 }
 
 // The row of weights of some masses, a mass's own or a new one behind them.
@@ -185,30 +184,23 @@ std::size_t row_of(PlainMatrix& rows, const PlainRow& weights) {
 } // namespace
 
 PlainModes plain_modes(const ProtocolQuestion& q, const Choices& c) {
-    const PlainSystem s = plain_system(q);
     PlainModes m;
-    m.masses = s.size();
-    m.r = q.r;
-    m.beta = q.beta;
-    m.mu = q.mu;
-    m.r_n = s.shapes.r_n;
-    m.zeta = s.zeta;
-    PlainMatrix rows = square(m.masses);
-    for (std::size_t k = 0; k < m.masses; ++k) rows[k][k] = 1;
-    m.j = row_of(rows, s.w);
-    m.l = m.l_i = row_of(rows, s.p);
-    if (std::ranges::any_of(s.p_i, [](double x) { return x != 0; })) m.l_i = row_of(rows, s.p_i);
-    m.sum_of_squares = dot(s.w, solved(s.M, s.w)) / (q.r * q.r);
-    for (std::size_t i = 0; i < m.masses; ++i) m.R.push_back(q.r / m.r_n[i]);
-    if (s.coupled) {
-        m.psi = rows;
-        sum_without_modes(m, s);
+    static_cast<PlainSystem&>(m) = plain_system(q);
+    m.psi = square(m.size());
+    for (std::size_t k = 0; k < m.size(); ++k) m.psi[k][k] = 1;
+    m.j = row_of(m.psi, m.w);
+    m.l = m.l_i = row_of(m.psi, m.p);
+    if (std::ranges::any_of(m.p_i, [](double x) { return x != 0; })) m.l_i = row_of(m.psi, m.p_i);
+    m.sum_of_squares = dot(m.w, solved(m.M, m.w)) / (m.r * m.r);
+    for (const double r_n : m.r_n) m.R.push_back(m.r / r_n);
+    if (m.coupled) {
+        sum_without_modes(m);
         return m;
     }
-    m.psi = times(rows, s.shapes.phi);
+    m.psi = times(m.psi, m.phi);
     for (PlainRow& row : m.psi)
-        for (double& x : row) x /= q.r;
-    for (std::size_t i = 0; i < m.masses; ++i) {
+        for (double& x : row) x /= m.r;
+    for (std::size_t i = 0; i < m.size(); ++i) {
         const DampingFunctionsOfMode f =
             c.harmonics > 0 ? truncated_functions(c.harmonics, m.R[i], m.zeta[i]) : damping_functions(m.R[i], m.zeta[i]);
         m.u.push_back(f.u);
@@ -229,26 +221,26 @@ std::size_t add_row_in_frame(PlainModes& m, std::size_t k, const Phasor& V) {
     return m.V.size() - 1;
 }
 
-Phasor response_of_mode(double R, double zeta) { return response_to_harmonic(1, R, zeta); }
+Phasor response_of_mode(double R, double zeta, int n) {
+    const double stiffness = (1 - n * R) * (1 + n * R), damping = 2 * zeta * n * R;
+    const double size = stiffness * stiffness + damping * damping;
+    return {stiffness / size, -damping / size};
+}
 
-double demand_of_mode(const PlainModes& m, std::size_t i, double tau) {
+double demand_of_mode(const PlainModes& m, std::size_t i, double tau, bool as_printed) {
+    if (as_printed) return printed_demand(m.R[i], m.zeta[i], m.u[i], m.g[i], tau);
     if (tau == 0 || tau == pi) return m.g[i] + 2 * m.zeta[i] * m.R[i] * m.u[i] + (tau == 0 ? 1 : -1);
     const ModeDecay f = free_decay(tau / m.R[i], m.zeta[i]);
     const double gained = 2 * square(sin(tau / 2)) - f.lost - 2 * m.zeta[i] * f.q; // R q' - cos(tau)
     return m.R[i] * ((1 + m.g[i]) * f.q - m.u[i] * m.R[i] * gained) / sin(tau);
 }
 
-double plain_demand_at(const PlainModes& m, double tau) {
+double plain_demand_at(const PlainModes& m, double tau, bool as_printed) {
     if (m.coupled && tau == 0) return m.H_j + m.sum_of_squares;
-    if (m.coupled) return (m.coupled->rate_gained(m.psi[m.j], tau) - 2 * m.U[m.j] * square(sin(tau / 2))) / sin(tau);
+    if (m.coupled) return (m.friction->rate_gained(m.psi[m.j], tau) - 2 * m.U[m.j] * square(sin(tau / 2))) / sin(tau);
     double S = 0;
-    for (std::size_t i = 0; i < m.R.size(); ++i) S += square(m.psi[m.j][i]) * demand_of_mode(m, i, tau);
+    for (std::size_t i = 0; i < m.R.size(); ++i) S += square(m.psi[m.j][i]) * demand_of_mode(m, i, tau, as_printed);
     return S;
-}
-
-double printed_demand_of_mode(const PlainModes& m, std::size_t i, double tau) {
-    const double R = m.R[i], zeta = m.zeta[i], w = std::sqrt(1 - zeta * zeta), a = w * tau / R, e = exp(-zeta * tau / R);
-    return ((1 + m.g[i]) * e * R / w * sin(a) - m.u[i] * R * R * e * (sin(a) + zeta / w * cos(a))) / sin(tau);
 }
 
 PlainTurn turn_of(const PlainModes& m, std::size_t k) {

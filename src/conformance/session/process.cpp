@@ -1,4 +1,4 @@
-#include "conformance/session/process.hpp"
+#include "conformance/session/session.hpp"
 
 #include <fcntl.h>
 #include <poll.h>

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "conformance/grade.hpp"
 #include "conformance/mistakes/mistake.hpp"
+#include "conformance/verdict.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/number/number_text.hpp"
@@ -20,11 +20,7 @@
 namespace denhartog::program {
 namespace {
 
-using conformance::Vector;
-
-constexpr double longest_wait = 3600;
-constexpr double longest_run = 7 * 24 * 3600.0;
-constexpr int most_jobs = 256;
+using namespace conformance;
 
 std::regex filter_of(const std::string& text) {
     try {
@@ -43,7 +39,7 @@ bool matches(const std::string& id, const std::regex& filter, const std::string&
 }
 
 bool is_wanted(const std::vector<std::string>& wanted, const std::string& name) {
-    return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
+    return wanted.empty() || std::ranges::find(wanted, name) != wanted.end();
 }
 
 bool is_named(const std::string& group, const Vector& v) { return group == v.group || (group == "systems" && is_of_systems(v)); }
@@ -52,33 +48,28 @@ bool is_named(const std::string& group, const Vector& v) { return group == v.gro
 bool is_wanted(const SelectionOptions& options, const Vector& v) {
     if (options.systems && is_of_systems(v)) return true;
     if (options.groups.empty()) return !is_of_systems(v);
-    return std::any_of(options.groups.begin(), options.groups.end(), [&](const std::string& each) { return is_named(each, v); });
+    return std::ranges::any_of(options.groups, [&](const std::string& each) { return is_named(each, v); });
 }
 
-void require_quantities(const std::string& option, const std::vector<std::string>& names) {
-    for (const std::string& name : names)
-        if (std::ranges::find(conformance::quantities(), name, &conformance::Quantity::name) == conformance::quantities().end())
-            throw InputError(option, "must name quantities of the protocol", legible(name));
+void add_list_option(CLI::App& command, const std::string& name, std::vector<std::string>& list, const std::string& told) {
+    command.add_option(name, list, told)->delimiter(',')->allow_extra_args(false);
+}
+
+void add_vectors_option(CLI::App& command, SelectionOptions& options) {
+    options.vectors = vectors_folder();
+    command.add_option("--vectors", options.vectors, "folder with the vectors, files *.jsonl")->capture_default_str();
 }
 
 void add_selection_options(CLI::App& command, SelectionOptions& options) {
-    options.vectors = vectors_folder();
-    command.add_option("--vectors", options.vectors, "folder with the vectors, files *.jsonl")->capture_default_str();
+    add_vectors_option(command, options);
     command.add_option("--filter", options.filter, "regular expression that must match a part of the id");
-    command
-        .add_option("--group", options.groups,
-                    "groups, separated by commas; `systems` stands for all that start with systems-; by default all others")
-        ->delimiter(',')
-        ->allow_extra_args(false);
+    add_list_option(command, "--group", options.groups,
+                    "groups, separated by commas; `systems` stands for all that start with systems-; by default all others");
     command.add_flag(
         "--systems", options.systems,
         "also ask about systems beyond the paper: contacts between two masses, several loads, moving bases, matrices");
-    command.add_option("--tier", options.tiers, "tiers, separated by commas: must, should, stress; by default all")
-        ->delimiter(',')
-        ->allow_extra_args(false);
-    command.add_option("--quantity", options.asked, "quantities of the protocol, separated by commas; by default all")
-        ->delimiter(',')
-        ->allow_extra_args(false);
+    add_list_option(command, "--tier", options.tiers, "tiers, separated by commas: must, should, stress; by default all");
+    add_list_option(command, "--quantity", options.asked, "quantities of the protocol, separated by commas; by default all");
     command.add_flag("--skip-must-fail", options.skip_must_fail, "leave out the questions that have to be rejected");
 }
 
@@ -89,14 +80,12 @@ void add_program_options(CLI::App& command, ConformOptions& options) {
 }
 
 void add_report_options(CLI::App& command, ConformOptions& options) {
-    options.method = conformance::methods().front().name;
+    options.method = methods().front().name;
     command
         .add_option("--method", options.method,
                     "method by which the program answers; it decides the tolerances, see `denhartog conform list --methods`")
         ->capture_default_str();
-    command.add_option("--need", options.needed, "quantities, separated by commas, that must not be skipped")
-        ->delimiter(',')
-        ->allow_extra_args(false);
+    add_list_option(command, "--need", options.needed, "quantities, separated by commas, that must not be skipped");
     command.add_option("--track", options.track,
                        "file with the verdicts of earlier runs: this run is compared with them, then written into it");
     command.add_option("--format", options.format, "format of the report")
@@ -108,20 +97,11 @@ void add_report_options(CLI::App& command, ConformOptions& options) {
                      "end with status 4 where the program conforms, but answers of other tiers than must are wrong");
 }
 
-void list(const SelectionOptions& options) {
-    const std::vector<Vector> all = conformance::read_vectors(options.vectors);
-    Rows rows{{"id", "tier", "group", "quantity", "flags"}};
-    for (const Vector* v : selected(options, all))
-        rows.push_back({v->question.id, v->tier, v->group, v->question.quantity, conformance::joined(v->flags)});
-    write_standard_output(aligned(rows));
-}
-
 // Numbers of vectors by group and tier.
-void list_summary(const SelectionOptions& options) {
-    const std::vector<Vector> all = conformance::read_vectors(options.vectors);
+std::string summary(const std::vector<const Vector*>& chosen) {
     std::map<std::string, std::map<std::string, int>> groups;
     std::map<std::string, int> total;
-    for (const Vector* v : selected(options, all)) {
+    for (const Vector* v : chosen) {
         ++groups[v->group][v->tier];
         ++total[v->tier];
     }
@@ -131,47 +111,41 @@ void list_summary(const SelectionOptions& options) {
     };
     for (auto& [group, tiers] : groups) add(group, tiers);
     add("all", total);
-    write_standard_output(aligned(rows));
+    return aligned(rows);
 }
 
 // As docs/vectors.md says it, for those who read no JSON.
-void list_csv(const SelectionOptions& options) {
-    const std::vector<Vector> all = conformance::read_vectors(options.vectors);
-    const std::vector<const Vector*> chosen = selected(options, all);
-    const bool systems = std::any_of(chosen.begin(), chosen.end(), [](const Vector* v) { return is_of_systems(*v); });
-    std::string csv = conformance::vector_csv_heading(systems) + "\n";
-    for (const Vector* v : chosen) csv += conformance::vector_csv(*v, systems) + "\n";
-    write_standard_output(csv);
+std::string csv(const std::vector<const Vector*>& chosen) {
+    const bool systems = std::ranges::any_of(chosen, [](const Vector* v) { return is_of_systems(*v); });
+    std::string text = vector_csv_heading(systems) + "\n";
+    for (const Vector* v : chosen) text += vector_csv(*v, systems) + "\n";
+    return text;
 }
 
-void list_mistakes() {
+std::string table_of(const std::vector<const Vector*>& chosen) {
+    Rows rows{{"id", "tier", "group", "quantity", "flags"}};
+    for (const Vector* v : chosen) rows.push_back({v->question.id, v->tier, v->group, v->question.quantity, joined(v->flags)});
+    return aligned(rows);
+}
+
+std::string table_of_mistakes() {
     Rows rows{{"mistake", "equation", "what it is; what to look at"}};
-    for (const conformance::Mistake& mistake : conformance::mistakes())
-        rows.push_back(
-            {mistake.name, mistake.equation.empty() ? "." : mistake.equation, mistake.told + " Look at: " + mistake.look_at});
-    write_standard_output(aligned(rows));
+    for (const Mistake& m : mistakes())
+        rows.push_back({m.name, m.equation.empty() ? "." : m.equation, m.told + " Look at: " + m.look_at});
+    return aligned(rows);
 }
 
-void list_methods() {
-    const auto three = [](const conformance::Tolerance& t) {
-        return t.loose > 0
-                   ? number_in_digits(t.pass, 2) + " " + number_in_digits(t.loose, 2) + " " + number_in_digits(t.inaccurate, 2)
-                   : "the vector's";
+std::string table_of_methods() {
+    const auto two = [](double x) { return number_in_digits(x, 2); };
+    const auto three = [&](const Tolerance& t) {
+        return t.loose > 0 ? two(t.pass) + " " + two(t.loose) + " " + two(t.inaccurate) : "the vector's";
     };
     Rows rows{{"method", "displacement", "phase", "duration", "margin", "undamped", "what it is"}};
-    for (const conformance::SolverMethod& m : conformance::methods())
-        rows.push_back({std::string(m.name), three(m.displacement), three(m.phase), three(m.duration),
-                        number_in_digits(m.margin, 2), m.settles ? "not judged wrong" : "judged", std::string(m.told)});
-    write_standard_output(aligned(rows) +
-                          "\nLargest errors that are pass, pass-loose, inaccurate, over the scale and the condition number where "
-                          "that is above 1.\n");
-}
-
-void show(const SelectionOptions& options, const std::string& id) {
-    const std::vector<Vector> all = conformance::read_vectors(options.vectors);
-    const Vector& v = vector_named(id, all);
-    write_standard_output("json   " + conformance::question_json(v.question).dump() + "\nplain  " +
-                          conformance::question_plain(v.question) + "\n" + conformance::vector_json(v).dump(1) + "\n");
+    for (const SolverMethod& m : methods())
+        rows.push_back({std::string(m.name), three(m.displacement), three(m.phase), three(m.duration), two(m.margin),
+                        m.settles ? "not judged wrong" : "judged", std::string(m.told)});
+    return aligned(rows) + "\nLargest errors that are pass, pass-loose, inaccurate, over the scale and the condition number "
+                           "where that is above 1.\n";
 }
 
 void add_list(CLI::App& conform) {
@@ -185,10 +159,12 @@ void add_list(CLI::App& conform) {
     command->add_flag("--mistakes")->description("the known mistakes, with their equations and what to look at");
     command->add_flag("--methods")->description("the methods of --method, with their tolerances")->excludes("--mistakes");
     command->callback([=] {
-        if (command->count("--mistakes") > 0) return list_mistakes();
-        if (command->count("--methods") > 0) return list_methods();
-        if (command->count("--summary") > 0) return list_summary(*options);
-        command->count("--csv") > 0 ? list_csv(*options) : list(*options);
+        const auto is_asked = [&](const std::string& flag) { return command->count(flag) > 0; };
+        if (is_asked("--mistakes")) return write_standard_output(table_of_mistakes());
+        if (is_asked("--methods")) return write_standard_output(table_of_methods());
+        const auto& text = is_asked("--summary") ? summary : is_asked("--csv") ? csv : table_of;
+        const std::vector<Vector> all = read_vectors(options->vectors);
+        write_standard_output(text(selected(*options, all)));
     });
 }
 
@@ -198,24 +174,26 @@ void add_show(CLI::App& conform) {
     const auto options = std::make_shared<SelectionOptions>();
     const auto id = std::make_shared<std::string>();
     command->add_option("ID", *id, "id of the vector")->required();
-    options->vectors = vectors_folder();
-    command->add_option("--vectors", options->vectors, "folder with the vectors, files *.jsonl")->capture_default_str();
-    command->callback([options, id] { show(*options, *id); });
+    add_vectors_option(*command, *options);
+    command->callback([options, id] {
+        const std::vector<Vector> all = read_vectors(options->vectors);
+        const Vector& v = vector_named(*id, all);
+        write_standard_output("json   " + question_json(v.question).dump() + "\nplain  " + question_plain(v.question) + "\n" +
+                              vector_json(v).dump(1) + "\n");
+    });
 }
 
-// The words behind `--` are the program under test, whatever they look like.
-void take_program(ConformOptions& options, const std::vector<std::string>& arguments) {
-    const auto mark = std::find(arguments.begin(), arguments.end(), "--");
+// Runs a subcommand on the program under test, which the words behind `--` are, whatever they look like. It may break before a
+// report can be made.
+template <class Run>
+void with_program(ConformOptions& options, const std::vector<std::string>& arguments, ExitStatus& status, const Run& run) {
+    const auto mark = std::ranges::find(arguments, "--");
     if (mark == arguments.end()) throw InputError("PROGRAM", "must follow after --", options.command.front());
     options.command.assign(mark + 1, arguments.end());
     if (options.command.empty()) throw InputError("PROGRAM", "must follow after --", "");
-}
-
-// A program that broke before a report could be made.
-void running(const std::function<void()>& run, ExitStatus& status) {
     try {
-        run();
-    } catch (const conformance::BrokenProgram& e) {
+        run(options, status);
+    } catch (const BrokenProgram& e) {
         status.broken = true;
         report(e.what());
     }
@@ -225,10 +203,7 @@ void add_smoke(CLI::App& conform, ExitStatus& status, const std::vector<std::str
     CLI::App* command = conform.add_subcommand("smoke", "Whether a program keeps to the protocol; no number is checked");
     const auto options = std::make_shared<ConformOptions>();
     add_program_options(*command, *options);
-    command->callback([options, &status, arguments] {
-        take_program(*options, arguments);
-        running([&] { conform_smoke(*options, status); }, status);
-    });
+    command->callback([options, &status, arguments] { with_program(*options, arguments, status, conform_smoke); });
 }
 
 void add_run(CLI::App& conform, ExitStatus& status, const std::vector<std::string>& arguments) {
@@ -245,8 +220,7 @@ void add_run(CLI::App& conform, ExitStatus& status, const std::vector<std::strin
     add_report_options(*command, *options);
     command->footer("The protocol is docs/protocol.md, the formats of the report are docs/conformance-output.md.");
     command->callback([options, &status, arguments] {
-        take_program(*options, arguments);
-        running([&] { options->repro.empty() ? conform_run(*options, status) : conform_repro(*options, status); }, status);
+        with_program(*options, arguments, status, options->repro.empty() ? conform_run : conform_repro);
     });
 }
 
@@ -262,31 +236,20 @@ void add_grade(CLI::App& conform, ExitStatus& status) {
 
 } // namespace
 
-conformance::RunSettings run_settings(const ConformOptions& options) {
-    if (!(options.seconds > 0 && options.seconds <= longest_wait))
-        throw InputError("timeout", "must be positive and at most " + number_to_text(longest_wait) + " seconds",
-                         number_to_text(options.seconds));
-    if (options.jobs < 1 || options.jobs > most_jobs)
-        throw InputError("jobs", "must be from 1 to " + std::to_string(most_jobs), std::to_string(options.jobs));
-    if (!(options.total_seconds >= 0 && options.total_seconds <= longest_run))
-        throw InputError("total-timeout", "must be from 0, which means no limit, to " + number_to_text(longest_run) + " seconds",
-                         number_to_text(options.total_seconds));
-    return {options.command, options.seconds, static_cast<unsigned>(options.jobs), options.total_seconds};
+void require_quantities(const std::string& option, const std::vector<std::string>& names) {
+    for (const std::string& name : names)
+        if (std::ranges::find(quantities(), name, &Quantity::name) == quantities().end())
+            throw InputError(option, "must name quantities of the protocol", legible(name));
 }
 
-std::set<std::string> needed_quantities(const ConformOptions& options) {
-    require_quantities("need", options.needed);
-    return {options.needed.begin(), options.needed.end()};
-}
-
-std::vector<const conformance::Vector*> selected(const SelectionOptions& options, const std::vector<conformance::Vector>& all) {
+std::vector<const Vector*> selected(const SelectionOptions& options, const std::vector<Vector>& all) {
     const std::regex filter = filter_of(options.filter);
     require_quantities("quantity", options.asked);
     for (const std::string& tier : options.tiers)
         if (tier != "must" && tier != "should" && tier != "stress")
             throw InputError("tier", "must be must, should or stress", tier);
     for (const std::string& group : options.groups)
-        if (std::none_of(all.begin(), all.end(), [&](const Vector& v) { return is_named(group, v); }))
+        if (std::ranges::none_of(all, [&](const Vector& v) { return is_named(group, v); }))
             throw InputError("group", "must be one of the vectors' (`denhartog conform list --summary --systems` has them)",
                              group);
     std::vector<const Vector*> chosen;
@@ -295,14 +258,14 @@ std::vector<const conformance::Vector*> selected(const SelectionOptions& options
             !(options.skip_must_fail && !v.reject.empty()) && matches(v.question.id, filter, options.filter))
             chosen.push_back(&v);
     if (chosen.empty()) {
-        const bool more = std::any_of(all.begin(), all.end(), [](const Vector& v) { return is_named("systems", v); });
+        const bool more = std::ranges::any_of(all, is_of_systems);
         const std::string hint = more ? " (--systems or --group systems choose those of systems beyond the paper)" : "";
         throw InputError("the selection", "must leave at least one vector" + hint, "0 of " + std::to_string(all.size()));
     }
     return chosen;
 }
 
-const conformance::Vector& vector_named(const std::string& id, const std::vector<conformance::Vector>& all) {
+const Vector& vector_named(const std::string& id, const std::vector<Vector>& all) {
     for (const Vector& v : all)
         if (v.question.id == id) return v;
     throw InputError("id", "must be a vector's", legible(id));

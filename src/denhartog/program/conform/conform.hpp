@@ -2,9 +2,7 @@
 // run to run.
 #pragma once
 
-#include <map>
 #include <optional>
-#include <set>
 #include <span>
 #include <sstream>
 #include <string>
@@ -45,11 +43,8 @@ struct ConformOptions : SelectionOptions {
     bool strict = false;              // a status of its own where answers of other tiers than must are wrong
 };
 
-// Settings of the run. Throws InputError where a number breaks its rule.
-[[nodiscard]] conformance::RunSettings run_settings(const ConformOptions& options);
-
-// The quantities that must not be skipped. Throws InputError for a name that is none.
-[[nodiscard]] std::set<std::string> needed_quantities(const ConformOptions& options);
+// Throws InputError for a name that is none of a quantity.
+void require_quantities(const std::string& option, const std::vector<std::string>& names);
 
 // The vectors that are chosen, of all. Throws InputError where an option breaks its rule or no vector is left.
 [[nodiscard]] std::vector<const conformance::Vector*> selected(const SelectionOptions& options,
@@ -65,9 +60,6 @@ void conform_repro(const ConformOptions& options, ExitStatus& status);
 void conform_smoke(const ConformOptions& options, ExitStatus& status);
 void conform_grade(const ConformOptions& options, ExitStatus& status);
 
-// Words as a shell takes them.
-[[nodiscard]] std::string shell_text(const std::vector<std::string>& words);
-
 // Texts and numbers of things, one after the other.
 template <class... Parts>
 [[nodiscard]] std::string said(const Parts&... parts) {
@@ -75,9 +67,6 @@ template <class... Parts>
     (text << ... << parts);
     return text.str();
 }
-
-// Verdicts by id.
-using Verdicts = std::map<std::string, conformance::Verdict>;
 
 // A verdict that changed for better or worse.
 struct Change {
@@ -89,15 +78,6 @@ struct Change {
 struct Comparison {
     std::vector<Change> better, worse;
 };
-
-// The verdicts of a file; none where there is no file yet. Throws InputError where it cannot be read or is no such file.
-[[nodiscard]] std::optional<Verdicts> tracked_verdicts(const std::string& path);
-
-// Compares a run with a file.
-[[nodiscard]] Comparison compare(const Verdicts& before, std::span<const conformance::Judged> judged);
-
-// The text of a file of verdicts: those of a run, and the earlier ones of vectors that were not asked.
-[[nodiscard]] std::string tracked_text(Verdicts before, std::span<const conformance::Judged> judged);
 
 // Findings about an implementation: a conversation with a program, or the answers in a file, which is then the name.
 struct ConformReport : conformance::Conversation {
@@ -113,14 +93,14 @@ struct ConformReport : conformance::Conversation {
     [[nodiscard]] int status() const;
 };
 
-// The report as text for people, as Markdown, as JSON (docs/conformance-output.md), and as XML for programs that show test results:
-// a test case a vector, a suite a group.
+// The report as text for people, as Markdown, and as XML for programs that show test results: a test case a vector, a suite a
+// group.
 [[nodiscard]] std::string report_text(const ConformReport& report);
 [[nodiscard]] std::string report_markdown(const ConformReport& report);
-[[nodiscard]] std::string report_json(const ConformReport& report);
 [[nodiscard]] std::string report_junit(const ConformReport& report);
 
-// One answer for people: verdict and reason, answer and truth, in decimal and hexadecimal, error and condition, each line indented.
+// One answer for people: verdict and reason, answer and truth, in decimal and hexadecimal, error and condition, each line
+// indented.
 [[nodiscard]] std::string answer_text(const conformance::Judged& one, const std::string& indent);
 
 } // namespace denhartog::program

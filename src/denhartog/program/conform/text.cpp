@@ -5,7 +5,7 @@
 #include <map>
 #include <span>
 
-#include "conformance/grade.hpp"
+#include "conformance/verdict.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/conform/conform.hpp"
 #include "denhartog/program/json/number_json.hpp"
@@ -13,10 +13,7 @@
 namespace denhartog::program {
 namespace {
 
-using conformance::Finding;
-using conformance::joined;
-using conformance::Judged;
-using conformance::Verdict;
+using namespace conformance;
 
 constexpr std::size_t worst_told = 10, most_of_a_quantity = 2;
 
@@ -31,25 +28,24 @@ std::string digits_cell(const std::optional<double>& digits) {
 }
 
 // Numbers or a regime in a line: decimal with hexadecimal where there is one number, long lists cut short.
-std::string value_text(const conformance::Value& value) {
+std::string value_text(const Value& value) {
     constexpr std::size_t most = 4;
     const std::size_t count = value.numbers.size();
     if (!value.word.empty()) return value.word;
     if (count == 0) return "nothing";
-    if (count == 1)
-        return number_to_text(value.numbers.front()) + " (" + conformance::hexadecimal_float(value.numbers.front()) + ")";
+    if (count == 1) return number_to_text(value.numbers.front()) + " (" + hexadecimal_float(value.numbers.front()) + ")";
     return joined(std::span(value.numbers).first(std::min(count, most)), ", ") +
            (count > most ? said(" and ", count - most, " more") : "");
 }
 
 // Verdicts and digits by tier and group, as cells; `none` stands for a count of zero.
 Rows score_cells(const ConformReport& report, const std::string& worst, const std::string& none) {
-    const conformance::Counts total = conformance::counts_of(report.judged);
+    const Counts total = counts_of(report.judged);
     Rows rows{{"tier", "group", "asked"}};
     for (std::size_t n = 0; n < total.size(); ++n)
-        if (total[n] > 0) rows.front().emplace_back(conformance::name(static_cast<Verdict>(n)));
+        if (total[n] > 0) rows.front().emplace_back(name(static_cast<Verdict>(n)));
     rows.front().insert(rows.front().end(), {"median digits", worst});
-    for (const conformance::Score& score : conformance::scores(report.judged)) {
+    for (const Score& score : scores(report.judged)) {
         rows.push_back({score.tier, score.group, std::to_string(score.asked)});
         for (std::size_t n = 0; n < total.size(); ++n)
             if (total[n] > 0) rows.back().push_back(score.counts[n] > 0 ? std::to_string(score.counts[n]) : none);
@@ -60,14 +56,14 @@ Rows score_cells(const ConformReport& report, const std::string& worst, const st
 
 std::string answers_are(std::size_t count) { return count == 1 ? "1 answer is" : said(count, " answers are"); }
 
-std::string of_equation(const conformance::Mistake& m) { return m.equation.empty() ? "" : ", Eq. (" + m.equation + ")"; }
+std::string of_equation(const Mistake& m) { return m.equation.empty() ? "" : ", Eq. (" + m.equation + ")"; }
 
 std::string contradicted_by(std::size_t answers) {
     if (answers == 0) return "no answer contradicts it";
     return answers == 1 ? "1 answer contradicts it" : said(answers, " answers contradict it");
 }
 
-std::string condition_text(const conformance::Vector& v) {
+std::string condition_text(const Vector& v) {
     std::vector<std::string> inputs;
     for (const auto& [input, number] : v.condition) inputs.push_back(input + " " + rough(number));
     return inputs.empty() ? "" : "; condition " + joined(inputs, ", ");
@@ -75,7 +71,7 @@ std::string condition_text(const conformance::Vector& v) {
 
 // The number that has the error, where an answer has several.
 std::string numbers_text(const Judged& one, const std::string& indent) {
-    const conformance::Vector& v = *one.vector;
+    const Vector& v = *one.vector;
     const auto single = [](double x) { return value_text({{x}, ""}); };
     if (one.error && v.nearest.size() > 1)
         return said(indent, "answer ", single(one.given.numbers[one.worst]), ", number ", one.worst + 1, " of ", v.nearest.size(),
@@ -93,21 +89,17 @@ std::string group_of(const Judged& one) {
 
 // Right in kind everywhere: no mistake is to be looked for.
 std::string digits_text(const ConformReport& report) {
-    std::size_t inaccurate = 0;
-    const Judged* worst = nullptr;
-    for (const Judged& one : report.judged) {
-        if (one.verdict != Verdict::inaccurate) continue;
-        ++inaccurate;
-        if (worst == nullptr || one.error.value_or(0) > worst->error.value_or(0)) worst = &one;
-    }
-    if (worst == nullptr || inaccurate != report.diagnosis.wrong) return "";
+    const std::size_t inaccurate = counts_of(report.judged)[static_cast<std::size_t>(Verdict::inaccurate)];
+    if (inaccurate == 0 || inaccurate != report.diagnosis.wrong) return "";
+    const Judged& worst = *std::ranges::max_element(
+        report.judged, {}, [](const Judged& one) { return one.verdict == Verdict::inaccurate ? one.error.value_or(0) : -1; });
     return said("\nDigits are missing in ", inaccurate, " answers, and nothing else is wrong. The worst has ",
-                digits_cell(conformance::digits(*worst->error)), " digits: ", worst->vector->question.id, ", ",
-                worst->vector->question.quantity, ".\n");
+                digits_cell(digits(*worst.error)), " digits: ", worst.vector->question.id, ", ", worst.vector->question.quantity,
+                ".\n");
 }
 
 std::string worst_text(const ConformReport& report) {
-    const std::vector<const Judged*> worst = conformance::worst_first(report.judged);
+    const std::vector<const Judged*> worst = worst_first(report.judged);
     if (worst.empty()) return "";
     std::map<std::string, std::size_t> groups, told_by_quantity;
     std::vector<const Judged*> told;
@@ -125,7 +117,7 @@ std::string worst_text(const ConformReport& report) {
 }
 
 std::string finding_text(const Finding& f, std::size_t number, std::size_t wrong) {
-    const conformance::Mistake& m = f.mistake;
+    const Mistake& m = f.mistake;
     return said("  ", number, ". ", m.name, of_equation(m), ": ", m.told, "\n     It explains ", f.explained, " of ", wrong,
                 " wrong answers (", joined(f.quantities, ", "), "); ", contradicted_by(f.contradicted), ".",
                 f.weak ? "\n     This is weak evidence, because few answers are wrong." : "",
@@ -136,12 +128,12 @@ std::string finding_text(const Finding& f, std::size_t number, std::size_t wrong
                 value_text(truth_of(*f.example->vector)), "\n");
 }
 
-auto first_wrong(const std::vector<conformance::InCommon>& chain) {
-    return std::ranges::find_if(chain, [](const conformance::InCommon& link) { return link.wrong > 0; });
+auto first_wrong(const std::vector<InCommon>& chain) {
+    return std::ranges::find_if(chain, [](const InCommon& link) { return link.wrong > 0; });
 }
 
 // Right links of the chain of quantities, and the first that is wrong.
-std::string chain_text(const std::vector<conformance::InCommon>& chain) {
+std::string chain_text(const std::vector<InCommon>& chain) {
     const auto first = first_wrong(chain);
     if (first == chain.end()) return "";
     std::vector<std::string> right;
@@ -151,19 +143,19 @@ std::string chain_text(const std::vector<conformance::InCommon>& chain) {
 }
 
 // Explanation of wrong answers.
-std::string diagnosis_text(const conformance::Diagnosis& d) {
+std::string diagnosis_text(const Diagnosis& d) {
     std::string text;
     if (d.wrong > 0) text += said("\nDiagnosis (", answers_are(d.wrong), " wrong or inaccurate):\n");
     for (std::size_t n = 0; n < d.findings.size(); ++n) text += finding_text(d.findings[n], n + 1, d.wrong);
     if (!d.unexplained.empty()) {
         text += said("  Wrong answers that match no known mistake: ", d.unexplained.size(), ".\n", chain_text(d.chain));
-        for (const conformance::InCommon& one : d.in_common)
+        for (const InCommon& one : d.in_common)
             text += said("    These have in common: ", one.property, ", in ", one.wrong, " of the ", one.all_wrong,
                          ". Of all answers to these quantities ", one.asked, " of ", one.all_asked, " have it.\n");
         for (const Finding& f : d.simple)
             text += said("    A guess is: ", f.mistake.told, ". It explains ", f.explained, " of them (",
                          joined(f.quantities, ", "), "); ", contradicted_by(f.contradicted), ".\n");
-        for (const conformance::InCommon& one : d.by_quantity)
+        for (const InCommon& one : d.by_quantity)
             text += said("    For ", one.property, " they are ", one.wrong, " of the ", one.asked, " answers.\n");
     }
     for (const auto& [rule, count] : d.accepted)
@@ -225,12 +217,12 @@ std::string table(const Rows& rows) {
 
 std::string worst_rows(const ConformReport& report) {
     constexpr std::size_t most = 20;
-    const std::vector<const Judged*> worst = conformance::worst_first(report.judged);
+    const std::vector<const Judged*> worst = worst_first(report.judged);
     if (worst.empty()) return "";
     Rows rows{{"id", "verdict", "answer", "true", "error over tolerance", "why"}};
     for (std::size_t n = 0; n < worst.size() && (report.options.verbose || n < most); ++n) {
         const Judged& one = *worst[n];
-        const auto ratio = conformance::error_over_tolerance(one);
+        const auto ratio = error_over_tolerance(one);
         rows.push_back({one.vector->question.id, std::string(name(one.verdict)), value_text(one.given),
                         one.vector->reject.empty() ? value_text(truth_of(*one.vector)) : "to be rejected",
                         ratio ? rough(*ratio) : "", one.reason});
@@ -238,7 +230,7 @@ std::string worst_rows(const ConformReport& report) {
     return "\n### Wrong answers\n\n" + table(rows);
 }
 
-std::string diagnosis_rows(const conformance::Diagnosis& d) {
+std::string diagnosis_rows(const Diagnosis& d) {
     if (d.wrong == 0) return "";
     std::string text = "\n### Diagnosis\n\n";
     for (const Finding& f : d.findings)
@@ -252,7 +244,7 @@ std::string diagnosis_rows(const conformance::Diagnosis& d) {
                      " of ", first->asked, " answers.\n");
     for (const Finding& f : d.simple)
         text += said("  - A guess is: ", markdown_cell(f.mistake.told), ". It explains ", f.explained, " of them.\n");
-    for (const conformance::InCommon& one : d.in_common)
+    for (const InCommon& one : d.in_common)
         text += said("  - Of the first wrong quantity they have in common: ", markdown_cell(one.property), ", in ", one.wrong,
                      " of ", one.all_wrong, ".\n");
     return text;
@@ -278,22 +270,19 @@ std::string attribute(const std::string& name, const std::string& text) { return
 std::string case_of(const Judged& one) {
     const std::string start = "  <testcase" + attribute("name", one.vector->question.id) +
                               attribute("classname", one.vector->group + "." + one.vector->question.quantity);
-    if (conformance::is_right(one.verdict)) return start + "/>\n";
-    const std::string verdict(name(one.verdict));
-    const std::string element = one.verdict == Verdict::skipped       ? "skipped"
-                                : conformance::is_broken(one.verdict) ? "error"
-                                                                      : "failure";
-    const std::string message = one.reason.empty() ? verdict : one.reason;
-    if (element == "skipped") return start + ">\n   <skipped" + attribute("message", message) + "/>\n  </testcase>\n";
-    return start + ">\n   <" + element + attribute("type", verdict) + attribute("message", message) + ">" +
-           escaped(answer_text(one, "")) + "</" + element + ">\n  </testcase>\n";
+    if (is_right(one.verdict)) return start + "/>\n";
+    const std::string verdict(name(one.verdict)), message = attribute("message", one.reason.empty() ? verdict : one.reason);
+    if (one.verdict == Verdict::skipped) return start + ">\n   <skipped" + message + "/>\n  </testcase>\n";
+    const std::string element = is_broken(one.verdict) ? "error" : "failure";
+    return start + ">\n   <" + element + attribute("type", verdict) + message + ">" + escaped(answer_text(one, "")) + "</" +
+           element + ">\n  </testcase>\n";
 }
 
 } // namespace
 
 std::size_t ConformReport::wrong_in(std::string_view tier) const {
     return static_cast<std::size_t>(std::ranges::count_if(judged, [&](const Judged& one) {
-        return one.vector->tier == tier && !conformance::is_right(one.verdict) && one.verdict != Verdict::skipped;
+        return one.vector->tier == tier && !is_right(one.verdict) && one.verdict != Verdict::skipped;
     }));
 }
 
@@ -304,7 +293,7 @@ int ConformReport::status() const {
 }
 
 std::string answer_text(const Judged& one, const std::string& indent) {
-    const conformance::Vector& v = *one.vector;
+    const Vector& v = *one.vector;
     std::string text = said(indent, v.question.id, "  ", name(one.verdict), one.equation.empty() ? "" : " (" + one.equation + ")",
                             "  ", v.question.quantity, ", ", v.tier, "\n");
     const std::string inner = indent + "  ";
@@ -312,13 +301,13 @@ std::string answer_text(const Judged& one, const std::string& indent) {
     if (one.verdict == Verdict::skipped) return text;
     text += numbers_text(one, inner);
     if (one.error)
-        text += said(inner, "error ", rough(*one.error), ", over tolerance ",
-                     rough(conformance::error_over_tolerance(one).value_or(0)), condition_text(v), "\n");
+        text += said(inner, "error ", rough(*one.error), ", over tolerance ", rough(error_over_tolerance(one).value_or(0)),
+                     condition_text(v), "\n");
     return text;
 }
 
 std::string report_text(const ConformReport& report) {
-    const bool own = report.options.method == conformance::methods().front().name;
+    const bool own = report.options.method == methods().front().name;
     std::string text = said(report.name, report.dialect.empty() ? "" : " (" + report.dialect + ")", ": ", report.judged.size(),
                             " questions", own ? "" : ", judged by what " + report.options.method + " can do", "\n\n",
                             aligned(score_cells(report, "worst", ".")), worst_text(report), digits_text(report),
@@ -326,7 +315,7 @@ std::string report_text(const ConformReport& report) {
     if (report.options.verbose) {
         text += "\nAll other answers:\n";
         for (const Judged& one : report.judged)
-            if (conformance::is_right(one.verdict) || one.verdict == Verdict::skipped) text += answer_text(one, "  ");
+            if (is_right(one.verdict) || one.verdict == Verdict::skipped) text += answer_text(one, "  ");
     }
     if (!report.notes.empty()) text += "\nNotes:\n";
     for (const std::string& note : report.notes) text += "  " + note + "\n";
@@ -340,40 +329,34 @@ std::string report_markdown(const ConformReport& report) {
     if (!report.notes.empty()) text += "\n### Notes\n\n";
     for (const std::string& note : report.notes) text += "- " + markdown_cell(note) + "\n";
     if (report.changes) {
+        const auto& [better, worse] = *report.changes;
         text += "\n### Since the last run\n\n";
-        for (const auto& [way, changes] : {std::pair("worse", &report.changes->worse), {"better", &report.changes->better}})
+        for (const auto& [way, changes] : {std::pair("worse", &worse), {"better", &better}})
             for (const Change& c : *changes) text += said("- ", way, ": ", c.id, ", ", name(c.before), " to ", name(c.now), "\n");
-        if (report.changes->worse.empty() && report.changes->better.empty()) text += "Nothing changed.\n";
+        if (worse.empty() && better.empty()) text += "Nothing changed.\n";
     }
     return text + "\n" + markdown_cell(conclusion(report)) + "\n";
 }
 
 std::string report_junit(const ConformReport& report) {
-    struct Suite {
-        std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
-        std::string cases;
+    std::map<std::string, std::vector<Judged>> suites;
+    for (const Judged& one : report.judged) suites[one.vector->group].push_back(one);
+    const auto is_failure = [](const Judged& one) { return is_wrong_value(one.verdict) || one.verdict == Verdict::not_rejected; };
+    const auto counts = [&](std::span<const Judged> all) {
+        const auto count = [&](const auto& of_kind) { return std::to_string(std::ranges::count_if(all, of_kind)); };
+        return attribute("tests", std::to_string(all.size())) + attribute("failures", count(is_failure)) +
+               attribute("errors", count([](const Judged& one) { return is_broken(one.verdict); })) +
+               attribute("skipped", count([](const Judged& one) { return one.verdict == Verdict::skipped; }));
     };
-    std::map<std::string, Suite> suites;
-    Suite all;
-    for (const Judged& one : report.judged) {
-        for (Suite* suite : {&suites[one.vector->group], &all}) {
-            ++suite->tests;
-            suite->skipped += one.verdict == Verdict::skipped;
-            suite->errors += conformance::is_broken(one.verdict);
-            suite->failures += conformance::is_wrong_value(one.verdict) || one.verdict == Verdict::not_rejected;
-        }
-        suites[one.vector->group].cases += case_of(one);
-    }
-    const auto counts = [](const Suite& s) {
-        return attribute("tests", std::to_string(s.tests)) + attribute("failures", std::to_string(s.failures)) +
-               attribute("errors", std::to_string(s.errors)) + attribute("skipped", std::to_string(s.skipped));
-    };
-    std::string text =
-        said("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites", attribute("name", report.name), counts(all), ">\n");
+    std::string text = said("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites", attribute("name", report.name),
+                            counts(report.judged), ">\n");
     const std::string found = diagnosis_text(report.diagnosis) + "\n" + conclusion(report) + "\n";
-    for (const auto& [group, suite] : suites)
-        text += said(" <testsuite", attribute("name", group), counts(suite), ">\n", suite.cases,
-                     suite.failures > 0 ? "  <system-out>" + escaped(found) + "</system-out>\n" : "", " </testsuite>\n");
+    for (const auto& [group, all] : suites) {
+        text += said(" <testsuite", attribute("name", group), counts(all), ">\n");
+        for (const Judged& one : all) text += case_of(one);
+        const bool failed = std::ranges::any_of(all, is_failure);
+        text += said(failed ? "  <system-out>" + escaped(found) + "</system-out>\n" : "", " </testsuite>\n");
+    }
     return text + "</testsuites>\n";
 }
 

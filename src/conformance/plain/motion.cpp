@@ -1,9 +1,9 @@
-#include "conformance/plain/stick_slip.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <deque>
 #include <numbers>
+
+#include "conformance/plain/system.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -17,10 +17,9 @@ double largest_of(const PlainRow& z, std::size_t count) {
     return size;
 }
 
-double distance(const PlainRow& a, const PlainRow& b, std::size_t count) {
-    double size = 0;
-    for (std::size_t n = 0; n < count; ++n) size = std::max(size, std::abs(a[n] - b[n]));
-    return size;
+double distance(PlainRow a, const PlainRow& b, std::size_t count) {
+    for (std::size_t n = 0; n < count; ++n) a[n] -= b[n];
+    return largest_of(a, count);
 }
 
 // Weights of a state as a polynomial of the share of dt that has passed, the series of the exponential.
@@ -43,6 +42,10 @@ double polynomial(const PlainRow& series, double x) {
     return sum;
 }
 
+double zero_of(const PlainRow& series) {
+    return zero_between([&](double x) { return polynomial(series, x); }, 0, 1);
+}
+
 // The first time up to dt at which weights of a state, not negative at first, are below zero; none if they stay above. A state
 // falls below zero and rises again at most once in a step.
 std::optional<double> first_fall(const PlainMatrix& A, const PlainRow& z, const PlainRow& next, double dt,
@@ -55,7 +58,7 @@ std::optional<double> first_fall(const PlainMatrix& A, const PlainRow& z, const 
     if (dot(weights, next) > 0) {
         PlainRow rate;
         for (std::size_t k = 1; k < series.size(); ++k) rate.push_back(static_cast<double>(k) * series[k]);
-        far = zero_between([&](double x) { return polynomial(rate, x); }, 0, 1);
+        far = zero_of(rate);
         if (far * dt < nothing || value(far) > 0) return std::nullopt;
     }
     double near = 0;
@@ -66,6 +69,78 @@ std::optional<double> first_fall(const PlainMatrix& A, const PlainRow& z, const 
 }
 
 } // namespace
+
+PlainMatrix equations_of(const PlainSystem& s, bool held) {
+    const std::size_t N = s.size();
+    PlainMatrix A = square(2 * N + 3);
+    const auto accelerations = [&](PlainRow force) {
+        for (double& f : force) f /= s.r * s.r;
+        return solved(s.M, std::move(force));
+    };
+    const PlainRow of_contact = accelerations(s.w);
+    for (std::size_t k = 0; k < 2 * N + 3; ++k) {
+        PlainRow force(N);
+        for (std::size_t i = 0; i < N; ++i) {
+            if (k < N) force[i] = -s.K[i][k];
+            if (k >= N && k < 2 * N) force[i] = -s.r * s.C[i][k - N];
+            if (k == 2 * N) force[i] = s.p[i];
+            if (k == 2 * N + 1) force[i] = -s.p_i[i];
+            if (k == 2 * N + 2) force[i] = -s.w[i];
+        }
+        PlainRow a = accelerations(std::move(force));
+        const double held_back = held ? dot(s.w, a) / dot(s.w, of_contact) : 0;
+        for (std::size_t i = 0; i < N; ++i) A[N + i][k] = a[i] - held_back * of_contact[i];
+    }
+    for (std::size_t i = 0; i < N; ++i) A[i][N + i] = 1;
+    A[2 * N][2 * N + 1] = -1;
+    A[2 * N + 1][2 * N] = 1;
+    return A;
+}
+
+PlainRow in_state(const PlainRow& row, std::size_t from) {
+    PlainRow all(2 * row.size() + 3);
+    std::ranges::copy(row, all.begin() + static_cast<long>(from));
+    return all;
+}
+
+int steps_of(const PlainSystem& s) {
+    double fastest = 0;
+    for (std::size_t i = 0; i < s.size(); ++i) fastest = std::max(fastest, s.r_n[i] / s.r * (1 + 2 * s.zeta[i] * s.zeta[i]));
+    return 2 * static_cast<int>(std::clamp(16 + 6 * std::ceil(fastest), 32.0, 8192.0));
+}
+
+FrictionResponse::FrictionResponse(const PlainSystem& s) : A(equations_of(s, false)), step(whole_period / steps_of(s)) {
+    const std::size_t n = 2 * s.size();
+    const PlainMatrix of_step = propagator(A, step);
+    PlainMatrix half = of_step, power = of_step; // over a half-period, by its steps but one
+    for (int left = steps_of(s) / 2 - 1; left > 0; left /= 2, power = times(power, power))
+        if (left % 2 == 1) half = times(power, half);
+    PlainRow mirrored(n); // (I + E) y = -E f with the force f = -1 of a contact that moves backwards
+    for (std::size_t i = 0; i < n; ++i) {
+        mirrored[i] = half[i][n + 2];
+        half[i].resize(n);
+        half[i][i] += 1;
+    }
+    half.resize(n);
+    PlainRow z = solved(half, mirrored);
+    z.insert(z.end(), {0, 0, -1});
+    for (int left = steps_of(s) / 2; left > 0; --left, z = times(of_step, z)) nodes.push_back(z);
+}
+
+PlainMotion FrictionResponse::at(const PlainRow& row, double tau) const {
+    const auto n = std::min(static_cast<std::size_t>(tau / step), nodes.size() - 1);
+    const PlainRow z = moved(A, nodes[n], tau - static_cast<double>(n) * step);
+    return {dot(row, z), dot(in_state(row, row.size()), z)};
+}
+
+double FrictionResponse::rate_gained(const PlainRow& row, double tau) const {
+    if (tau > step) return at(row, tau).v - at(row, 0).v;
+    return dot(in_state(row, row.size()), increment(A, nodes.front(), tau)); // so that no digits are lost next to the start
+}
+
+double FrictionResponse::acceleration_at_start(const PlainRow& row) const {
+    return dot(in_state(row, row.size()), times(A, nodes.front()));
+}
 
 PlainContact::PlainContact(const ProtocolQuestion& q)
     : system(plain_system(q)), slipping(equations_of(system, false)), resting(equations_of(system, true)),
@@ -236,8 +311,7 @@ std::pair<double, double> PlainContact::largest(const PlainRow& row, double fram
             if (dot(rates, z) * dot(rates, s.states[n].second) > 0) continue;
             const PlainMatrix& A = equations(s.direction);
             const double dt = s.states[n].first - tau;
-            const PlainRow series = series_of(A, z, dt, rates);
-            const double t = dt * zero_between([&](double x) { return polynomial(series, x); }, 0, 1);
+            const double t = dt * zero_of(series_of(A, z, dt, rates));
             take(tau + t, dot(places, moved(A, z, t)));
         }
     }
@@ -250,11 +324,8 @@ PlainRow PlainContact::stops() const {
     PlainRow lengths;
     for (std::size_t n = 0; n < period.size(); ++n) {
         if (period[n].direction != 0) continue;
-        const double length = period[n].end() - period[n].start();
-        if (n > 0 && period[n - 1].direction == 0)
-            lengths.back() += length;
-        else
-            lengths.push_back(length);
+        if (n == 0 || period[n - 1].direction != 0) lengths.push_back(0);
+        lengths.back() += period[n].end() - period[n].start();
     }
     if (period.front().direction == 0 && period.back().direction == 0 && lengths.size() > 1) { // one stop over two periods
         lengths.front() += lengths.back();
