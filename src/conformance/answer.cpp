@@ -1,4 +1,5 @@
-// Answers of an implementation under test, read from the lines that it writes, or from a file.
+// Reads an answer of an implementation under test: from a line of its own dialect, JSON or plain, or from a file of answers, CSV
+// or lines of JSON. Text that is no answer becomes `Unusable` with the reason. Read `answer_from_json` first, then `answers_in`.
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>

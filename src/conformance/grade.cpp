@@ -1,3 +1,5 @@
+// The verdict on one answer: its error against the 40 digits of the vector, compared with its tolerance. Read `grade` first. A
+// method that steps in time gets wider tolerances, `widen`, and is not judged if the question is beyond it, `excuse`.
 #include "conformance/grade.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Properties that wrong answers share, such as k = j, mu > 1 or a value that is too small, if right answers to the same
+// quantities have them less often; and the quantities in the order in which one is computed from another. Read
+// `properties_in_common`.
 #include "conformance/diagnosis/explanations.hpp"
 
 #include <algorithm>

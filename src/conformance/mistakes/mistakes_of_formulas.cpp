@@ -1,3 +1,5 @@
+// Known mistakes in formulas: each equation as the paper prints it, if the derivation refutes that, such as (40), (46) and (57),
+// and other formulas in the place of the right ones. The core of a mistake is the set of quantities that show it at once.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -1,3 +1,5 @@
+// The steady motion F of (46) without modes, for damping that couples them: half a period of the equations of the first order
+// turns the state into its mirror image, which gives linear equations for the state at the start. Read the constructor.
 #include "conformance/plain/friction_response.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Linear algebra of the plain closed form: elimination with pivots, the natural frequencies and mode shapes of (14) and (15) by
+// one-sided rotations, `shapes_of`, and the exponential of a matrix by its series, `increment`.
 #include "conformance/plain/linear.hpp"
 
 #include <algorithm>

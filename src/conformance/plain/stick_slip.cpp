@@ -1,3 +1,6 @@
+// The motion of a contact that slides and rests, period after period, until it repeats: the exponential carries the state over a
+// stretch, and the stretch ends at the first zero of a polynomial. Read `run` and `stretch`, then `settle`, which ends with
+// Newton's method if the periods alone do not come to a steady motion.
 #include "conformance/plain/stick_slip.hpp"
 
 #include <algorithm>

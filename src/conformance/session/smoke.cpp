@@ -1,3 +1,5 @@
+// A first look at an implementation: does it keep to the protocol? Every quantity of the paper is asked once, then a quantity
+// that does not exist and a scene that breaks a rule; no value is judged. Read `smoke`.
 #include "conformance/session/session.hpp"
 
 #include <string_view>

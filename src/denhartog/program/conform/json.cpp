@@ -1,3 +1,5 @@
+// The report of a conformance run as JSON, and the file of verdicts with which a later run is compared. Read `report_json`, then
+// `tracked_verdicts` and `compare`.
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>

@@ -1,3 +1,5 @@
+// The energies of a motion, dissipated by friction and by dampers, as members of an answer of `solve`, in ratios and in the units
+// of the scene, and as lines of a table.
 #include "denhartog/program/json/energy_json.hpp"
 
 #include <limits>
