@@ -55,7 +55,7 @@ def graph_of(ledger):
     for entry in sorted(ledger, key=lambda entry: places[entry["equation"]][0]):
         direct = set(entry["rests_on"])
         below[entry["equation"]] = direct.union(*(below[ground] for ground in direct))
-        for ground in direct - set().union(*(below[ground] for ground in direct)):  # others follow from these
+        for ground in sorted(direct - set().union(*(below[ground] for ground in direct))):  # others follow from these
             (x, y), (to_x, to_y) = middle[ground], middle[entry["equation"]]
             y, to_y = y + HEIGHT / 2, to_y - HEIGHT / 2
             bend, aside = (to_y - y) / 2, COLUMN * 2 / 3 if x == to_x and to_y - y > ROW else 0  # not behind the boxes between
