@@ -195,7 +195,7 @@ def trim(texts):
     """The pages of the site by the names of their files: what is left out is not there, and links follow."""
     out_of_site = {name for name, text in texts.items() if is_left_out(name, text)}
     texts = {name: text for name, text in texts.items() if name not in out_of_site}
-    for name in ("annotated.html", "files.html", "namespaces.html"):
+    for name in ("annotated.html", "concepts.html", "files.html", "namespaces.html"):
         if name in texts:
             texts[name] = whole_list(texts[name], out_of_site)
     moved, declared = {}, declared_in(texts)
