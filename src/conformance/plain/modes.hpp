@@ -56,7 +56,7 @@ struct PlainModes {
     std::size_t masses = 0;                          // their number
     std::size_t j = 0;                               // the row of the contact, counted from 0
     std::size_t l = 0;                               // the row of the load, counted from 0
-    std::size_t l_i = 0;                             // the row of what of it leads by a quarter of a period; l if nothing does
+    std::size_t l_i = 0;                             // the row of the load that leads by a quarter of a period; l if none does
     double r = 0;                                    // frequency ratio
     double beta = 0;                                 // friction ratio
     double mu = 1;                                   // static over kinetic friction

@@ -141,8 +141,8 @@ void PlainContact::run() {
     now = std::move(z);
 }
 
-// Newton's method for the state that a period leaves as it is, with differences for the derivatives. Where static friction is
-// larger, or nothing is damped, there may be more than one, and that which is reached from rest is near; else there is one.
+// Newton's method for the state that a period leaves as it is, with differences for the derivatives. If static friction is
+// larger, or nothing is damped, there may be more than one, and the one reached from rest is near; else there is one.
 std::optional<PlainRow> PlainContact::by_newton() const {
     const std::size_t N = system.size(), n = 2 * N;
     const double reach = system.mu > 1 ? 1e-2 : largest_of(system.zeta, N) == 0 ? 0.5 : INFINITY;
