@@ -61,7 +61,7 @@ std::string fingerprint_of(const Symbolic& kernel, const GiNaC::ex& derived) {
     return found;
 }
 
-/// Whether a claim that states a premise needs it: with the premise made false its sides differ, or are not made any more.
+/// True if a claim needs the premise that it states: with the premise made false its sides differ, or cannot be made.
 bool fails_on_a_false_premise(const Claim& claim) {
     const FalsePremise false_premise;
     const long before = altered_statements_refuted();

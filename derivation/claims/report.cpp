@@ -301,14 +301,13 @@ std::string found_markdown(const ReportParts& p) {
     std::ostringstream out;
     out << "Of " << p.summary.at("equations") << " numbered equations " << p.summary.at("refuted").size()
         << " do not hold as printed, and " << p.summary.at("illegible").size()
-        << " more are illegible in the text at hand, a scan; it cannot tell whether " << listed(p.summary.at("perhaps_scan"))
-        << ", counted among the former, are right in print. One of the mistakes is printed four times:\n\n"
+        << " more are illegible in the text at hand, a scan. Of the former, the scan alone may be wrong in "
+        << listed(p.summary.at("perhaps_scan")) << ". One of the mistakes is printed four times:\n\n"
         << "| in (40), (41), (46), (A.15) as printed | corrected, and proved | " << scene.at("where").get<std::string>()
         << " |\n|---|---|---|\n| $" << bracket << "$ | $" << bracket_of(entry_of(p, "A.8").at("statement")) << "$ | amplitude "
         << three_digits(scene.at("printed")) << " as printed, " << three_digits(scene.at("holds")) << " in truth |\n\n"
-        << "On the paper's own scenes these are off most, as a share of the largest value of the displacement or velocity that "
-           "they "
-           "give: "
+        << "On the paper's own scenes these equations have the largest errors, as a share of the largest displacement or "
+           "velocity: "
         << largest_losses(p, 5) << ".\n";
     return out.str();
 }

@@ -11,7 +11,7 @@ using GiNaC::lst;
 
 namespace {
 
-/// Whether some component has another value than the derived one, where it has one.
+/// True if some component has another value than the derived one.
 bool differs(const Values& kernel, const std::vector<ex>& derived, const std::vector<ex>& real) {
     for (std::size_t i = 0; i < kernel.size(); ++i)
         if (component_differs(kernel[i], derived[i], real)) return true;

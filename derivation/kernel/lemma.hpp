@@ -87,7 +87,7 @@ private:
     std::string assert_squares(std::string& out) const;
     /// The divisors by their texts: in the sides, in arguments and under roots.
     static void collect_divided(const GiNaC::ex& e, std::map<std::string, GiNaC::ex>& found);
-    /// Whether a divisor of the first lemma is, but for a number, the numerator of something that is divided by.
+    /// True if a divisor of the first lemma is a number times the numerator of another divisor.
     bool follows(const Divisor& divisor, const std::map<std::string, GiNaC::ex>& divided) const;
     /// Whether a function or a root stands in one of the sides.
     bool occurs(const GiNaC::ex& function) const;

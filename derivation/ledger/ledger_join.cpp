@@ -92,7 +92,7 @@ std::set<std::string> derived_equations(const std::vector<ClaimResult>& claims) 
     return found;
 }
 
-/// Whether a claim is a proof: it derives its equations or refines a formula that is derived, and says what no other has said.
+/// True if a claim is a proof: it derives its equations or refines a derived formula, and no other claim has said the same.
 bool is_proof(const ClaimResult& claim, const std::set<std::string>& derived) {
     if (claim.kind == "derived" || !claim.same_as.empty()) return claim.same_as.empty();
     return claim.kind == "refinement" && !claim.refines.empty() &&

@@ -48,7 +48,7 @@ bool draws(const std::vector<nlohmann::json>& figures, const std::string& figure
     });
 }
 
-/// Whether all that is meant has what the reference is about, and something that is cited has not.
+/// True if all equations that are meant have the property that a reference is about, and one of those cited has not.
 template <class Has>
 bool is_slip(const Json& cited, const Json& meant, const Has& has) {
     return std::ranges::all_of(meant, has) && !std::ranges::all_of(cited, has);

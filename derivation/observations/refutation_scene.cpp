@@ -17,10 +17,10 @@ std::string regime_of(const Boundary<double>& limit, double beta) {
     return limit.sticking && beta >= *limit.sticking ? "permanent_sticking" : "stick_slip";
 }
 
-/// Why no scene shows a slip of the text at hand: what is meant is beyond doubt, and is what everybody codes.
+/// The reason why no scene shows a slip of the scan: the meaning is beyond doubt, and everybody codes that.
 const std::string slip_of_the_scan =
-    "a slip of the text at hand, which the sentences around it set right: it says nothing of the "
-    "printed paper, and nobody who reads on codes it";
+    "the slip is that of the scan, and the sentences around it correct it; the printed paper is not at fault, and no reader "
+    "would code it";
 
 } // namespace
 

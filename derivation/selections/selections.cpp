@@ -82,7 +82,7 @@ bool vanishes(const ex& e, const Place& place) {
     return extreme ? value.is_zero() : abs(value) < numeric("1e-45");
 }
 
-/// Whether anything in an expression is divided by what vanishes at a place, be it that it cancels in the end.
+/// True if a divisor in an expression vanishes at a place, even if it cancels in the end.
 bool divides_by_zero(const ex& e, const Place& place) {
     const bool quotient = GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::negative);
     if (quotient && vanishes(e.op(0), place)) return true;

@@ -143,7 +143,7 @@
     if (!too_wide(place)) return;
     const tex = tex_of(math[0]), displayed = math[0].getAttribute("display") === "block";
     place.classList.add("in-lines");
-    for (let level = 1; level <= 3 && too_wide(place); ++level)
+    for (let level = 1; level === 1 || level <= 3 && too_wide(place); ++level)
       place.innerHTML = rows_of(tex, level).map((row) => drawn(row, displayed)).join(displayed ? "" : "<br>");
     shrink(place, least_size * least_size);
   }

@@ -215,39 +215,60 @@
   addEventListener("load", () => fit(document));
   document.addEventListener("toggle", (event) => fit(event.target), true);
 
-  // The graph: an equation shows what it rests on, all the way down.
+  // The graph: an equation shows what it rests on and what uses it, all the way; the chosen one can be read below.
   const graph = document.querySelector("svg.equation-graph");
   if (graph) {
+    const panel = document.getElementById("graph-statement"), find = document.querySelector("form.find");
+    const node_of = (number) => graph.querySelector("a[data-equation=\"" + number + "\"]");
+    let chosen = null;
     const light = (node) => {
       graph.classList.toggle("lit", node !== null);
-      for (const each of graph.querySelectorAll(".on")) each.classList.remove("on");
+      for (const each of graph.querySelectorAll(".below, .above, .at")) each.classList.remove("below", "above", "at");
       if (!node) return;
-      const open = [node.dataset.equation], seen = new Set(open);
-      node.classList.add("on");
-      while (open.length) {
-        const at = open.pop();
-        for (const edge of graph.querySelectorAll("path[data-to=\"" + at + "\"]")) {
-          edge.classList.add("on");
-          if (seen.has(edge.dataset.from)) continue;
-          seen.add(edge.dataset.from);
-          open.push(edge.dataset.from);
-          graph.querySelector("a[data-equation=\"" + edge.dataset.from + "\"]").classList.add("on");
-        }
+      node.classList.add("at");
+      for (const [near, far, mark] of [["to", "from", "below"], ["from", "to", "above"]]) {
+        const open = [node.dataset.equation], seen = new Set(open);
+        while (open.length)
+          for (const edge of graph.querySelectorAll("path[data-" + near + "=\"" + open.pop() + "\"]")) {
+            const next = edge.dataset[far];
+            edge.classList.add(mark);
+            if (seen.has(next)) continue;
+            seen.add(next);
+            open.push(next);
+            node_of(next).classList.add(mark);
+          }
       }
+    };
+    const choose = async (number) => {
+      await load("statements.js");
+      chosen = node_of(number);
+      light(chosen);
+      const statement = window.siteStatements[number], [, , rests_on, used_by] = document.getElementById("at-" + number).cells;
+      panel.innerHTML = "<p>(" + number + ") " + statement.said + " <a href=\"" + chosen.getAttribute("href") + "\">The page of (" + number +
+                        ")</a></p><p class=\"near\">It rests on " + rests_on.innerHTML.trim() + "; used by " + used_by.innerHTML.trim() + ".</p>" +
+                        "<div class=\"formulaDsp\">" + statement.drawn + "</div>";
+      const place = panel.querySelector(".formulaDsp"), math = place.querySelector("math");
+      with_formulas((formulas) => { if (math) formulas.draw(math); formulas.fit(place); });
     };
     for (const node of graph.querySelectorAll("a.node")) {
       for (const kind of ["mouseenter", "focus"]) node.addEventListener(kind, () => light(node));
-      for (const kind of ["mouseleave", "blur"]) node.addEventListener(kind, () => light(null));
-      node.addEventListener("click", async (event) => {
-        event.preventDefault();
-        await load("statements.js");
-        const number = node.dataset.equation, statement = window.siteStatements[number];
-        const panel = document.getElementById("graph-statement");
-        panel.innerHTML = "<p>(" + number + ") " + statement.said + " <a href=\"" + node.getAttribute("href") + "\">The page of (" + number +
-                          ")</a></p>" + statement.drawn;
-        panel.scrollIntoView({block: "nearest"});
-      });
+      for (const kind of ["mouseleave", "blur"]) node.addEventListener(kind, () => light(chosen));
     }
+    document.addEventListener("click", (event) => {
+      const node = event.target.closest("a.node, #graph-statement .near a");
+      if (!node) return;
+      event.preventDefault();
+      choose(node.dataset.equation || equation_of(node)).then(() => panel.scrollIntoView({block: "nearest"}));
+    });
+    find.hidden = false;
+    const find_it = async (text) => {
+      const number = (/^eq_(.+)\.html$/.exec(place_of(text)) || ["", ""])[1].replace("_", ".");
+      if (!document.getElementById("at-" + number)) { panel.textContent = "The equations are (1) to (88) and (A.1) to (A.15)."; return; }
+      await choose(number);
+      chosen.scrollIntoView({block: "center", inline: "center"});
+    };
+    find.addEventListener("submit", (event) => { event.preventDefault(); find_it(find.elements.number.value); });
+    if (location.hash.startsWith("#at-")) find_it(location.hash.slice(4));
   }
 
   // All folded parts are printed.

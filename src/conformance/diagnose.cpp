@@ -1,3 +1,6 @@
+// Which known mistakes explain the wrong answers of an implementation? Each mistake is weighed by the answers that agree with it
+// and by those that contradict it; the best one is named, the answers that it explains are set aside, and the search goes on with
+// the rest. Read `diagnose` first, then `findings_of` and `weigh`.
 #include "conformance/diagnose.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The quantities of the protocol, and a question about one of them: read from JSON, written as JSON or in the plain dialect, and
+// as a scene of the library. `beyond_the_paper` says what of a question the paper does not treat. Read the table first.
 #include "conformance/question.hpp"
 
 #include <algorithm>

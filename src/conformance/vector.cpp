@@ -1,3 +1,5 @@
+// Vectors of the conformance kit, a question with its certified answer: read from a folder and checked, written as JSON and CSV.
+// Read `vector_from_json` first; it refuses a vector that lacks a scale, condition or tolerance.
 #include "conformance/vector.hpp"
 
 #include <algorithm>

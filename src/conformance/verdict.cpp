@@ -1,3 +1,5 @@
+// The verdicts and what is counted of them: the scores of each group, with the median and worst number of right digits, the worst
+// answers first, and whether an implementation conforms, `conforms`.
 #include "conformance/verdict.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The functions of the C++ interface. Each reads its scene, asks the part of the library that answers, and adds no number of its
+// own.
 #include "denhartog/denhartog.hpp"
 
 #include <algorithm>

@@ -69,7 +69,7 @@ namespace denhartog {
 /// @throws         InputError, DomainError and PrecisionError as `solve` does
 [[nodiscard]] SampledSolution motion(const Scene<double>& scene, std::size_t samples);
 
-/// @brief What the steady motion of a scene dissipates in a period of the force, friction as an equivalent dashpot, and the forces
+/// @brief Energies that the steady motion dissipates in a period of the force, friction as an equivalent dashpot, and the forces
 /// that it hands to wall and base. Every number is proved.
 /// @param scene   the scene; needs r > 0 and beta >= 0
 /// @param digits  significant digits, from 1 to `most_digits`; by default 6

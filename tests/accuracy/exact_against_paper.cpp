@@ -47,7 +47,7 @@ TEST_CASE("in stick-slip the exact solver and the paper's algorithm at 1e-12 go 
     CHECK(tight.most_stops >= 6);
     CHECK(tight.mixed.error <= 1e-9);
     CHECK(tight.event.error <= 1e-8);
-    // What is left is the tolerance: a hundred times smaller, it leaves at least thirty times less.
+    // The error that is left is that of the tolerance: a tolerance a hundred times smaller leaves at least thirty times less.
     CHECK(tight.mixed.error <= loose.mixed.error / 30);
     CHECK(tight.event.error <= loose.event.error / 30);
 }

@@ -79,7 +79,7 @@ std::array<T, count> shipped(const Point<T>& p) {
             evaluation::friction_motion(tau, R, zeta, w, f.u, f.g).value};
 }
 
-/// The same functions and free motions with the differences of (40) as they stand.
+/// The functions and free motions with the differences of (40) as they stand.
 template <class T>
 std::array<T, count> by_difference(const Point<T>& p) {
     const auto& [R, zeta, tau] = p;

@@ -19,7 +19,7 @@
 using namespace denhartog::tests;
 using namespace denhartog;
 
-// What the surveys leave for the site's pages.
+// Records that the surveys leave for the pages of the site.
 
 TEST_CASE("the record of a survey has a row a function and zone, with its equations, and null for what is no number",
           "[accuracy][pages]") {

@@ -81,7 +81,7 @@ All<Real100> truth_in(const Place<T>& p) {
     return truth;
 }
 
-/// What cancels: zeta - w_1, twice the digits of zeta; (29) at large R, twice those of R. Where both are large (29) is below
+/// Cancellations: zeta - w_1 takes twice the digits of zeta; (29) at large R, twice those of R. If both are large, (29) is below
 /// every range.
 template <class T>
 All<Real100> truth_of(const Place<T>& p) {

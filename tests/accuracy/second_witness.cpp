@@ -114,7 +114,7 @@ const std::vector<Witnessed>& scenes_for_wrong_forms() {
     return all;
 }
 
-/// Whether the witness finds a motion that slides: sampled finely, in double.
+/// True if the witness finds a motion that slides, sampled finely in double.
 bool witness_slides(const Scene<double>& scene, int steps) {
     const HalfPeriodProblem<Real50> wide = half_period_problem(scene);
     const auto narrowed = [](const Matrix<Real50>& A) {

@@ -43,7 +43,7 @@ Built closed_form_in_fortran(const std::string& source) {
                  "gfortran -std=f2018 -O2 -Wall -Werror '" + source + "' '" + adapters() + "fortran/adapter.f90'");
 }
 
-// What in a folder is longer than it may be: a closed form, all its files together, an adapter, a line.
+// Files of a folder that are longer than they may be: a closed form, all its files together, an adapter, a line.
 std::vector<std::string> too_long(const std::filesystem::path& folder) {
     std::vector<std::string> found;
     std::size_t closed_form = 0;
@@ -132,7 +132,7 @@ std::vector<std::string> answers(const Built& adapter, const std::vector<std::st
     return lines;
 }
 
-// How far two answers are apart, relative to the largest number of the right one; phases in radians.
+// Distance of two answers, relative to the largest number of the right one; phases in radians.
 double distance(const std::string& question, const std::string& found, const std::string& right) {
     std::istringstream a(found), b(right), q(question);
     std::string id, kind_found, kind_right, quantity, x, y;
@@ -157,7 +157,7 @@ double distance(const std::string& question, const std::string& found, const std
     return quantity.starts_with("phase") ? apart : apart / std::max(size, 1e-3);
 }
 
-// What no closed form gives: the answer is skipped, and the contact sticks and slips.
+// True for an answer that no closed form gives: it is skipped, and the contact sticks and slips.
 bool is_left_out(const std::string& answer, const std::string& regime) {
     return answer.find(" skip ") != std::string::npos && regime.find(" stick_slip") != std::string::npos;
 }

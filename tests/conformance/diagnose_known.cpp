@@ -39,7 +39,7 @@ std::vector<Vector> seeded_vectors() {
 
 TEST_CASE("each known mistake is found by its answers, it alone", "[conformance][diagnosis][mistake]") {
     const std::vector<Vector> vectors = seeded_vectors();
-    // What is asked of every mistake is the same: each answer is computed once.
+    // All mistakes get the same questions: each answer is computed once.
     std::map<std::string, std::map<std::string, std::optional<Value>>> answers;
     for (const Mistake& mistake : mistakes())
         for (const Vector& v : vectors) answers[mistake.name][v.question.id] = answer_with_mistake(mistake.name, v.question);

@@ -42,7 +42,7 @@ std::set<std::string> names_of(const std::vector<const Mistake*>& made) {
     return names;
 }
 
-// Whether a mistake shows in the answers: one in base excitation, for example, does not on scenes of the paper.
+// True if a mistake shows in the answers. One in base excitation, for example, does not on scenes of the paper.
 bool shows(const Mistake& mistake) {
     return std::ranges::any_of(some_vectors(), [&](const Vector& v) {
         const std::optional<Value> value = mistake.answer(v.question);

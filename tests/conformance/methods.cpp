@@ -1,4 +1,4 @@
-// What a method can do decides how its answers are judged.
+// Answers are judged by the abilities of their method.
 #include "conformance/verdict.hpp"
 
 #include "denhartog/number/errors.hpp"

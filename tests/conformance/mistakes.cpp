@@ -47,7 +47,7 @@ const std::vector<Asked>& all_asked() {
     return all;
 }
 
-// What each mistake answers to all of them, by its name: computed once.
+// Answers of each mistake to all of them, by its name, computed once.
 const std::map<std::string, std::vector<std::optional<Value>>>& all_answers() {
     static const std::map<std::string, std::vector<std::optional<Value>>> all = [] {
         std::map<std::string, std::vector<std::optional<Value>>> answers;

@@ -51,7 +51,7 @@ const std::vector<Vector>& some_vectors() {
 
 using Answers = std::map<std::string, std::optional<Value>>; // by the id of the question
 
-// What known mistakes answer: computed once for all programs.
+// Answers of known mistakes, computed once for all programs.
 const std::map<std::string, Answers>& known_answers() {
     static const std::map<std::string, Answers> all = [] {
         std::map<std::string, Answers> answers;
@@ -147,7 +147,7 @@ const std::vector<Program>& programs() {
     return all;
 }
 
-// What came of a program.
+// Result of the diagnosis of a program.
 struct ProgramOutcome {
     std::size_t wrong = 0;
     std::vector<std::string> names;

@@ -1,4 +1,4 @@
-// What a report says besides verdicts: groups of answers, missing digits, the known mistakes.
+// Parts of a report besides verdicts: groups of answers, missing digits, the known mistakes.
 #include "conformance/mistakes/mistake.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/runner_fixtures.hpp"

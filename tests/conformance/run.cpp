@@ -206,7 +206,7 @@ TEST_CASE("verdicts are tracked: what got better and worse is told, and worse fa
         CHECK(contains(worse.error, "was left as it was, because something got worse"));
         CHECK(content_of(file) == kept);
     }
-    // What is not asked keeps its verdict.
+    // A question that is not asked keeps its verdict.
     CHECK(run("--filter amplitude --track '" + file + "'", good).status == 0);
     CHECK(content_of(file) == kept);
     const Run none = run("--track '" + file_with("no-track", "{\"verdicts\": 7}").string() + "'", good);

@@ -22,7 +22,7 @@ Certificate certificate(const ex& left, const ex& right, const LeftOut& left_out
 
 bool coq_is_there() { return std::system("command -v coqc >/dev/null 2>&1") == 0; }
 
-/// What Coq says of a certificate, and of its lemma on the functions where there is one.
+/// Coq's verdict on a certificate, and on its lemma about the functions if there is one.
 Compiled said_of(const Certificate& c) {
     const denhartog::tests::Folder folder;
     const std::string file =

@@ -17,7 +17,7 @@ struct FalseStatement {
     ex left, right;
 };
 
-/// Whether the reduction, without any sample, takes a statement for proved.
+/// True if the reduction alone, without any sample, proves a statement.
 bool reduction_proves(const FalseStatement& f) {
     try {
         return remainder(f.left - f.right, domain_of({f.left, f.right})).is_zero();

@@ -1,4 +1,4 @@
-// What `57/largest-at-start` proves, by numbers: from half the damped natural frequency on the start demands most.
+// `57/largest-at-start` by numbers: from half the damped natural frequency on, the demand is largest at the start.
 #include <cmath>
 
 #include "denhartog/evaluation/demand.hpp"

@@ -1,4 +1,4 @@
-// What the observations are measured with, by other routes.
+// The functions with which the observations are measured, checked by other routes.
 #include "derivation/observations/observed_systems.hpp"
 
 #include <cmath>

@@ -63,7 +63,7 @@ double apart(const std::vector<double>& places, const Body& body, const Theorem&
 
 } // namespace
 
-// What compares numbers does not compile for the proofs, and an overload that is not on the list is not found.
+// Code that compares numbers does not compile for the proofs, and an overload that is not on the list is not found.
 static_assert(!Ordered<Symbolic> && !Compared<Symbolic>);
 static_assert(shipped_elsewhere::HasSinc<Symbolic> && !shipped_elsewhere::HasUnlisted<Symbolic>);
 

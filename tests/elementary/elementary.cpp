@@ -42,7 +42,7 @@ using Mpfr = int (*)(mpfr_t, const mpfr_t, mpfr_rnd_t);
 int sine_of_half_turns_by_mpfr(mpfr_t y, const mpfr_t x, mpfr_rnd_t rounding) { return mpfr_sinpi(y, x, rounding); }
 int cosine_of_half_turns_by_mpfr(mpfr_t y, const mpfr_t x, mpfr_rnd_t rounding) { return mpfr_cospi(y, x, rounding); }
 
-/// How far a number is from an exact one, in units in the last place of that.
+/// Distance of a number from an exact one, in units in the last place of the exact one.
 double units_apart(const elementary::Parts& found, const Exact& exact) {
     if (mpfr_zero_p(exact.x) != 0) return found.high == 0 ? 0 : infinite;
     const long exponent = std::max(static_cast<long>(mpfr_get_exp(exact.x)) - 53, -1074L);

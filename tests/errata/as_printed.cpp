@@ -1,4 +1,4 @@
-// What the derivation refutes is refuted here by numbers, each beside the form that holds.
+// Printed forms that the derivation refutes, refuted here by numbers, each beside the form that holds.
 #include "denhartog/formulas/as_printed.hpp"
 
 #include <algorithm>

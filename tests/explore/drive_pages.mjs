@@ -52,7 +52,7 @@ async function open(name, hash = "", folder = site) {
   await page.goto(pathToFileURL(path.resolve(folder, name + ".html")).href + hash, { waitUntil: "load" });
   if (name !== "index") await wait();
 }
-// What a pointer or a key does to a range: its value, then its event.
+// Moves a range as a pointer or a key does: its value, then its event.
 const slide = (values) =>
   page.evaluate((all) => {
     for (const [key, value] of all) {
@@ -366,7 +366,7 @@ function ask_functions(scene) {
   return [JSON.parse(run.stdout)];
 }
 
-// What "copy as command" shows, pasted into a shell.
+// Pastes the text of "copy as command" into a shell.
 async function paste() {
   for (const hash of ["", "#N=3&j=2&l=3&r=0.6&b=0.5&mu=1.2&g=1,2.5,0.75", "#N=5&j=3&z=0.01&r=0.9&b=0.2"]) {
     await open("machine", hash);
@@ -455,7 +455,7 @@ await stage(hurry);
 await stage(look_everywhere);
 await compare(states, site);
 
-// The same comparison with friction a thousandth too small has to fail.
+// The comparison has to fail if friction is a thousandth too small.
 const copy = fs.mkdtempSync(path.join(os.tmpdir(), "explore-"));
 fs.cpSync(site, copy, { recursive: true });
 const script = fs.readFileSync(path.join(copy, "explore.js"), "utf8"),

@@ -1,4 +1,4 @@
-// What the explorable pages compute, without a browser. Usage: node engine_test.js; exit status 1 where a sentence does not hold.
+// Tests the numbers of the explorable pages without a browser. Usage: node engine_test.js; exit status 1 if a sentence does not hold.
 // The kit grades the motion itself, through tests/conformance/adapters/javascript/adapter.js.
 'use strict';
 const assert = require('assert');

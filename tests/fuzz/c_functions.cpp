@@ -379,7 +379,7 @@ void ask_systems(Choices& c, const dh_system* system, std::size_t N) {
 
 int count_down(void* context) { return --*static_cast<int*>(context) < 0 ? 1 : 0; }
 
-// What a call may cost: little, or next to nothing, or an end from outside after a while; what is no such number changes nothing.
+// Sets the effort that a call may take: little, next to none, or until it is cancelled. A number that is refused changes nothing.
 void set_effort(Choices& c, int& calls_left) {
     constexpr std::array<double, 4> few{operations, 1, 30, 300};
     const double asked = c.rarely() ? c.any_number() : few[c.of(few.size())];

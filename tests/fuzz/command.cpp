@@ -18,7 +18,7 @@ constexpr long operations = 3000;
 constexpr double most_work = 64; // samples, cycles, points of a grid
 constexpr std::size_t longest_report = 1520;
 
-// What goes to a stream for the time of its life.
+// Catches the text that goes to a stream during its life.
 class Caught {
 public:
     explicit Caught(std::ostream& stream_) : stream(stream_), before(stream_.rdbuf(text.rdbuf())) {}
@@ -33,7 +33,7 @@ private:
     std::streambuf* before;
 };
 
-// Whether a word asks for no file, and holds no number between what is done at once and what is refused at once.
+// True if a word asks for no file, and each of its numbers is small enough to be answered at once or large enough to be refused.
 bool is_quickly_done(std::string word) {
     if (word.find('/') != word.npos || word.starts_with("--output") || word.starts_with("--threads")) return false;
     for (char& c : word)

@@ -16,7 +16,7 @@ namespace {
 std::string all_members(const ProtocolQuestion& q) { return question_json(q).dump(); }
 std::string all_members(const Vector& v) { return vector_json(v).dump(); }
 
-// What is written is read again as it was.
+// Requires that a thing, written and read again, is unchanged.
 template <class Read, class Thing>
 void check_again(const Read& read, const Thing& thing) {
     const std::string written = all_members(thing);

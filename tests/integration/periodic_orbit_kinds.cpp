@@ -27,12 +27,12 @@ bool all_finite(const PeriodicOrbit& o) {
     return std::isfinite(sum);
 }
 
-/// Whether two multipliers of one size may be what they are known to be.
+/// True if two multipliers of one size may be the known ones.
 bool overlap(const Multiplier& a, const Multiplier& b) {
     return std::abs(size_of(a.value) - size_of(b.value)) <= a.error + b.error;
 }
 
-/// What a search must find and propagation must confirm: an orbit of a period and no shorter one.
+/// Requires that a search finds an orbit of a period and no shorter one, and that propagation confirms it.
 void check_kind(const PreparedMotion& p, int periods, bool symmetric, std::size_t stops) {
     const PeriodicOrbit orbit = orbit_of(p);
     INFO(in_words(orbit.reason));

@@ -1,4 +1,4 @@
-// How near a motion has to be to the sliding one to slide for ever, and the search that is spared by it.
+// The distance from the sliding motion within which a motion slides for ever, and the search that this saves.
 #include <cmath>
 #include <memory>
 #include <random>

@@ -19,7 +19,7 @@ using namespace denhartog;
 
 namespace {
 
-/// What the chart shows of a path: which of v, u, g lose more than half of their digits in the paper's forms.
+/// Expected findings of the chart on a path: which of v, u, g lose more than half of their digits in the paper's forms.
 struct Expected {
     std::string words;
     Three<bool> lost;
@@ -41,8 +41,8 @@ const std::vector<Expected>& expected() {
     return rows;
 }
 
-/// Whether the paper's form of a function loses more than half of its digits, what is larger than every number of the type
-/// included: the square of 1 - R^2 for R = 1e100, the hyperbolic cosine of pi zeta / R for R = 1e-8, ten to the power of 14
+/// True if the paper's form of a function loses more than half of its digits, or has a part larger than every number of the type,
+/// such as the square of 1 - R^2 for R = 1e100, the hyperbolic cosine of pi zeta / R for R = 1e-8, ten to the power of 14
 /// millions.
 bool is_lost(std::size_t path, std::size_t f, int largest_power_of_ten) {
     const std::string& words = expected()[path].words;

@@ -1,4 +1,4 @@
-// What a motion dissipates and the forces that it hands over: the energy balance of the reference against quadratures of the power
+// Energy that a motion dissipates and forces that it hands over: the balance of the reference against quadratures of the power
 // along motions that other routes have.
 #include <cmath>
 
@@ -20,7 +20,7 @@ struct Quadrature {
     double contact = 0, dampers = 0, load = 0, on_base = 0, work_of_base = 0;
 };
 
-// How base and wall move in the frame of the displacements.
+// Motion of the base or wall in the frame of the displacements.
 double motion_of_base(const Scene<double>& scene) {
     const BaseMotion base = scene.system.base_motion;
     return base == BaseMotion::alone ? 1 : base == BaseMotion::wall ? -1 : 0;
@@ -79,7 +79,7 @@ std::array<int, 3> compare_energies(const std::vector<RandomScene<double>>& scen
                 CHECK(e.contact.proved);
                 CHECK(e.contact.value >= 0);
                 check_energies(e, q, 1e-5);
-                // What goes in comes out again.
+                // The energy that goes in comes out again.
                 const double in = (motion_of_base(scene) == 0 ? q.load : 0);
                 if (motion_of_base(scene) == 0) CHECK(e.contact.value + e.dampers.value == Approx(in).epsilon(1e-5).margin(1e-7));
                 if (motion_of_base(scene) == 1)

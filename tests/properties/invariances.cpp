@@ -10,7 +10,7 @@
 using namespace denhartog::tests;
 using namespace denhartog;
 
-// What may be changed in a scene without changing its response, over seeded random systems.
+// Changes of a scene that leave its response as it is, over seeded random systems.
 
 namespace {
 

@@ -26,7 +26,7 @@ bool begins_alike(const std::string& few, const std::string& many, std::size_t d
     return few.substr(0, digits) == many.substr(0, digits) && few.substr(few.find('e')) == many.substr(many.find('e'));
 }
 
-// What is certain of the decimals: all but the last are those of more digits, by the bound.
+// True if the bounds allow two answers to be one number: all decimals but the last are then those of more digits.
 bool is_the_same_number(const Certified& few, const Certified& many) { return apart(ball_of(few), ball_of(many)) == 0; }
 
 } // namespace

@@ -56,7 +56,7 @@ SearchedFunction<Ball> searched(const std::function<Series(const Series&)>& f) {
             }};
 }
 
-// Whether the stretches hold an instant, and the bounds a value.
+// True if one of the stretches holds an instant, and the bounds hold a value.
 bool holds_largest(const LargestOnStretches& found, double value, double instant) {
     double upper = found.lower;
     bool there = false;

@@ -28,7 +28,7 @@ std::vector<RandomScene<double>> systems() {
     return some;
 }
 
-// How modes in few bits compare with 100 digits: by how much of their radii they are off, at most.
+// Largest errors of modes in few bits against 100 digits, as parts of their radii.
 struct ModesUsed {
     double of_R = 0, of_psi = 0;
 };
@@ -180,7 +180,7 @@ constexpr const char* nearly_modal =
 
 SceneSource source_of(const char* text) { return scene_source(SceneText{text}); }
 
-// How many eigenproblems of a system are solved by some work.
+// Number of eigenproblems of a system that some work solves.
 template <class Work>
 long modes_solved(const KeptModes& kept, const Work& work) {
     const long before = kept.solved();

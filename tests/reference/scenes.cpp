@@ -47,7 +47,7 @@ void survey_mass(const std::string& kind, const SolvedMass& told, const SolvedMa
     survey_number("sliding: monoharmonic phase", a.phase_monoharmonic, b.phase_monoharmonic, survey, full_turns(1));
 }
 
-// How far a stop that was told is from one that was proved and a number of periods, in the period of the motion.
+// Distance of a stop of an answer from a proved stop some periods of the force later, in the period of the motion.
 double apart_in_time(const SolvedStop& told, const SolvedStop& proved, int later, int periods) {
     const double turn = 2 * pi<double>();
     return std::abs(std::remainder(told.start.value - proved.start.value - turn * later, turn * periods));
@@ -119,7 +119,7 @@ void denhartog::tests::survey_answer(const std::string& kind, const Solution& to
 
 namespace {
 
-// What `map` promises instead of a bound.
+// Holds `map` to its promises, which stand in the place of a bound.
 void survey_map(const SurveyedScene& s, const Solution& proved, SurveyOfBounds& survey) {
     const Scene<double> scene = denhartog::scene(s.text);
     const RegimeMap told = map(scene, {*scene.r}, {*scene.beta});
@@ -158,7 +158,7 @@ void survey_quantities(const SceneSource& source, const Truth& truth, SurveyOfBo
                           });
 }
 
-// The same point with each number taken as a double, as C gives it.
+// The point with each number taken as a double, as C gives it.
 SceneSource in_doubles_of_c(const SurveyedScene& s) {
     const Scene<double>& scene = s.source->in_double();
     return at_point(with_static_friction(s.source, scene.mu), *scene.r, *scene.beta);

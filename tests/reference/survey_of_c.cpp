@@ -1,4 +1,4 @@
-// What the functions of the C interface give beside what is proved.
+// Results of the functions of the C interface beside those that are proved.
 #include <algorithm>
 #include <array>
 
@@ -167,7 +167,7 @@ void survey_stops(const dh_solution* solution, const dh_summary& all, const Solu
     }
 }
 
-// What the samples of a motion promise: a millionth of the amplitude beside the error of that.
+// Holds the samples of a motion to their promise: a millionth of the amplitude beside its error.
 void survey_samples(const dh_solution* solution, const Solution& proved, const Truth& truth, std::size_t N,
                     SurveyOfBounds& survey) {
     constexpr std::size_t samples = 8;

@@ -105,7 +105,7 @@ TEST_CASE("a damping matrix counts as modal within its tolerance, to any digits"
             .masses[1]
             .amplitude.value;
     };
-    // How far K M^-1 C is from C M^-1 K over the sizes of both is 0.218.
+    // The difference of K M^-1 C and C M^-1 K, over the sizes of both, is 0.218.
     CHECK(amplitude("0.5", 6) == Approx(amplitude("0.5", 30)).epsilon(1e-12));
     CHECK(amplitude("0.5", 30) == Approx(amplitude("2", 30)).epsilon(1e-15));
     CHECK(amplitude("0.01", 6) == Approx(amplitude("0.01", 30)).epsilon(1e-12));

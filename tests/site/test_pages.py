@@ -421,16 +421,19 @@ class Pages(Case):
     def test_graph(self):
         """In the graph every equation stands below what it rests on, and no two in one place; a way round or a hole is refused."""
         rows = json.loads((PROJECT / "docs/ledger/equations.json").read_text())
-        places = layout(rows, 20)
+        places = layout(rows)
         self.assertEqual(len(set(places.values())), len(rows))
-        self.assertTrue(all(0 <= column < 20 for _, column in places.values()))
+        self.assertTrue(all(0 <= column < 25 for _, column in places.values()))
+        columns = {section: {places[row["equation"]][1] for row in rows if row["section"] == section} for section in ("2.2", "Appendix", "2.3")}
+        self.assertLess(max(columns["2.2"]), min(columns["Appendix"]))
+        self.assertLess(max(columns["Appendix"]), min(columns["2.3"]))
         for row in rows:
             for ground in row["rests_on"]:
                 self.assertGreater(places[row["equation"]][0], places[ground][0])
         with self.assertRaisesRegex(Fault, "must not rest on itself"):
-            layout([{"equation": "1", "rests_on": ["2"]}, {"equation": "2", "rests_on": ["1"]}], 20)
+            layout([{"equation": "1", "rests_on": ["2"]}, {"equation": "2", "rests_on": ["1"]}])
         with self.assertRaisesRegex(Fault, "must have an entry"):
-            layout([{"equation": "1", "rests_on": ["2"]}], 20)
+            layout([{"equation": "1", "rests_on": ["2"]}])
 
 
 class Finished(Case):
@@ -511,9 +514,10 @@ class Finished(Case):
             "x_8hpp.html": folder + "tests</a></li>", "y_8cpp.html": "",
             "x_8hpp_source.html": '<a href="x_8hpp.html">Go to the documentation of this file.</a><a href="structB.html">B</a>',
             "c_8h.html": folder + 'src</a></li><a href="x_8hpp.html#there">x</a>',
-            "namespacedenhartog.html": '<title>t</title><h1 class="title">denhartog Namespace Reference</h1><div class="contents">\n<p>All.</p>'
-                '<table class="memberdecls"><a id="func-members" name="func-members"></a></table><h2 class="groupheader">Function '
-                'Documentation</h2>\n' + item("a1", "f()", "one_8hpp") + item("a2", "g()", "two_2x__y_8hpp") + "</div><!-- contents -->",
+            "namespacedenhartog.html": '<title>t</title><h1 class="title">denhartog Namespace Reference</h1><div class="contents">\n<p>All. '
+                '<a href="namespacedenhartog.html#details">More...</a></p><table class="memberdecls"><a id="func-members" name="func-members"></a></table><a name="details" id="details"></a><h2 '
+                'class="groupheader">Detailed Description</h2><p>All of it.</p><h2 class="groupheader">Function Documentation</h2>\n'
+                + item("a1", "f() [1/2]", "one_8hpp") + item("a3", "f() [2/2]", "one_8hpp") + item("a2", "g()", "two_2x__y_8hpp") + "</div><!-- contents -->",
             "one_8hpp_source.html": "", "two_2x__y_8hpp_source.html": ""})
         for name in ("structA-members.html", "structB.html", "x_8hpp.html", "y_8cpp.html"):
             self.assertNotIn(name, texts)
@@ -523,6 +527,8 @@ class Finished(Case):
         self.assertHas(texts["c_8h.html"], '<a href="x_8hpp_source.html">x</a>')
         self.assertNotRegex(texts["namespacedenhartog.html"], "memberdecls|Says")
         self.assertHas(texts["namespacedenhartog.html"], 'namespacedenhartog_in_two_2x__y_8hpp.html#a2">g()</a>')
+        self.assertHas(texts["namespacedenhartog.html"], '<p>All of it.</p>', 'namespacedenhartog_in_one_8hpp.html#a1">f()</a></dd>')
+        self.assertNotRegex(texts["namespacedenhartog.html"], "More|Detailed|1/2|#a3")
         part = texts["namespacedenhartog_in_two_2x__y_8hpp.html"]
         self.assertHas(part, '<h1 class="title">denhartog in two/x_y.hpp</h1>', "Says g()")
         self.assertNotIn("Says f()", part)

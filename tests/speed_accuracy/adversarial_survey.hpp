@@ -18,10 +18,10 @@
 
 namespace denhartog::tests {
 
-/// What is wrong with an answer, in words.
+/// Faults of an answer, in words.
 using Faults = std::vector<std::string>;
 
-/// What is wrong with the samples of a motion: equally spaced over its period, an even number of them.
+/// Faults of the samples of a motion, an even number of them, equally spaced over its period.
 [[nodiscard]] Faults faults_of_samples(const Solution& solution, const std::vector<State>& states);
 
 /// @brief A number of two answers to the same question.

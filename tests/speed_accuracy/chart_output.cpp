@@ -37,7 +37,7 @@ std::vector<std::string> scenes_of(const std::vector<ChartRow>& rows) {
 
 bool is_solve(const ChartRow& row) { return row.method == "solve"; }
 
-// What `solve` calls itself; none of it settles regime and error bound of an answer by itself.
+// True for a method that `solve` calls; none of them settles regime and error bound of an answer by itself.
 bool is_part_of_solve(const ChartRow& row) { return row.method.starts_with("closed form as") || row.method == "exact solver"; }
 
 double cost_of(const ChartRow& row, bool with_setup) { return row.time + (with_setup ? row.setup : 0); }

@@ -62,7 +62,8 @@ std::array<Real100, 5> motion_in(const Instant<T>& p) {
     return in_100_digits(f);
 }
 
-/// What the printed forms lose at an instant is lost at the place, and at the ends of the half-period, where a quotient of two
+/// The truth at an instant, in enough digits: the printed forms lose those of the place, and more of them at the ends of the
+/// half-period, where a quotient of two
 /// small numbers is taken.
 template <class T>
 std::array<Real100, 5> truth_of(const Instant<T>& p) {
@@ -91,7 +92,7 @@ std::array<double, n> conditions(const std::array<Wide, m>& arguments, const Fun
     return found;
 }
 
-/// What errors at a point are measured by: the truth, and condition numbers, which are worked out where they are needed.
+/// The truth at a point, by which errors are measured, and condition numbers, computed only if they are needed.
 template <std::size_t n>
 struct Reference {
     std::function<std::array<Real100, n>()> truth;

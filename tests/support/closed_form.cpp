@@ -35,7 +35,7 @@ T demand_of_mode(const ModeSums<T>& s, std::size_t i, const T& tau) {
     return evaluation::s_d_integrand_of(tau, s.R[i], s.zeta[i], evaluation::DampingFunctions<T>{s.u[i], s.g[i]});
 }
 
-// The same in double, where samples are taken.
+// The demand of a mode in double, for samples.
 template <class T>
 double rough_demand(const ModeSums<T>& s, std::size_t i, double tau) {
     const auto narrow = [](const T& x) { return static_cast<double>(x); };

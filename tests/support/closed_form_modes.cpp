@@ -15,7 +15,7 @@ using Index = Eigen::Index;
 template <class T>
 using Doubled = Multiprecision<2 * static_cast<unsigned>(std::numeric_limits<T>::digits10 / 50 * 50)>;
 
-// What the roundings of a system's own numbers make of an entry of D between two modes.
+// Size of an entry of D between two modes that the roundings of a system's own numbers may cause.
 template <class W>
 W rounding_between(const std::vector<W>& r_n, const Matrix<W>& phi, const Matrix<W>& C, const Matrix<W>& D, Index i, Index k,
                    const W& unit) {

@@ -142,7 +142,7 @@ TEST_CASE("at the static boundary the load on the contact equals static friction
                                 std::span<const double>(v), s.load == s.contact ? 1 : 0, 0.0, state.phi_j);
         INFO(at(scene));
         CHECK(std::abs(load - mu * beta) < 1e-10 * size);
-        // The same from the modes, (59) and (63), and from the sums, (66).
+        // The boundary from the modes, (59) and (63), and from the sums, (66).
         double by_modes = 0, by_functions = 0;
         for (std::size_t i = 0; i < N; ++i) {
             const double psi_ji = mode_shapes_at(s, s.contact)[i], psi_li = mode_shapes_at(s, s.load)[i];

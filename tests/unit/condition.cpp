@@ -1,4 +1,4 @@
-// How much amplitudes change with the numbers of a scene, against the derivative by hand and against what units ask for.
+// Condition numbers of amplitudes, against derivatives by hand and against the scaling that units demand.
 #include "denhartog/solve/find.hpp"
 
 #include <cmath>

@@ -377,7 +377,7 @@ TEST_CASE("how far damping couples the modes is told of a scene of which double 
 
 namespace {
 
-// What the program prints where the system leaves out code paths of its functions, as if the processor were an older one.
+// Output of the program if the C library may not use newer instructions, as on an older processor.
 Run run_on_older(const std::string& without, const std::string& arguments, const std::string& scenes) {
     const std::string file = file_with("scenes-of-same-digits.jsonl", scenes).string();
     return run_program("--version >/dev/null; GLIBC_TUNABLES=glibc.cpu.hwcaps=" + without + " exec '" +

@@ -29,7 +29,7 @@ std::vector<std::pair<std::string, std::string>> alternatives_of(const std::stri
     return all;
 }
 
-// Whether what was printed is what a text of a pattern says, which may be a rule.
+// True if the printed text fits a pattern, which may be a rule.
 bool follows(const std::string& rule, const Json& found) {
     const std::size_t space = rule.find(' ');
     const std::string word = rule.substr(0, space), rest = space == std::string::npos ? "" : rule.substr(space + 1);
@@ -54,7 +54,7 @@ bool follows(const std::string& rule, const Json& found) {
     return found == rule;
 }
 
-// What is wrong with what was printed. Where claims are counted, each is an assertion of its own.
+// Faults of the printed text. If claims are counted, each is an assertion of its own.
 struct Faults {
     std::vector<std::string> all{};
     bool counted = false;

@@ -207,7 +207,7 @@ TEST_CASE("next to a friction ratio at which a phase jumps, its bound holds or r
     scene.beta = jump * (1 + 1e-6);
     CHECK(std::abs(answer(scene_source(scene), 10).masses[0].phase->value - 0.944) < 1e-3);
 
-    // The same to all digits of 50: those of 100 tell.
+    // The two agree to all of 50 digits; 100 digits tell them apart.
     const auto instant = [&](const Real50& beta) {
         const Scene<Real50> wide = scene_in<Real50>(scene);
         const ModeSums<Real50> sums = mode_sums(modal_basis(wide.system), wide.system.contact, wide.system.load, *wide.r);

@@ -321,7 +321,7 @@ TEST_CASE("a steady motion that is certain is the answer where that from rest is
 }
 
 TEST_CASE("where the motion from rest has come to the sliding motion, the closed form has its numbers", "[solve][eq:38]") {
-    // What a slow mode loses in a period is a small part of it, and its residual far less than its error.
+    // A slow mode loses only a small part of itself in a period, so that its residual is far less than its error.
     const Scene<double> scene = oscillator(0.01, 250, 1.5, 2e-5);
     const Solution digits = asking(scene, Asked::motion, 30);
     for (const std::optional<int> fewer : {std::optional<int>(), std::optional<int>(12)}) {

@@ -201,7 +201,7 @@ StuckResponse response_of(const Scene<double>& scene) {
     return stuck_response(stuck_of(scene.system), scene.system.load, *scene.r);
 }
 
-// How far from zero the contact may rest for ever; below zero none.
+// Largest distance from zero at which the contact may rest for ever; negative if there is none.
 double half_of_rest(const Scene<double>& scene, double beta) {
     return paper::sticking_margin(modulus(response_of(scene).contact_load), scene.mu, beta) / stuck_of(scene.system).k_contact;
 }

@@ -22,7 +22,7 @@
 using namespace denhartog::offers;
 using namespace denhartog;
 
-// What the doc comments point at is there.
+// The places to which doc comments point exist.
 
 using denhartog::default_effort;
 using denhartog::derivation::text_of;
@@ -292,7 +292,7 @@ TEST_CASE("an offered formula has no symbol but its arguments, and as many resul
     }
 }
 
-// What reasons say in words.
+// Sentences of the reasons.
 
 TEST_CASE("every reason has a sentence, with all its numbers in it", "[messages]") {
     for (auto n = 0; n <= static_cast<int>(Why::newton); ++n) {

@@ -79,6 +79,17 @@ def whole_list(page, out_of_site):
     return re.sub(r'<div class="levels">.*?</div>', "", page, count=1, flags=re.S)
 
 
+def description_first(page, name):
+    """The page of a type or a namespace with its description in place of the sentence that begins it."""
+    more = f'<a href="{name}#details">More...</a></p>'
+    described = re.search(rf"{DETAILS}.*?</h2>(.*?)(?={GROUP}|{ORIGIN}|\Z)", page, re.S)
+    if more not in page or not described:
+        return page
+    page = page[:described.start()] + page[described.end():]
+    brief, _, after = page.partition(more)
+    return brief.rpartition("<p>")[0] + DETAILS + described[1] + after
+
+
 # The pages of namespaces
 
 
@@ -92,6 +103,7 @@ def declared_in(texts):
 def part(name, texts, declared):
     """Parts the page of a namespace: a list of names by header stays, what is said of them goes to a page for each header.
     Returns the places that moved."""
+    texts[name] = description_first(texts[name], name)
     found = re.fullmatch(f"(.*?)({re.escape(CONTENTS)}.*?)({re.escape(CONTENTS_END)}.*)", texts[name], re.S)
     if not found:
         return {}
@@ -109,7 +121,8 @@ def part(name, texts, declared):
     listed, moved = "", {}
     for file, of_file in sorted(items.items()):
         page, header = f"{name.removesuffix('.html')}_in_{file}.html", header_name(file)
-        names = ", ".join(f'<a class="el" href="{page}#{anchor}">{html(shown)}</a>' for anchor, shown, _ in of_file)
+        by_name = {shown.partition(" [")[0]: anchor for anchor, shown, _ in reversed(of_file)}  # of overloads the first
+        names = ", ".join(f'<a class="el" href="{page}#{anchor}">{html(shown)}</a>' for shown, anchor in reversed(by_name.items()))
         listed += f'<dt><a class="el" href="{page}">{header}</a></dt>\n<dd>{names}</dd>\n'
         for _, _, text in of_file:
             moved |= {f"{name}#{anchor}": f"{page}#{anchor}" for anchor in re.findall(' id="([^"]*)"', text)}
@@ -171,12 +184,7 @@ def class_page(page, name):
         boxes = re.sub(rf'<a id="([^"]*)" name="[^"]*"></a>\s*{TITLE}.*?{ends}', kept, boxes, flags=re.S)
         page = declared + boxes
         page = re.sub(rf"{GROUP}(?:(?!</h2>).)*</h2>\n*(?={GROUP}|{ORIGIN})", "", page, flags=re.S)  # of nothing
-    more = f'<a href="{name}#details">More...</a></p>'
-    described = re.search(rf"{DETAILS}.*?</h2>(.*?)(?={GROUP}|{ORIGIN}|\Z)", page, re.S)
-    if more in page and described:
-        page = page[:described.start()] + page[described.end():]
-        brief, _, after = page.partition(more)
-        page = brief.rpartition("<p>")[0] + DETAILS + described[1] + after
+    page = description_first(page, name)
     for doxygens, ours in WORDS.items():
         page = page.replace(doxygens, ours, 1)
     page = re.sub(r"(<h1(?:(?!</h1>).)*) (?:Struct|Class|Union)(?:(?!</h1>).)* Reference</h1>", r"\1</h1>", page, 1, re.S)
@@ -187,7 +195,7 @@ def trim(texts):
     """The pages of the site by the names of their files: what is left out is not there, and links follow."""
     out_of_site = {name for name, text in texts.items() if is_left_out(name, text)}
     texts = {name: text for name, text in texts.items() if name not in out_of_site}
-    for name in ("annotated.html", "files.html", "namespaces.html"):
+    for name in ("annotated.html", "concepts.html", "files.html", "namespaces.html"):
         if name in texts:
             texts[name] = whole_list(texts[name], out_of_site)
     moved, declared = {}, declared_in(texts)

@@ -92,10 +92,11 @@ def sorted_claims(entry):
 
 
 def witness_names(run, witness, claim=""):
-    """The values of a witness with their names typeset, as the derivation has them if it does."""
+    """The values of a witness with their names typeset, as the derivation has them if it does; what fails and what holds come last."""
     latex = {name: meant_by(run, claim, run.symbols.get(name) or symbol(name, True)) for name in witness}
     words = {"derived": "what holds", "under test": "as printed" if claim.endswith("/printed") else "the formula"}
-    return [(formula(latex[name]) if latex[name] else prose(words.get(name, name)), value) for name, value in witness.items()]
+    return [(formula(latex[name]) if latex[name] else prose(words.get(name, name)), witness[name])
+            for name in sorted(witness, key=["under test", "derived"].__contains__)]
 
 
 def is_of_formula(run, name, latex):

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 from .text import Fault
 
-WIDTH, HEIGHT, COLUMN, ROW, MARGIN, TOP = 46, 24, 56, 46, 16, 34  # of a box, from box to box, at the edges
+WIDTH, HEIGHT, COLUMN, ROW, MARGIN, TOP = 42, 24, 48, 46, 8, 34  # of a box, from box to box, at the edges
 
 
 def depths(ledger):
@@ -21,35 +21,29 @@ def depths(ledger):
     return depth
 
 
-def layout(ledger, columns):
-    """Row and column of each equation, in the band of its section; a section with crowded rows gets more of the columns, and what
-    does not fit goes on in the row below."""
+def layout(ledger, columns=3):
+    """Row and column of each equation, in the band of its section, at most so many columns wide; what does not fit goes on in the
+    row below. The bands are in the order of the paper, but the Appendix stands after Section 2.2, which asks for it."""
     depth = depths(ledger)
     cells = defaultdict(list)
     for entry in ledger:
         cells[depth[entry["equation"]], entry.get("section", "")].append(entry["equation"])
-    width = dict.fromkeys((entry.get("section", "") for entry in ledger), 1)
-    crowded = {name: max(len(cell) for (_, section), cell in cells.items() if section == name) for name in width}
-    for _ in range(columns - len(width)):
-        fullest = max(width, key=lambda name: crowded[name] / width[name])
-        if crowded[fullest] <= width[fullest]:
-            break
-        width[fullest] += 1
-    first, places, line = {}, {}, 0
-    for name in width:
-        first[name] = sum(width[before] for before in first)
+    order = sorted({section for _, section in cells}, key=lambda section: section.replace("Appendix", "2.2 and its appendix"))
+    width = {name: min(columns, max(len(cell) for (_, section), cell in cells.items() if section == name)) for name in order}
+    places, line = {}, 0
     for level in range(max(depth.values()) + 1):
         row = {section: cell for (deep, section), cell in cells.items() if deep == level}
         for section, cell in row.items():
+            first = sum(width[before] for before in order[:order.index(section)])
             for i, equation in enumerate(cell):
-                places[equation] = (line + i // width[section], first[section] + i % width[section])
+                places[equation] = (line + i // width[section], first + i % width[section])
         line += max(-(-len(cell) // width[section]) for section, cell in row.items())
     return places
 
 
-def graph_of(ledger, columns=20):
+def graph_of(ledger):
     """The picture: bands, lines and the middle of each box, in pixels."""
-    places = layout(ledger, columns)
+    places = layout(ledger)
     sections = defaultdict(list)
     for entry in ledger:
         sections[entry["section"]].append(places[entry["equation"]][1])
@@ -61,7 +55,7 @@ def graph_of(ledger, columns=20):
     for entry in sorted(ledger, key=lambda entry: places[entry["equation"]][0]):
         direct = set(entry["rests_on"])
         below[entry["equation"]] = direct.union(*(below[ground] for ground in direct))
-        for ground in direct - set().union(*(below[ground] for ground in direct)):  # others follow from these
+        for ground in sorted(direct - set().union(*(below[ground] for ground in direct))):  # others follow from these
             (x, y), (to_x, to_y) = middle[ground], middle[entry["equation"]]
             y, to_y = y + HEIGHT / 2, to_y - HEIGHT / 2
             bend, aside = (to_y - y) / 2, COLUMN * 2 / 3 if x == to_x and to_y - y > ROW else 0  # not behind the boxes between

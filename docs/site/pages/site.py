@@ -81,6 +81,7 @@ def environment(run, sources):
     said = {equation: text.typeset(departure.said, "departures.json") for equation, departure in run.departures.items()}
     jinja.globals |= dict(run=run, chapter={}, ledger=run.ledger, figures=run.figures, departures=run.departures,
                           said_of=lambda equation: said.get(equation, ""), longest_statement=LONGEST_STATEMENT)
+    jinja.globals["part"] = jinja.get_template("parts.html").module
     return jinja
 
 
@@ -106,15 +107,12 @@ def make_pages(run, sources, chapter):
             add(view["name"], "equation", view)
             if view["more"]:
                 add(view["name"] + "_more", "equation_more", view)
-    summary, audit = tables(run.audit, "audit")
-    of_pages = {"audit": dict(summary=summary, audit=audit), "accuracy_page": dict(functions=worst_of_functions(run)),
-                "equation_graph": dict(graph=graph_of(run.ledger)), "theorems": dict(theorems=theorems_of(run.ledger))}
-    for name in ("home", "equations", "errata", "errata_sheet", "stand_ins", "figures_page", "speed_page", "conformance_page",
-                 *of_pages):
+    views = {"audit": lambda: dict(zip(("summary", "audit"), tables(run.audit, "audit"), strict=True)),
+             "accuracy_page": lambda: dict(functions=worst_of_functions(run)), "conclusions": lambda: conclusions_view(run),
+             "equation_graph": lambda: dict(graph=graph_of(run.ledger)), "theorems": lambda: dict(theorems=theorems_of(run.ledger))}
+    for name in ("home", "equations", "errata", "errata_sheet", "stand_ins", "figures_page", "speed_page", "conformance_page", *views):
         with told_in(faults):
-            add(name, name, of_pages.get(name, {}))
-    with told_in(faults):
-        add("conclusions", "conclusions", conclusions_view(run))
+            add(name, name, views.get(name, dict)())
     views, faults_of_chapter = chapter_views(run, files)
     for view in views:
         add(view["name"], "chapter", view)

@@ -1,4 +1,6 @@
-// Mistakes with a number of their own: the instants tried for the maximum of (57), and the period from rest that is read off.
+// Mistakes with a number of their own, found from the answers: the instants at which a program looks for the maximum of (57),
+// printed or corrected, and the period from rest in which it reads off the motion. Read `fitted_instants` and `fitted_transient`,
+// then `fitted_to`, which gives the known mistakes these numbers.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,3 +1,6 @@
+// Simple explanations of answers that no known mistake explains: a factor, an offset or a power of r, mu or gamma_j in the
+// answers, another value of one input, a chain read from its other end. Read `guesses_at`; the diagnosis weighs its guesses as it
+// weighs known mistakes.
 #include "conformance/diagnosis/explanations.hpp"
 
 #include <algorithm>

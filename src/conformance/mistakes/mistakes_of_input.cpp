@@ -1,3 +1,5 @@
+// Known mistakes in reading a question: ratios that are ignored or inverted, damping by (18) or (19) misread, masses counted from
+// 0, and the motion of a base, (81) to (85), left out or added twice.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

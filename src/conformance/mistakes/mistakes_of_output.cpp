@@ -1,3 +1,5 @@
+// Known mistakes in an answer that was computed rightly: another unit, sign or origin of a phase or displacement, (39) and (47);
+// and the errors of solvers that step in time, such as a smoothed sign of the velocity or a transient that has not decayed.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

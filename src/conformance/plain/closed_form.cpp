@@ -1,3 +1,6 @@
+// The answer of the closed form to each quantity of the protocol, from sums over modes, (33) to (69), with formulas written anew
+// and no part of the library but the elementary functions; a contact that rests is followed from event to event. Read
+// `numbers_of` first, then `computed` and `answer_of_steady_motion`.
 #include "conformance/plain/closed_form.hpp"
 
 #include <algorithm>

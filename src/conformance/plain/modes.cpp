@@ -1,3 +1,5 @@
+// Modes and sums of the plain closed form: u, g and v of a mode, (28), (29) and (23), their sums over modes U, G and V, (33) to
+// (35), and the motion while the contact slides, (46). A choice replaces a formula by a mistaken one. Read `plain_modes` first.
 #include "conformance/plain/closed_form.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// The motion of a contact that slides and rests, period after period, until it repeats: the exponential carries the state over a
+// stretch, and the stretch ends at the first zero of a polynomial. Read `run` and `stretch`, then `settle`, which ends with
+// Newton's method if the periods alone do not come to a steady motion.
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -213,8 +216,8 @@ void PlainContact::run() {
     now = std::move(z);
 }
 
-// Newton's method for the state that a period leaves as it is, with differences for the derivatives. Where static friction is
-// larger, or nothing is damped, there may be more than one, and that which is reached from rest is near; else there is one.
+// Newton's method for the state that a period leaves as it is, with differences for the derivatives. If static friction is
+// larger, or nothing is damped, there may be more than one, and the one reached from rest is near; else there is one.
 std::optional<PlainRow> PlainContact::by_newton() const {
     const std::size_t N = system.size(), n = 2 * N;
     const double reach = system.mu > 1 ? 1e-2 : largest_of(system.zeta, N) == 0 ? 0.5 : INFINITY;

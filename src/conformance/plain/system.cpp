@@ -1,3 +1,5 @@
+// The system of a question as matrices, M, K and C of (8), (73) and (19), with the rows of contact and load, and its responses
+// without friction and with the contact held. Read `plain_system` first.
 #include "conformance/plain/system.hpp"
 
 #include <algorithm>

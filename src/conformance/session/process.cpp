@@ -1,3 +1,5 @@
+// How a program under test is started, asked a line and ended, so that it can neither block the runner nor outlive it. Read
+// `Process::ask`: it ends with a line, or with a crash, a stall or a timeout. The child's side is the functions before `Process`.
 #include "conformance/session/session.hpp"
 
 #include <fcntl.h>

@@ -1,3 +1,5 @@
+// A conversation with a program under test: several processes answer the questions side by side, and one that breaks is started
+// again a few times. Read `converse` first, then `Talk::work`.
 #include "conformance/session/session.hpp"
 
 #include <algorithm>

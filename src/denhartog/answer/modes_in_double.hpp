@@ -47,7 +47,7 @@ struct CoupledDamping {
 [[nodiscard]] std::shared_ptr<const ModalBasis<Bounded<double>>>
 certain_modes(const SceneSource& source, const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis);
 
-/// @brief (23), (28), (29) of each mode, which no damping couples, likewise; DomainError at a pole of an undamped one.
+/// @brief (23), (28) and (29) of each mode, with as many digits as `certain_modes`; DomainError at a pole of an undamped mode.
 /// @eq{22,23,28,29}
 [[nodiscard]] std::vector<evaluation::ModeFunctions<Bounded<double>>>
 certain_mode_functions(const SceneSource& source, const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis);

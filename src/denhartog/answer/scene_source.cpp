@@ -1,3 +1,5 @@
+// A scene kept for double and for the reference, and changed copies of it: another point, mu or damping tolerance. A
+// text is read twice, so that the reference has exactly the decimals that were written. Read `scene_source`, then `changed`.
 #include "denhartog/answer/scene_source.hpp"
 
 #include <utility>

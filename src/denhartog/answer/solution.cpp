@@ -1,4 +1,5 @@
-// The parts that all answers have in common: their masses and their digits.
+// The parts that all answers have in common: the amplitude and phase of a mass, the number of digits that a bound proves, and the
+// sentence on whether these are enough, `verdict`.
 #include "denhartog/answer/solution.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The functions of the reference in a build without it: an answer that double cannot give is then refused, or given with the
+// estimate of double. `reference.cpp` and the files beside it have the functions themselves.
 #if !DENHARTOG_REFERENCE
 #include "denhartog/answer/from_a_start.hpp"
 #include "denhartog/answer/modes_in_double.hpp"

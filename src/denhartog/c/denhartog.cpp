@@ -1,3 +1,5 @@
+// The C interface to a system: status texts, making and destroying it, the boundaries (67), (69), (86) and (88), and the motion
+// while the contact slides, (46). Each value has a twin that gives its bound. Read `dh_boundaries` for the pattern of all.
 #include <algorithm>
 #include <array>
 #include <memory>

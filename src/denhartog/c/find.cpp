@@ -1,3 +1,5 @@
+// The inverse question in C, `dh_find`: the values of one number of a scene at which an amplitude is as wanted. The search is
+// `find_places`; here its request is checked, and its places are written into the caller's arrays.
 #include "denhartog/solve/find.hpp"
 
 #include "denhartog/c/handles.hpp"

@@ -1,3 +1,5 @@
+// Motions from a start in C: the places at which a constant load holds the masses, how a free motion decays, both proved, and the
+// motion over many periods. Read `dh_free_decay` first; results reach the caller's arrays only when all numbers are known.
 #include <algorithm>
 #include <iterator>
 

@@ -1,3 +1,5 @@
+// The functions of the paper in C: natural frequencies and mode shapes, (14) to (18), v, u and g of each mode, (23), (28) and
+// (29), and their sums, (33) to (35), (57) and (64). Values and bounds of one quantity come from one function.
 #include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/c/handles.hpp"
 

@@ -1,3 +1,5 @@
+// Many points in C: a regime map, `dh_map`, points of one system, `dh_solve_points`, and points of many systems,
+// `dh_solve_systems`. The last two share `check_points` and the loop over threads behind them.
 #include <algorithm>
 #include <array>
 #include <atomic>

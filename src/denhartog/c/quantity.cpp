@@ -1,3 +1,5 @@
+// One quantity by its name in C, `dh_quantity`, with the names of the conformance protocol. Read the table `named` first: each
+// name has the function that computes its numbers, and `named_quantity` checks the call and hands them out.
 #include <algorithm>
 #include <string_view>
 

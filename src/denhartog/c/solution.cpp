@@ -1,3 +1,5 @@
+// The steady motion in any regime in C: `dh_solve` and `dh_solve_proved` make a handle, the other functions read masses, stops,
+// samples and energies from it. Read `solution_at`, which asks the question.
 #include <algorithm>
 #include <array>
 

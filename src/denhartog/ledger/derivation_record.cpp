@@ -1,3 +1,5 @@
+// The record of the derivation as the program prints it: the steps of each claim and the point that refutes it, as text or as
+// LaTeX. Read `derivation_as_text` and `derivation_as_latex`.
 #include "denhartog/ledger/ledger.hpp"
 
 #include <algorithm>

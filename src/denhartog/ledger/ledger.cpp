@@ -1,3 +1,5 @@
+// The ledger of the equations as the program prints it: the table of all, and the card of one with its verdict, its functions and
+// its tests. Read `read_ledger`, then `card`.
 #include "denhartog/ledger/ledger.hpp"
 
 #include <array>

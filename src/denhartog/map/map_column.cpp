@@ -1,6 +1,6 @@
 // Regimes and amplitudes at one frequency ratio, for all friction ratios of a map. Read `MapColumn::answer` first.
 // It asks the models in the order of their cost: the closed form (38), a contact that is stuck, the motion with stops, started
-// from the orbits of the points before, and at last the decision that a single question takes.
+// from the orbits of earlier points, and at last the decision that `solve` takes for a single question.
 #include "denhartog/map/map_column.hpp"
 
 #include <algorithm>

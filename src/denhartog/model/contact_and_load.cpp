@@ -1,3 +1,5 @@
+// The system in coordinates of which the contact is one, so that it can be held: O^T A O for the matrices of (6), with
+// sums that keep their roundings. Read `held_matrices`, then `with_contact`.
 #include "denhartog/model/contact_and_load.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// A state carried in time by the exponentials of its system. Read `CoupledMotion::at` and `series_after` first, then `leap`.
+// A state carried in time by the exponentials of its system, for damping that couples the modes: a power series over a short
+// step, doubled to long ones. Read `CoupledMotion::at` and `series_after` first, then `leap`.
 #include "denhartog/model/coupled_motion.hpp"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Products, linear systems and symmetric eigenproblems of doubles. Products are formed in an order of our own, `times`, since
+// that of Eigen depends on the processor; the factorizations are Eigen's.
 #include "denhartog/model/linear_algebra.hpp"
 
 #include <Eigen/Eigenvalues>

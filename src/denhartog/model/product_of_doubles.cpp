@@ -1,3 +1,5 @@
+// The product of two matrices of doubles, column by column, each sum in the order of its terms: its digits are the same on every
+// processor. The file is one of those that are compiled with more optimization.
 #include "denhartog/model/detail/product_of_doubles.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// The text of a refused input: "QUANTITY RULE, but is VALUE (at PLACE)", with text from outside made legible.
+// The text of a refused input, "QUANTITY RULE, but is VALUE (at PLACE)", with text from outside made legible; and words for
+// exceptions that are not the library's.
 #include "denhartog/number/errors.hpp"
 
 #include <new>

@@ -62,7 +62,7 @@ struct InputError : std::invalid_argument {
     std::string place;    ///< JSON pointer, or line and column
 };
 
-/// @brief What a question, or a computation for it, comes to: an answer, or the kind of reason why there is none.
+/// @brief Outcome of a question, or of a computation for it: an answer, or the kind of reason why there is none.
 enum class Outcome : std::uint8_t {
     answered = 0,       ///< it has an answer
     at_a_pole = 1,      ///< a formula was asked for outside its domain, as at a pole: a mode without damping that resonates

@@ -184,7 +184,7 @@ std::vector<Multiplier> multipliers_of_orbit(const OrbitMap& map, const ErrorsOf
     for (Eigen::Index k = 0; k < map.N; ++k) velocities.push_back(basis.phi.row(k).norm());
     velocities.push_back(s.contact_shape.norm()); // where the contact has a row of its own
     const double load =
-        solver.error_at_ends(false, map.displacement_of_energy(), velocities); // of a contact that sticks, likewise
+        solver.error_at_ends(false, map.displacement_of_energy(), velocities); // of a contact that sticks, for a unit of energy
     const double error_of_velocity = solver.error_at_ends(true, errors.displacement, errors.velocity),
                  error_of_load_at_end = solver.error_at_ends(false, errors.displacement, errors.velocity);
     const bool tied = std::ranges::any_of(s.stuck.m_j, [](double tie) { return tie != 0; });

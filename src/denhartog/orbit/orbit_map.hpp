@@ -49,13 +49,15 @@ public:
     /// rests for ever, Newton's method may come nearer to that place by every half step and be taken back by every whole one; nearly
     /// every orbit is found without a bad step.
     bool find_fixed_point(State& z, int h, BadSteps bad_steps);
-    [[nodiscard]] double residual() const {
-        return residual_;
-    } ///< the least since the last start or image; negative if the contact rested
-    [[nodiscard]] int newton_steps() const { return newton_steps_; } ///< steps of Newton's method so far
+    /// @brief Least residual since the last start or image; negative if the contact rested.
+    [[nodiscard]] double residual() const { return residual_; }
+    /// @brief Number of steps of Newton's method so far.
+    [[nodiscard]] int newton_steps() const { return newton_steps_; }
 
-    [[nodiscard]] bool held() const;              ///< whether the contact rested throughout
-    [[nodiscard]] bool slides_throughout() const; ///< whether the contact did not rest at all
+    /// @brief True if the contact rested throughout the last application.
+    [[nodiscard]] bool held() const;
+    /// @brief True if the contact did not rest at all in the last application.
+    [[nodiscard]] bool slides_throughout() const;
 
     /// @brief Jacobian of the map, 2N x 2N.
     [[nodiscard]] Matrix<double> jacobian() const { return h_ % 2 != 0 ? Matrix<double>(-motion_->jacobian) : motion_->jacobian; }
@@ -64,7 +66,8 @@ public:
     /// @brief Bound in `norm` of the error of the Jacobian by rounding and by the modes, not by the events.
     [[nodiscard]] double rounding_of_jacobian() const;
 
-    [[nodiscard]] Column in_energy(const Column& dz) const; ///< a deviation in energy coordinates
+    /// @brief A deviation in energy coordinates.
+    [[nodiscard]] Column in_energy(const Column& dz) const;
     /// @brief Square root of twice the energy of a deviation, over r: if \f$ \mu=1 \f$ it never grows between two motions.
     [[nodiscard]] double norm(const Column& dz) const { return in_energy(dz).norm(); }
     /// @brief The norm of a state.
@@ -79,11 +82,14 @@ public:
 
     /// @brief The solver, which holds the motion of the last application.
     [[nodiscard]] ExactSolver& solver() const { return *solver_; }
-    [[nodiscard]] const ExactMotion& motion() const { return *motion_; } ///< the motion from the start, not mirrored
-    [[nodiscard]] const State& image() const { return image_; }          ///< the image of the last application
+    /// @brief The motion of the last application from its start, not mirrored.
+    [[nodiscard]] const ExactMotion& motion() const { return *motion_; }
+    /// @brief The image of the last application.
+    [[nodiscard]] const State& image() const { return image_; }
     /// @brief The image less the start: displacements, then velocities.
     [[nodiscard]] const Column& difference() const { return difference_; }
-    [[nodiscard]] int half_periods() const { return h_; } ///< number h of half-periods of the last application
+    /// @brief Number h of half-periods of the last application.
+    [[nodiscard]] int half_periods() const { return h_; }
     /// @brief Number of half-periods of all applications.
     [[nodiscard]] long half_periods_in_all() const { return half_periods_in_all_; }
 

@@ -1,6 +1,6 @@
 // The steady motion, in any regime. `SearchFromStart::follow` follows the motion from its start and tries, ever more
-// rarely, Newton's method on what it has come to. With mu = 1 and damping any orbit that was found is the
-// answer, and `settle` bounds its errors. Otherwise `find_attractor` and `is_approached` see whether the motion approaches it.
+// rarely, Newton's method from the state that it has reached. With mu = 1 and damping any orbit that was found is the answer, and
+// `settle` bounds its errors. Otherwise `find_attractor` and `is_approached` decide whether the motion approaches it.
 #include "denhartog/orbit/periodic_orbit.hpp"
 
 #include <algorithm>

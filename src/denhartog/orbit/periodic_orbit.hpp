@@ -81,8 +81,8 @@ struct PeriodicOrbit {
 /// @brief Bounds of the errors over an orbit.
 struct ErrorsOfOrbit {
     double settled;               ///< of every displacement, as far as Newton's method can settle it; in units of P / k_1
-    double displacement;          ///< the same with what turned modes make of it, as a bound that is handed out needs
-    std::vector<double> velocity; ///< of the velocity of each mass, then of a contact between two; likewise
+    double displacement;          ///< of every displacement, errors of the mode shapes included; the bound that is handed out
+    std::vector<double> velocity; ///< of the velocity of each mass, then of a contact between two, mode shapes included
 };
 
 /// @brief Bounds of the errors over the orbit to which the map was applied last, with its Jacobian; none if 1 - DP is

@@ -1,3 +1,5 @@
+// The equations (6) as a system of first order, for a contact that slides either way or is held, and the load on the contact,
+// (75), with the bound of its rounding. Read the constructor, which sets up a matrix for each kind of phase.
 #include "denhartog/paper_algorithm/contact_equations.hpp"
 
 #include <Eigen/Dense>

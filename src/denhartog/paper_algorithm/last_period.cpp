@@ -1,3 +1,5 @@
+// Amplitudes, phases and samples of the last period of an integration, from the polynomials of its steps: an extremum is at an
+// end of a step or at a zero of the velocity. Read `take_extrema`.
 #include "denhartog/paper_algorithm/last_period.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The paper's numerical approach, Section 3.1 and Fig. 3: Runge-Kutta steps of one phase up to its event, where the contact stops
+// or (74) lets it go, period after period. Read `Integration` from `run` on; `paper_algorithm` checks the settings.
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
 
 #include <algorithm>

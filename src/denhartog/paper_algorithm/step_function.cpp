@@ -1,3 +1,5 @@
+// A displacement or velocity within one step, a polynomial and a harmonic, and its zeros: the first fall below zero, which ends a
+// phase, and all changes of sign. Read `first_fall`; the search itself is `first_crossing`.
 #include "denhartog/paper_algorithm/detail/step_function.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The program as a function: it reads the arguments, runs the subcommand that they name, turns faults into messages and exit
+// statuses, and lets a signal end the work. Read `run`.
 #include "denhartog/program/program.hpp"
 
 #include <CLI/CLI.hpp>

@@ -31,18 +31,18 @@ struct EnergiesInBalls {
 /// -1 in the frame of a wall that does, else 0.
 [[nodiscard]] Ball motion_of_base_in_frame(BaseMotion motion);
 
-/// @brief What the sliding motion dissipates. The scene has its damping matrix, and d is that of `motion_of_base_in_frame`.
+/// @brief Energies that the sliding motion dissipates. The scene has its damping matrix; d is `motion_of_base_in_frame`.
 /// @throws Unproved if more bits may help, as the next two do
 [[nodiscard]] EnergiesInBalls energies_of_sliding(const SceneInBalls& s, const ResponsesInBalls& r, const Ball& d);
 
-/// @brief What a motion from phase to phase dissipates.
+/// @brief Energies that a motion from phase to phase dissipates.
 ///
-/// Over a phase of sliding \f$ \mathbf A\int\bar{\mathbf x}e^{-\mathrm i\tau}\mathrm d\tau \f$ is what the forces bring, less the
+/// Over a phase of sliding \f$ \mathbf A\int\bar{\mathbf x}e^{-\mathrm i\tau}\mathrm d\tau \f$ is that of the forces, less the
 /// change of \f$ (r^2\mathbf M(\bar{\mathbf x}' + \mathrm i\bar{\mathbf x}) + r\mathbf C\bar{\mathbf x})e^{-\mathrm i\tau} \f$:
 /// states at events alone determine the first harmonic of the contact.
 [[nodiscard]] EnergiesInBalls energies_of_orbit(const SceneInBalls& s, const OrbitInPhases& motion, const Ball& d);
 
-/// @brief What the motion with the contact at rest dissipates.
+/// @brief Energies that the motion with the contact at rest dissipates.
 [[nodiscard]] EnergiesInBalls energies_of_rest(const SceneInBalls& s, const StuckInBalls& stuck, const Ball& d);
 
 } // namespace denhartog::reference

@@ -1,3 +1,5 @@
+// JSON text read with nothing silently repaired: the parser's events are checked one by one for a key given twice, a number
+// beyond a double and nesting deeper than a scene's. Read `read_json` and `Builder`.
 #include "denhartog/scene/json_document.hpp"
 
 #include <algorithm>

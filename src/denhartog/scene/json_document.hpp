@@ -14,7 +14,7 @@ namespace denhartog {
 // scene's.
 [[nodiscard]] nlohmann::json read_json(std::string_view text, std::size_t line = 1);
 
-// The number of a value that is one, or a text that is written like one; none else.
+// The number in a value: a JSON number, or a text that is written like one; none for any other value.
 [[nodiscard]] std::optional<double> number_in(const nlohmann::json& value);
 
 // One step of a JSON pointer: `/key` with the two reserved characters escaped.

@@ -1,3 +1,5 @@
+// The rules that a scene keeps: every number finite and in its range, matrices symmetric and positive definite, contact and load
+// that exist. The first rule that is broken is named with its value. Read `check_system`.
 #include "denhartog/scene/scene.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// A scene read from a JSON object, in ratios or in physical units, which are divided by k_1, m_1 and P, (1) to (11) and (73).
+// Read `scene_from_json`, then `read_dimensional`.
 #include "denhartog/scene/scene_json.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The keys of a scene, in ratios and in physical units, and the message for a key that is none: it names the key that was
+// probably meant. Read `check_keys`.
 #include "denhartog/scene/scene_json.hpp"
 
 #include <algorithm>

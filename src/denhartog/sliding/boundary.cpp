@@ -1,5 +1,5 @@
 // The friction ratios below which the contact slides throughout, and from which on it never moves. `regime_boundary_at` is
-// (69) and (88) with the largest demand (57) known, `boundary_at` has the other limits (56), (67) besides, and `boundary` finds
+// (69) and (88) with the largest demand (57) known, `boundary_at` adds the limits by (56) and (67), and `boundary` finds
 // the largest demands first, by `instants_of_maxima.cpp`, where `regime_at` stands too.
 #include "denhartog/sliding/boundary.hpp"
 

@@ -1,6 +1,6 @@
-// Bounds of the errors of modes. The eigenvalue solver is trusted with a few units in the last place, and a scene with one;
-// `with_errors` turns this into bounds of frequencies and shapes, (15). `bounded_mode_functions` carries them to (23), (28) and
-// (29). `with_load_at` is the load of a base that moves alone, (K + i r C) 1, and of a wall r^2 M 1 less that.
+// Bounds of the errors of modes. The eigensolver is assumed to be right to a few units in the last place, and the numbers of a
+// scene to one; `with_errors` turns this into bounds of frequencies and shapes, (15). `bounded_mode_functions` carries them to
+// (23), (28) and (29). `with_load_at` is the load of a base that moves alone, (K + i r C) 1, or of a wall, r^2 M 1 less that.
 #include "denhartog/sliding/bounded_modes.hpp"
 
 #include <algorithm>
@@ -26,9 +26,9 @@ using std::sqrt;
 
 using Number = Bounded<double>;
 
-constexpr int trust = 8;         // units in the last place a mode that an eigen-solver may be off by
-constexpr int units_of_mode = 8; // twice what the forms of v, u, g are good to where they are well conditioned
-constexpr int units_of_form = 4; // elsewhere they are good to what that many units of R and zeta change
+constexpr int trust = 8;         // units in the last place by which a mode of the eigensolver may be off
+constexpr int units_of_mode = 8; // twice the error of the forms of v, u, g, in units, if they are well conditioned
+constexpr int units_of_form = 4; // else they are off by no more than a change of R and zeta by so many units makes
 
 Eigen::Map<const Column> column_of(const std::vector<double>& x) { return {x.data(), static_cast<Eigen::Index>(x.size())}; }
 

@@ -1,6 +1,6 @@
 /// @file
 /// @brief Friction's share of the sliding motion of a system whose damping couples the modes, for any symmetric damping matrix, and
-/// what takes the place of the sums (33) to (35) and (64) there.
+/// the functions that take the place of the sums (33) to (35) and (64) there.
 ///
 /// Between two stops (12) is linear whatever its damping matrix is, and the friction force is constant. With
 /// \f$ \mathbf{M} = \mathbf{L}\mathbf{L}^T \f$, \f$ \mathbf{K} = \mathbf{G}\mathbf{G}^T \f$ and the energy coordinates

@@ -1,4 +1,5 @@
-// The braces of (40) of all modes at an instant, kept for the next question at that instant, and bounds of their sizes.
+// The braces of (40) of all modes at an instant, kept for the next question at that instant, and bounds of their sizes. Read
+// `FrictionMotions::at`, then `evaluated`.
 #include "denhartog/sliding/friction_motion.hpp"
 
 #include <algorithm>

@@ -84,8 +84,8 @@ double stretch_of(bool mirrored, int periods) { return (mirrored ? 1 : 2) * peri
 // An iterator of a list, by number.
 auto place(auto& list, std::size_t n) { return list.begin() + static_cast<std::ptrdiff_t>(n); }
 
-// Leaves out phase n, 1 to m. Where its neighbours are of one kind they become one phase, else they meet where it started.
-// Event 0 stays where it is. None where nothing is left.
+// Leaves out phase n, 1 to m. If its neighbours are of one kind they become one phase, else they meet where it started.
+// Event 0 stays where it is. No events if no phase is left.
 OrbitGuess without_phase(const OrbitGuess& g, std::size_t n) {
     const std::size_t m = g.events.size();
     const int after = n < m ? g.directions[n + 1] : (g.mirrored ? -1 : 1) * g.directions[1];

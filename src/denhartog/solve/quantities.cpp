@@ -1,4 +1,5 @@
-// The numbers of a point, (33) to (39), (56), (64), (69). Read `quantities`: in double, or else by the reference.
+// The numbers of a point, (33) to (39), (56), (64) and (69), each with its bound: in double, or else by the reference. Read
+// `quantities` first; a number that is zero within its bound is made zero by `tell_zeros`.
 #include "denhartog/solve/quantities.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
-// One phase of a motion with stops, and its end. `LinearMotion` moves them by (21), in closed form, or by the exponential of
-// a matrix if damping couples the modes. Sliding ends if the velocity of the contact is zero, sticking if the load (75) on it
-// exceeds static friction, (74): `velocity` and `load` give these with three derivatives, `end_of_sliding` and `end_of_sticking`
-// find their first zero with none missed. `set` comes before: what one frequency and friction ratio make of (6).
+// One phase of a motion with stops, and its end. `LinearMotion` carries the modes through a phase by (21), in closed form, or by
+// the exponential of a matrix if damping couples them. Sliding ends if the velocity of the contact is zero, sticking if the load
+// (75) on it exceeds static friction, (74): `velocity` and `load` give these with three derivatives, `end_of_sliding` and
+// `end_of_sticking` find their first zero and miss none. `set` comes first: it prepares (6) for one frequency and friction ratio.
 #include "denhartog/stick_slip/exact_motion.hpp"
 
 #include <algorithm>

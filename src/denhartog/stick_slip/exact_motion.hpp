@@ -164,7 +164,7 @@ void take_load_away(ContactSystem& system);
 /// @brief The state of a sliding motion where the force is largest. @eq{46}
 [[nodiscard]] State at_maximum_of_force(const ModeSums<double>& sums, const SteadyState<double>& state);
 
-/// @brief The same at a friction ratio. @eq{46}
+/// @brief The state of the sliding motion of a system, at a friction ratio, where the force is largest. @eq{46}
 [[nodiscard]] inline State sliding_at_maximum_of_force(const ModeSums<double>& sums, double beta) {
     return at_maximum_of_force(sums, steady_state_without_maxima(sums, beta));
 }

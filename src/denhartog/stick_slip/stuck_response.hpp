@@ -37,12 +37,12 @@ struct StuckResponse {
 /// l breaks its rule; DomainError if the load excites the resonance of an undamped stuck mode. @eq{88}
 [[nodiscard]] StuckResponse stuck_response(const StuckConfiguration& stuck, Mass load, double r);
 
-/// @brief The row of (6) that belongs to a held contact: what the other masses and the load bring to it.
+/// @brief The row of (6) that belongs to a held contact: the forces of the other masses and of the load on it.
 template <class Number>
 struct HeldRow {
     std::vector<Number> k;  ///< stiffness between the contact and each other mass
-    std::vector<Number> c;  ///< damping likewise
-    std::vector<Number> m;  ///< mass likewise
+    std::vector<Number> c;  ///< damping between them
+    std::vector<Number> m;  ///< entries of the mass matrix between them
     Complex<Number> direct; ///< part of the force that acts on the contact itself, in units of P
 
     /// @brief Complex amplitude of the load on the contact, if the others move by X. @eq{88}

@@ -47,7 +47,7 @@ private:
     [[nodiscard]] Number speed(const Vector<Number>& z) const { return direction_ * z(N_ + j_); }
     [[nodiscard]] Number load(const Vector<Number>& z) const { return -load_.dot(z); } // on the contact, but for friction
 
-    // What is positive as long as the phase lasts, and its rate.
+    // A number that is positive as long as the phase lasts, and its rate.
     [[nodiscard]] Number left(const Vector<Number>& z) const {
         return direction_ != 0 ? speed(z) : Number(holds_ - abs(load(z)));
     }

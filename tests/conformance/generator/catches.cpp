@@ -7,7 +7,8 @@
 namespace denhartog::conformance::generator {
 namespace {
 
-// How far beyond what is inaccurate an answer has to be: mistakes compute in double, and no verdict may hang on its last digits.
+// Factor by which a mistaken answer has to exceed the bound of inaccurate ones: mistakes compute in double, whose last digits must
+// not decide a verdict.
 constexpr double clear_by = 4;
 
 // Least distance of a sample to the true curve within a step on either side: no way to judge a curve is more lenient.

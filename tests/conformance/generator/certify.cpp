@@ -147,7 +147,7 @@ void certify_numbers(Vector& v, SceneRoutes& routes, Certified& all, const Case&
     if (largest > 1e9) throw Undecided("a condition number is above 1e9");
     v.tolerance = tolerance_of(q, largest);
     v.tier = harder(tier_of(c, largest, v.margin), v.tier);
-    // What is so small is what modes leave that cancel each other: in double digits are lost, whatever the condition numbers.
+    // So small a number is left by modes that cancel each other: double loses digits, whatever the condition numbers.
     if (is_of_systems(v) && v.scale < 0x1p-16) v.tier = "stress";
 }
 
@@ -167,7 +167,7 @@ Vector plain_vector(const Case& c, std::size_t n) {
     return v;
 }
 
-// Whether a motion from rest stays in the regime: with mu > 1 it may not, and the answer would depend on the start.
+// True if a motion from rest stays in the regime. With mu > 1 it may not, and the answer would depend on the start.
 bool comes_from_rest(const ProtocolQuestion& q, Regime regime) {
     if (q.mu == 1) return true;
     try {

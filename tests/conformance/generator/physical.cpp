@@ -74,7 +74,7 @@ private:
 
     std::vector<T> roots() { return determinant_roots(Matrix<T>(p_.M / (r_ * r_)), p_.K, largest_root()); }
 
-    // What no eigenvalue of M^-1 K exceeds: its largest sum of sizes in a row.
+    // A bound of the eigenvalues of M^-1 K: the largest sum of sizes in a row.
     T largest_root() {
         const Matrix<T> A = Eigen::FullPivLU<Matrix<T>>(p_.M / (r_ * r_)).solve(p_.K);
         return A.cwiseAbs().rowwise().sum().maxCoeff();

@@ -70,13 +70,13 @@ public:
     /// Velocity of the contact without friction.
     [[nodiscard]] double free_velocity() const { return std::abs(load_); }
 
-    /// What the width of the law is measured by: velocity of the first harmonic, or a little where friction holds the contact.
+    /// Unit of the width of the law: the velocity of the first harmonic, or a small one if friction holds the contact.
     [[nodiscard]] double velocity_of_width() const {
         const double least = law_ == FrictionLaw::regularised ? 1e-3 : 1e-1; // creep falls with it; exact friction has none
         return std::max(std::abs(displacement(lambda_)(0)), least * free_velocity());
     }
 
-    /// Whether there are receptances: without damping there are none at a natural frequency, nor where a harmonic meets one.
+    /// True if the receptances are finite: without damping they are not if a harmonic of the force is a natural frequency.
     [[nodiscard]] bool finite() const { return h_.allFinite() && std::isfinite(free_velocity()); }
 
     /// Back to no friction.
@@ -134,7 +134,7 @@ public:
         };
     }
 
-    /// Whether the contact rests: where its velocity is zero, what acts on it but friction is less than friction can be.
+    /// True if the contact rests: when its velocity is zero, the force on it without friction is less than the largest friction.
     [[nodiscard]] bool rests() const {
         const Eigen::VectorXcd X = displacement(lambda_);
         if (X.norm() <= at_rest * free_velocity()) return true;

@@ -18,7 +18,7 @@ using State = std::vector<double>; // modal displacements, then modal velocities
 constexpr int most_periods = 400;
 const double period = 2 * pi<double>();
 
-/// What the integrator throws where it has used up its right-hand sides.
+/// Thrown by the integrator when it has used up its right-hand sides.
 struct Stalled {};
 
 /// (13) with friction as a function of the contact's velocity.
@@ -54,7 +54,7 @@ public:
     [[nodiscard]] double velocity(const State& y) const {
         return std::inner_product(shape_.begin(), shape_.end(), y.begin() + static_cast<std::ptrdiff_t>(N_), 0.0);
     }
-    /// Whether friction can hold the contact: what acts on it without friction is less than friction can be.
+    /// True if friction can hold the contact: the force on it without friction is less than the largest friction.
     [[nodiscard]] bool holds(const State& y, double tau) const {
         double a = 0;
         for (std::size_t i = 0; i < N_; ++i)
@@ -73,7 +73,7 @@ private:
     std::vector<double> stiffness_, damping_, load_, friction_, shape_;
 };
 
-/// What is seen of the contact over a period.
+/// Records over a period how far the contact moves and whether it sticks.
 class Watch {
 public:
     Watch(PlainEquations& equations, double tolerance) : equations_(equations), tolerance_(tolerance) {}

@@ -7,7 +7,7 @@
 namespace denhartog::tests {
 namespace {
 
-// What is affordable; steps of many masses cost more.
+// The number of steps that we can afford; steps of many masses cost more.
 long most_steps(std::size_t N) { return 400'000 / static_cast<long>(1 + N / 16); }
 
 std::vector<double> entries(const Matrix<double>& A) {

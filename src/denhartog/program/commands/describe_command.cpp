@@ -1,4 +1,5 @@
-// `denhartog describe`: what the program says of itself, for the build: the manual page and the completion of bash.
+// `denhartog describe`: the manual page in roff and the completion of bash, both written from the subcommands and options that
+// the program has. The build calls it; the help does not list it.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>

@@ -1,4 +1,5 @@
-// `denhartog find`: the inverse question, what a number of the scene has to be so that an amplitude is as wanted.
+// `denhartog find`: the inverse question, the values of a number of the scene at which an amplitude is as wanted. Read `found`,
+// which asks `find_places`; JSON and table come before it.
 #include <CLI/CLI.hpp>
 #include <memory>
 

@@ -1,3 +1,5 @@
+// A scene without a load, `"force": 0`, as `denhartog integrate` answers it. `unloaded_scene` gives it units in which nothing is
+// rounded; the motion is followed to its last stop if no number of periods is given.
 #include "denhartog/program/commands/free_motion.hpp"
 
 #include <cmath>

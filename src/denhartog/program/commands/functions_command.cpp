@@ -1,3 +1,5 @@
+// `denhartog functions`: the functions of the paper at a point, (23), (28) and (29) of each mode and their sums, (33) to (35),
+// (57) and (64), each with its bound. Read `functions_json`.
 #include "denhartog/program/commands/commands.hpp"
 
 #include <CLI/CLI.hpp>

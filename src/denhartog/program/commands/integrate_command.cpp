@@ -1,3 +1,5 @@
+// `denhartog integrate`: the paper's numerical approach, Section 3.1, or the exact motion, from a start over some periods; and a
+// scene without a load. Read `integrated`, which chooses among them.
 #include "denhartog/program/commands/commands.hpp"
 
 #include <CLI/CLI.hpp>

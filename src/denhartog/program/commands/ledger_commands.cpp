@@ -1,4 +1,5 @@
-// `denhartog equations` and `denhartog derive`: what the derivation says of the equations.
+// `denhartog equations` and `denhartog derive`: the verdicts of the derivation on the paper's equations, and its steps. Read
+// `show_equations` and `show_derivation`.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>

@@ -1,3 +1,5 @@
+// `denhartog map`: regimes and amplitudes over a grid of r and beta, or of frequency and a force, and the boundaries as curves,
+// written to a file. Read `answer`; the axes may be given in ratios or in the units of the scene.
 #include "denhartog/program/commands/commands.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,3 +1,5 @@
+// `denhartog motion`: displacement and velocity of every mass over a period, (46), while the contact slides throughout, as CSV or
+// NPY. Read `sampled`.
 #include "denhartog/program/commands/commands.hpp"
 
 #include <CLI/CLI.hpp>

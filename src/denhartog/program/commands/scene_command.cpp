@@ -1,3 +1,5 @@
+// The common part of the subcommands that answer scenes: their options, the loop over the scenes of a file, and the place of a
+// scene in the message of its error.
 #include "denhartog/program/commands/scene_command.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,5 @@
-// `denhartog response` and `denhartog boundary`: what is known while the contact slides, and where that ends.
+// `denhartog response` and `denhartog boundary`: the response while the contact slides, (38) to (53), and the friction ratios at
+// which that ends, (67), (69) and (88), with the invariant points of (87). Read `respond` and `bound`.
 #include "denhartog/program/commands/commands.hpp"
 
 #include <CLI/CLI.hpp>

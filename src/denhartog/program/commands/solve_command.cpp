@@ -1,3 +1,5 @@
+// `denhartog solve`: the steady motion of a scene in any regime, with its digits and how it was found. Read `solved`, which asks
+// the question and adds to the answer what the options ask for.
 #include "denhartog/program/commands/commands.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,3 +1,5 @@
+// The subcommands and options of `denhartog conform`, and those of its subcommands that only look at the vectors: list and show.
+// `run.cpp` has those that judge a program.
 #include "denhartog/program/commands/commands.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,3 +1,5 @@
+// The subcommands of `denhartog conform` that judge a program: run, grade, smoke, and repro, which prints the commands that
+// repeat one question. Read `conform_run`, then `finish`, which diagnoses, compares and reports.
 #include "denhartog/program/conform/conform.hpp"
 
 #include <algorithm>

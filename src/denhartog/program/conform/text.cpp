@@ -1,4 +1,5 @@
-// The report for people, as text and as Markdown, and in XML for programs that show test results.
+// The report of a conformance run for people, as text and as Markdown, and in XML for programs that show test results. Read
+// `report_text` first; `report_markdown` and `report_junit` say the same in their forms.
 #include <algorithm>
 #include <array>
 #include <cstdio>

@@ -1,3 +1,5 @@
+// Numbers as answers print them: JSON numbers up to 15 digits, text with more, and cells of tables that are aligned. A number
+// that is not finite is refused here, so that none is ever printed.
 #include "denhartog/program/json/number_json.hpp"
 
 #include <algorithm>

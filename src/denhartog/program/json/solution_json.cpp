@@ -1,3 +1,5 @@
+// The answers of `response`, `boundary` and `solve` as JSON, and from that JSON as tables. Read `solution_json`; a member that
+// means nothing in a regime, or was not asked for, is left out.
 #include "denhartog/program/json/solution_json.hpp"
 
 #include <algorithm>

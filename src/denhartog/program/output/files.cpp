@@ -1,3 +1,5 @@
+// Files read and written whole or not at all: a result is written beside the file that it replaces and takes its name at the end,
+// and no signal interrupts that. Read `read_input` and `write_file`.
 #include "denhartog/program/output/files.hpp"
 
 #include <fcntl.h>

@@ -1,3 +1,5 @@
+// Motions, maps and boundary curves as CSV or as arrays of NumPy: a table of typed columns is written by `csv` or `npy`. Read
+// `map_table` and `curves_table`, which make such tables.
 #include "denhartog/program/output/result_files.hpp"
 
 #include <CLI/CLI.hpp>

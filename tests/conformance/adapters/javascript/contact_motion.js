@@ -100,7 +100,7 @@ class ContactMotion extends ClosedForm {
         );
         this.rate = max(1, ...modes.map((m) => (m.r_n * (1 + 2 * m.zeta)) / r));
     }
-    // The same system under another friction ratio: what does not depend on it is not computed again.
+    // The system under another friction ratio; numbers without friction are not computed again.
     withFriction(beta) {
         return Object.assign(Object.create(this), {
             beta,
@@ -147,7 +147,7 @@ class ContactMotion extends ClosedForm {
         }
         return a;
     }
-    // What the contact carries but for friction, over a step: (75) with its sign.
+    // The load on the contact without friction, over a step: (75) with its sign.
     loadOver(a, tau, h) {
         const { N, j, l, K, C } = this,
             wave = [cos(tau), -sin(tau), -cos(tau), sin(tau)],
@@ -336,7 +336,7 @@ class ContactMotion extends ClosedForm {
         }
         return apart(z) < first / 2;
     }
-    // Whether the contact, held in z, rests for ever: the load on it is that of the steady held motion, that of its own place,
+    // True if the contact, held in z, rests for ever. The load on it is that of the steady held motion, that of its own place,
     // and that of the free motion of the others, which is bounded by their energy and so never grows.
     restsForEver(z) {
         const { N, j, K, C, mass } = this,
@@ -402,7 +402,7 @@ class ContactMotion extends ClosedForm {
         for (const m of masses) m.lag = wrapped(m.tau + (m.x < 0 ? PI : 0));
         return { regime, z, h, periods, period, residual, half_periods, closes, phases: run.phases, stops, masses };
     }
-    // The same as in ClosedForm, where the contact stops as well.
+    // As in ClosedForm, but for a contact that stops as well.
     withStops() {
         return this.regime() === 'stick_slip' && (this.found ??= this.steady());
     }

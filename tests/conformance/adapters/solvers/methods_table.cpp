@@ -18,7 +18,7 @@ using namespace denhartog;
 using namespace denhartog::conformance;
 using Json = nlohmann::json;
 
-// What the answers of a method's solvers show.
+// Errors of the answers of a method's solvers.
 struct Shown {
     std::map<std::string, std::vector<double>> errors; // over scale and condition number, by kind of quantity
     double margin = 0;                                 // the largest at which a regime was wrong

@@ -32,7 +32,7 @@ using Vector = Eigen::VectorXd;
 
 Vector vector_of(const std::vector<double>& y) { return Eigen::Map<const Vector>(y.data(), static_cast<Eigen::Index>(y.size())); }
 
-// What the slowest transient loses in a period while the contact slides, a mode above critical damping included.
+// Loss of the slowest transient in a period while the contact slides, a mode above critical damping included.
 double loss_in_a_period(const Scene<double>& scene) {
     const ModalBasis<double> basis = modal_basis(scene.system);
     double slowest = std::numeric_limits<double>::infinity();
@@ -141,7 +141,7 @@ SteadyMotion motion_from(const std::vector<Stage>& stages, std::vector<double> y
     return motion;
 }
 
-// The same motion with the contact at zero: all masses are moved by what the contact's displacement makes of them at rest.
+// The motion shifted so that the contact is at zero: the other masses are shifted as at rest under a displaced contact.
 std::vector<double> moved_to_zero(std::vector<double> y, const Scene<double>& scene) {
     const Matrix<double> K = contact_problem(scene).matrices.K;
     const Eigen::Index N = K.rows(), j = static_cast<Eigen::Index>(scene.system.contact.index);
