@@ -26,6 +26,7 @@ namespace {
 
 std::vector<NamedNumber> all_numbers_of(const Solution& s) {
     std::vector<NamedNumber> all = numbers_of(s);
+    all.push_back({"largest relative error", 0, {0, s.relative_error, {}}});
     if (s.between) all.push_back({"between", 0, s.between->amplitude});
     if (s.slides_below) all.push_back({"slides below", 0, *s.slides_below});
     if (s.kept_mode) all.push_back({"kept mode", s.kept_mode->mode, s.kept_mode->contact_at_most});
@@ -51,6 +52,10 @@ const std::vector<std::pair<std::string, Numbers>>& questions() {
         {"motion", solved(Asked::motion)},
         {"12 digits", solved(Asked::motion, 12)},
         {"all motions", solved(Asked::motion, {}, true)},
+        {"contact",
+         [](const SceneSource& s) {
+             return all_numbers_of(solve(s, {Asked::phase, {}, false, s->in_double().system.contact}));
+         }},
         {"quantities", [](const SceneSource& s) {
              return numbers_of(quantities(s, std::vector{0.5, 2.0}, 6).numbers);
          }}};
