@@ -27,14 +27,6 @@ Proof.
   apply Rabs_le. lra.
 Qed.
 
-Lemma Sum_abs n f : Rabs (Sum n f) <= Sum n (fun i => Rabs (f i)).
-Proof. induction n; simpl; [rewrite Rabs_R0; lra|]. pose proof (Rabs_triang (Sum n f) (f n)). lra. Qed.
-Lemma Sum_part n f i : (forall i, (i < n)%nat -> 0 <= f i) -> (i < n)%nat -> f i <= Sum n f.
-Proof.
-  induction n; intros H Hi; [lia|]. simpl. pose proof (H n ltac:(lia)).
-  assert (0 <= Sum n f) by (apply Sum_nonneg; intros; apply H; lia).
-  destruct (Nat.eq_dec i n) as [->|]; [lra|]. assert (f i <= Sum n f) by (apply IHn; [intros; apply H; lia | lia]). lra.
-Qed.
 Lemma from_some_on N (P : nat -> nat -> Prop) : (forall i, (i < N)%nat -> exists n0, forall n, (n0 <= n)%nat -> P i n) ->
   exists n0, forall i n, (i < N)%nat -> (n0 <= n)%nat -> P i n.
 Proof.

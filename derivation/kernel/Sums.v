@@ -32,6 +32,14 @@ Proof.
   assert (0 <= Sum n f) by (apply Sum_nonneg; intros; apply H; lia).
   destruct (Nat.eq_dec i n) as [->|]; [lra|]. apply IHn; [intros; apply H; lia | lra | lia].
 Qed.
+Lemma Sum_abs n f : Rabs (Sum n f) <= Sum n (fun i => Rabs (f i)).
+Proof. induction n; simpl; [rewrite Rabs_R0; lra|]. pose proof (Rabs_triang (Sum n f) (f n)). lra. Qed.
+Lemma Sum_part n f i : (forall i, (i < n)%nat -> 0 <= f i) -> (i < n)%nat -> f i <= Sum n f.
+Proof.
+  induction n; intros H Hi; [lia|]. simpl. pose proof (H n ltac:(lia)).
+  assert (0 <= Sum n f) by (apply Sum_nonneg; intros; apply H; lia).
+  destruct (Nat.eq_dec i n) as [->|]; [lra|]. assert (f i <= Sum n f) by (apply IHn; [intros; apply H; lia | lia]). lra.
+Qed.
 Lemma delta_same a : delta a a = 1.
 Proof. unfold delta. rewrite Nat.eqb_refl. reflexivity. Qed.
 Lemma delta_other a b : a <> b -> delta a b = 0.

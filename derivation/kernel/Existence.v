@@ -1,0 +1,423 @@
+(* For mu = 1 and damping in all modes there is a steady motion, if the contact law has a motion over one period from every start.
+   The map from the state at the start of a period to the state at its end takes no two states apart, and damping bounds it. *)
+Require Import Reals List Lra Lia Psatz PeanoNat.
+From Coquelicot Require Import Coquelicot.
+From Kernel Require Import Statements Modes SteadyMode Sums Masses OneVelocity Attraction FixedPoint.
+Open Scope R_scope.
+
+Lemma Sum_two_parts n k f : Sum (n + k) f = Sum n f + Sum k (fun i => f (n + i)%nat).
+Proof. induction k; [rewrite Nat.add_0_r; simpl; ring|]. rewrite Nat.add_succ_r. simpl. rewrite IHk. ring. Qed.
+
+(* For a mode under a force f, V = p1^2 + 2 c p p1 + w^2 p^2 has a rate of at most - c V + f^2 / c. *)
+Lemma storage_rate c w zeta p p1 p2 f : 0 < c -> c = zeta * w -> 0 <= zeta <= 1 ->
+  p2 + 2 * zeta * w * p1 + w ^ 2 * p = f ->
+  2 * p1 * p2 + 2 * c * (p1 * p1 + p * p2) + 2 * w ^ 2 * (p * p1) <=
+  - c * (p1 * p1 + 2 * c * (p * p1) + w ^ 2 * (p * p)) + f * f / c.
+Proof.
+  intros Hc Ec Hz E. replace p2 with (f - 2 * c * p1 - w ^ 2 * p) by (rewrite <- E, Ec; ring).
+  assert (S : 0 <= (c * (p1 + c * p) - f) * (c * (p1 + c * p) - f) / c).
+  { apply Rmult_le_pos; [apply Rle_0_sqr | apply Rlt_le, Rinv_0_lt_compat, Hc]. }
+  assert (Q : 0 <= c * ((w ^ 2 - c * c) * (p * p))).
+  { apply Rmult_le_pos; [lra|]. apply Rmult_le_pos; [|apply Rle_0_sqr]. rewrite Ec.
+    replace (w ^ 2 - zeta * w * (zeta * w)) with ((1 - zeta * zeta) * (w * w)) by ring.
+    apply Rmult_le_pos; [nra | apply Rle_0_sqr]. }
+  replace ((c * (p1 + c * p) - f) * (c * (p1 + c * p) - f) / c) with
+    (c * ((p1 + c * p) * (p1 + c * p)) - 2 * f * (p1 + c * p) + f * f / c) in S by (field; lra).
+  lra.
+Qed.
+
+Section Scene.
+Variable s : scene.
+Local Notation N := (masses s).
+Local Notation psi := (shape s).
+Local Notation R_ := (ratio s).
+Local Notation zeta := (damping_ratio s).
+Local Notation j := (contact s).
+Local Notation beta := (friction s).
+Hypothesis Hs : is_scene s.
+Hypothesis Hz : forall i, (i < N)%nat -> 0 < zeta i.
+Hypothesis Hb : 0 <= beta.
+
+(* The state of a motion: the velocities of the modes, and their displacements by R_i *)
+Definition state (y y1 : nat -> R -> R) t i :=
+  if Nat.ltb i N then modal s (fun a => y1 a t) i else / R_ (i - N) * modal s (fun a => y a t) (i - N).
+Lemma state_velocity y y1 t i : (i < N)%nat -> state y y1 t i = modal s (fun a => y1 a t) i.
+Proof. intros Hi. unfold state. destruct (Nat.ltb_spec i N); [reflexivity | lia]. Qed.
+Lemma state_displacement y y1 t i : state y y1 t (N + i) = / R_ i * modal s (fun a => y a t) i.
+Proof. unfold state. destruct (Nat.ltb_spec (N + i) N); [lia|]. replace (N + i - N)%nat with i by lia. reflexivity. Qed.
+
+(* The motion has the state x at the time t. *)
+Definition at_state (x : nat -> R) y y1 t := forall i, (i < N + N)%nat -> state y y1 t i = x i.
+Definition displacement_of (x : nat -> R) k := Sum N (fun i => psi k i * (R_ i * x (N + i)%nat)).
+Definition velocity_of (x : nat -> R) k := Sum N (fun i => psi k i * x i).
+Lemma start_in_state x y y1 t : (forall k, (k < N)%nat -> y k t = displacement_of x k /\ y1 k t = velocity_of x k) ->
+  at_state x y y1 t.
+Proof.
+  intros H i Hi. destruct (Nat.lt_ge_cases i N) as [L|G].
+  - rewrite state_velocity by exact L. unfold modal. rewrite <- (product_applied N (W s) psi x (W_psi s Hs) i L).
+    apply Sum_ext. intros a Ha. destruct (H a Ha) as [_ ->]. reflexivity.
+  - replace i with (N + (i - N))%nat by lia. set (k := (i - N)%nat) in *. assert (Hk : (k < N)%nat) by lia.
+    rewrite state_displacement.
+    pose proof (product_applied N (W s) psi (fun i => R_ i * x (N + i)%nat) (W_psi s Hs) k Hk) as P. cbv beta in P.
+    unfold modal. rewrite (Sum_ext N _ (fun a => W s k a * Sum N (fun c => psi a c * (R_ c * x (N + c)%nat))))
+      by (intros a Ha; destruct (H a Ha) as [-> _]; reflexivity).
+    rewrite P. pose proof (Hratio s Hs k Hk). field. lra.
+Qed.
+Lemma same_state x y y1 z z1 t t' : at_state x y y1 t -> at_state x z z1 t' ->
+  forall k, (k < N)%nat -> y k t = z k t' /\ y1 k t = z1 k t'.
+Proof.
+  intros H H' k Hk. split.
+  - rewrite (physical s Hs (fun a => y a t) k Hk), (physical s Hs (fun a => z a t') k Hk). apply Sum_ext. intros i Hi. f_equal.
+    pose proof (H (N + i)%nat ltac:(lia)) as A. rewrite <- (H' (N + i)%nat ltac:(lia)), !state_displacement in A.
+    pose proof (Hratio s Hs i Hi). apply (Rmult_eq_reg_l (/ R_ i)); [exact A | apply Rinv_neq_0_compat; lra].
+  - rewrite (physical s Hs (fun a => y1 a t) k Hk), (physical s Hs (fun a => z1 a t') k Hk). apply Sum_ext. intros i Hi. f_equal.
+    pose proof (H i ltac:(lia)) as A. rewrite <- (H' i ltac:(lia)), !state_velocity in A by exact Hi. exact A.
+Qed.
+
+Lemma size_of_difference y y1 z z1 t :
+  size (N + N) (fun i => state y y1 t i - state z z1 t i) = 2 * energy s y y1 z z1 t.
+Proof.
+  assert (G : forall f h : nat -> R -> R, forall i, gap s f h i t = modal s (fun a => f a t) i - modal s (fun a => h a t) i).
+  { intros f h i. unfold gap, modal. rewrite <- Sum_minus. apply Sum_ext. intros; ring. }
+  unfold size. rewrite Sum_two_parts. unfold energy. rewrite <- Sum_scal, <- Sum_plus. apply Sum_ext. intros i Hi.
+  rewrite !state_displacement, !state_velocity, !G by exact Hi. pose proof (Hratio s Hs i Hi). field. lra.
+Qed.
+
+Section Load.
+Variables (load : nat -> R -> R) (T : R).
+Hypothesis HT : 0 < T.
+
+(* Two motions are not further apart at the end than at the start. *)
+Lemma not_apart x x' y y1 z z1 : motion_under s load T y y1 -> motion_under s load T z z1 ->
+  at_state x y y1 0 -> at_state x' z z1 0 ->
+  size (N + N) (fun i => state y y1 T i - state z z1 T i) <= size (N + N) (fun i => x i - x' i).
+Proof.
+  intros HY HZ A B. rewrite <- (size_ext (N + N) (fun i => state y y1 0 i - state z z1 0 i) (fun i => x i - x' i))
+    by (intros i Hi; rewrite A, B by exact Hi; reflexivity).
+  rewrite !size_of_difference.
+  pose proof (energy_falls s Hs load T y y1 z z1 Hz Hb HY HZ 0 T ltac:(lra) ltac:(lra) ltac:(lra)). lra.
+Qed.
+Lemma one_end x y y1 z z1 : motion_under s load T y y1 -> motion_under s load T z z1 ->
+  at_state x y y1 0 -> at_state x z z1 0 -> forall i, (i < N + N)%nat -> state y y1 T i = state z z1 T i.
+Proof.
+  intros HY HZ A B i Hi. pose proof (not_apart x x y y1 z z1 HY HZ A B) as H.
+  assert (Z : size (N + N) (fun i => x i - x i) = 0) by (apply Sum_zero; intros; ring). rewrite Z in H.
+  pose proof (size_part (N + N) (fun i => state y y1 T i - state z z1 T i) i Hi) as P. cbv beta in P. nra.
+Qed.
+
+(* The map from the state at the time 0 to the state at T. As there is one end only, it needs no choice. *)
+Definition ends_at (x : nat -> R) i c := exists y y1, motion_under s load T y y1 /\ at_state x y y1 0 /\ state y y1 T i = c.
+Definition end_state (x : nat -> R) i : R := iota (ends_at x i).
+Lemma end_state_is_reached x y y1 : motion_under s load T y y1 -> at_state x y y1 0 -> at_state (end_state x) y y1 T.
+Proof.
+  intros HY A i Hi. symmetry. apply (iota_unique (K := R_AbsRing) (V := R_CompleteNormedModule) (ends_at x i)).
+  - intros c [z [z1 [HZ [B E]]]]. rewrite <- E. apply (one_end x z z1 y y1); assumption.
+  - exists y, y1. auto.
+Qed.
+
+Hypothesis HL : solvable s load T.
+Lemma from_state x : exists y y1, motion_under s load T y y1 /\ at_state x y y1 0 /\ at_state (end_state x) y y1 T.
+Proof.
+  destruct (HL (displacement_of x) (velocity_of x)) as [y [y1 [HY H]]]. pose proof (start_in_state x y y1 0 H) as A.
+  exists y, y1. split; [exact HY|]. split; [exact A | apply end_state_is_reached; assumption].
+Qed.
+Lemma end_states_not_apart x x' : size (N + N) (fun i => end_state x i - end_state x' i) <= size (N + N) (fun i => x i - x' i).
+Proof.
+  destruct (from_state x) as [y [y1 [HY [A E]]]]. destruct (from_state x') as [z [z1 [HZ [B F]]]].
+  rewrite <- (size_ext (N + N) (fun i => state y y1 T i - state z z1 T i) (fun i => end_state x i - end_state x' i))
+    by (intros i Hi; rewrite E, F by exact Hi; reflexivity).
+  apply (not_apart x x' y y1 z z1); assumption.
+Qed.
+
+(* The equation of one mode of a motion, with a force that the load and the friction bound *)
+Variable B : R.
+Hypothesis HB : forall a t, (a < N)%nat -> 0 <= t <= T -> Rabs (load a t) <= B.
+Definition largest_force i := Sum N (fun a => Rabs (psi a i)) * (B + beta).
+Definition displacement (y : nat -> R -> R) i t := modal s (fun a => y a t) i.
+Lemma mode_of_motion y y1 : motion_under s load T y y1 -> exists L, forall t, 0 < t < T -> ~ In t L -> forall i, (i < N)%nat ->
+  exists p2 f, Rabs f <= largest_force i /\ is_derive (displacement y i) t (displacement y1 i t) /\
+  is_derive (displacement y1 i) t p2 /\
+  p2 + 2 * zeta i * / R_ i * displacement y1 i t + (/ R_ i) ^ 2 * displacement y i t = f.
+Proof.
+  intros [_ [L E]]. exists L. intros t Ht NL i Hi. destruct (E t Ht NL) as [y2 [a [Ca Ea]]].
+  exists (modal s y2 i), (Sum N (fun k => psi k i * (load k t - beta * delta k j * a))). split; [|split; [|split]].
+  - apply Rle_trans with (1 := Sum_abs N _). unfold largest_force. rewrite <- Sum_scal_r. apply Sum_le. intros k Hk.
+    rewrite Rabs_mult. apply Rmult_le_compat_l; [apply Rabs_pos|]. pose proof (HB k t Hk ltac:(lra)) as Bk.
+    pose proof (coulomb_is_bounded _ _ Ca) as Ba.
+    assert (Rabs (beta * delta k j * a) <= beta).
+    { unfold delta. destruct (Nat.eqb k j); [|rewrite Rmult_0_r, Rmult_0_l, Rabs_R0; exact Hb]. apply Rabs_le. nra. }
+    pose proof (Rabs_triang (load k t) (- (beta * delta k j * a))) as Tr. rewrite Rabs_Ropp in Tr. unfold Rminus. lra.
+  - apply (modal_derive s y y1). intros k Hk. apply (Ea k Hk).
+  - apply (modal_derive s y1 (fun a t => y2 a)). intros k Hk. apply (Ea k Hk).
+  - unfold displacement. rewrite <- (modal_rows s Hs y2 (fun k => y1 k t) (fun k => y k t) _) with (i := i); [| |exact Hi].
+    + rewrite pow_inv. unfold Rdiv. reflexivity.
+    + intros k Hk. destruct (Ea k Hk) as [_ [_ Q]]. lra.
+Qed.
+Lemma displacement_continuous y y1 i t : motion_under s load T y y1 -> 0 <= t <= T ->
+  continuous (displacement y i) t /\ continuous (displacement y1 i) t.
+Proof. intros [C _] Ht. split; apply (modal_continuous s); intros a Ha; apply (C a t Ha Ht). Qed.
+
+(* V of mode i, with c = zeta_i / R_i and w = 1 / R_i, and its bound where a motion ends in a multiple of its start *)
+Definition decay_of i := zeta i * / R_ i.
+Lemma decay_positive i : (i < N)%nat -> 0 < decay_of i.
+Proof. intros Hi. apply Rmult_lt_0_compat; [apply Hz, Hi | apply Rinv_0_lt_compat, (Hratio s Hs i Hi)]. Qed.
+Definition storage (y y1 : nat -> R -> R) i t :=
+  displacement y1 i t * displacement y1 i t + 2 * decay_of i * (displacement y i t * displacement y1 i t) +
+  (/ R_ i) ^ 2 * (displacement y i t * displacement y i t).
+Definition largest_storage i := largest_force i * largest_force i / decay_of i / decay_of i.
+Lemma storage_above y y1 i t : (i < N)%nat -> (1 - zeta i) * (displacement y1 i t * displacement y1 i t +
+  / R_ i * displacement y i t * (/ R_ i * displacement y i t)) <= storage y y1 i t.
+Proof.
+  intros Hi. pose proof (Hz i Hi) as Zi. unfold storage, decay_of. set (p1 := displacement y1 i t). set (p := displacement y i t).
+  assert (0 <= zeta i * ((p1 + / R_ i * p) * (p1 + / R_ i * p))) by (apply Rmult_le_pos; [lra | apply Rle_0_sqr]). lra.
+Qed.
+Lemma damping_below_1 i : (i < N)%nat -> zeta i < 1.
+Proof. intros Hi. apply (Hadm s Hs i Hi). Qed.
+Lemma storage_positive y y1 i t : (i < N)%nat -> 0 <= storage y y1 i t.
+Proof.
+  intros Hi. apply Rle_trans with (2 := storage_above y y1 i t Hi). pose proof (damping_below_1 i Hi).
+  apply Rmult_le_pos; [lra|]. apply Rplus_le_le_0_compat; apply Rle_0_sqr.
+Qed.
+
+(* The product of V less its bound and exp(c t) does not grow. *)
+Lemma storage_falls y y1 i : motion_under s load T y y1 -> (i < N)%nat ->
+  (storage y y1 i T - largest_storage i) * exp (decay_of i * T) <= storage y y1 i 0 - largest_storage i.
+Proof.
+  intros HY Hi. pose proof (decay_positive i Hi) as Hc. pose proof (Hz i Hi) as Zi. pose proof (damping_below_1 i Hi) as Z1.
+  set (c := decay_of i) in *. set (k := largest_storage i).
+  replace (storage y y1 i 0 - k) with ((storage y y1 i 0 - k) * exp (c * 0)) by (rewrite Rmult_0_r, exp_0; ring).
+  destruct (mode_of_motion y y1 HY) as [L E].
+  apply (not_growing L (fun t => (storage y y1 i t - k) * exp (c * t)) 0 T); [lra | |].
+  - intros t Ht. destruct (displacement_continuous y y1 i t HY Ht) as [C0 C1].
+    assert (Ce : continuous (fun t => exp (c * t)) t) by (eapply continuous_of_derive; auto_derive; [trivial | reflexivity]).
+    assert (Cs : continuous (storage y y1 i) t).
+    { apply (continuous_plus (V := R_NormedModule)); [apply (continuous_plus (V := R_NormedModule))|].
+      - apply (continuous_mult (K := R_AbsRing) (displacement y1 i) (displacement y1 i)); assumption.
+      - apply continuous_scaled, (continuous_mult (K := R_AbsRing) (displacement y i) (displacement y1 i)); assumption.
+      - apply continuous_scaled, (continuous_mult (K := R_AbsRing) (displacement y i) (displacement y i)); assumption. }
+    apply (continuous_mult (K := R_AbsRing) (fun t => storage y y1 i t - k) (fun t => exp (c * t))); [|exact Ce].
+    apply (continuous_minus (V := R_NormedModule) (storage y y1 i) (fun _ => k)); [exact Cs | apply continuous_const].
+  - intros t Ht NL. destruct (E t Ht NL i Hi) as [p2 [f [Hf [D0 [D1 Q]]]]].
+    set (p := displacement y i) in *. set (p1 := displacement y1 i) in *.
+    set (V' := 2 * p1 t * p2 + 2 * c * (p1 t * p1 t + p t * p2) + 2 * (/ R_ i) ^ 2 * (p t * p1 t)).
+    exists ((V' + c * (storage y y1 i t - k)) * exp (c * t)). split.
+    + unfold storage. fold p p1 c. evar_last.
+      { apply (is_derive_mult (K := R_AbsRing) (fun t => p1 t * p1 t + 2 * c * (p t * p1 t) + (/ R_ i) ^ 2 * (p t * p t) - k)
+          (fun t => exp (c * t))); [| |intros; apply Rmult_comm].
+        - apply (is_derive_minus (V := R_NormedModule)); [|apply (is_derive_const (K := R_AbsRing) (V := R_NormedModule))].
+          apply (is_derive_plus (V := R_NormedModule)); [apply (is_derive_plus (V := R_NormedModule))|].
+          + apply (is_derive_mult (K := R_AbsRing) p1 p1); [exact D1 | exact D1 | intros; apply Rmult_comm].
+          + apply is_derive_scal, (is_derive_mult (K := R_AbsRing) p p1); [exact D0 | exact D1 | intros; apply Rmult_comm].
+          + apply is_derive_scal, (is_derive_mult (K := R_AbsRing) p p); [exact D0 | exact D0 | intros; apply Rmult_comm].
+        - auto_derive; [trivial | reflexivity]. }
+      unfold minus, plus, opp, mult, zero; simpl. unfold V'. ring.
+    + assert (S : V' <= - c * storage y y1 i t + f * f / c).
+      { unfold V', storage. fold p p1 c. apply (storage_rate c (/ R_ i) (zeta i)); [exact Hc | reflexivity | lra | exact Q]. }
+      assert (F : f * f / c <= c * k).
+      { replace (c * k) with (largest_force i * largest_force i / c) by (unfold k, largest_storage; fold c; field; lra).
+        apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat, Hc|]. apply Rabs_le_between in Hf.
+        assert (0 <= (largest_force i - f) * (largest_force i + f)) by (apply Rmult_le_pos; lra). lra. }
+      assert (0 <= - (V' + c * (storage y y1 i t - k)) * exp (c * t)) by (apply Rmult_le_pos; [lra | apply Rlt_le, exp_pos]). lra.
+Qed.
+(* Of a motion whose start is r times its end *)
+Lemma storage_of_multiple y y1 i r : motion_under s load T y y1 -> (i < N)%nat -> -1 < r < 1 ->
+  displacement y i 0 = r * displacement y i T -> displacement y1 i 0 = r * displacement y1 i T ->
+  storage y y1 i T <= largest_storage i.
+Proof.
+  intros HY Hi Hr E0 E1. pose proof (storage_falls y y1 i HY Hi) as H. pose proof (decay_positive i Hi) as Hc.
+  assert (V0 : storage y y1 i 0 = r * r * storage y y1 i T) by (unfold storage; rewrite E0, E1; ring).
+  pose proof (storage_positive y y1 i T Hi) as Pv. rewrite V0 in H.
+  assert (Rr : 0 <= (1 - r * r) * storage y y1 i T) by (apply Rmult_le_pos; [nra | exact Pv]).
+  assert (Ex : 1 < exp (decay_of i * T)) by (rewrite <- exp_0; apply exp_increasing, Rmult_lt_0_compat; lra).
+  apply Rnot_lt_le. intros Big.
+  assert (0 < (storage y y1 i T - largest_storage i) * (exp (decay_of i * T) - 1)) by (apply Rmult_lt_0_compat; lra). lra.
+Qed.
+Lemma multiples_are_bounded : exists b, forall r x, -1 < r < 1 -> (forall i, (i < N + N)%nat -> x i = r * end_state x i) ->
+  size (N + N) x <= b.
+Proof.
+  exists (Sum N (fun i => largest_storage i / (1 - zeta i))). intros r x Hr Hx.
+  destruct (from_state x) as [y [y1 [HY [A E]]]].
+  apply Rle_trans with (size (N + N) (end_state x)).
+  { rewrite (size_ext (N + N) x (fun i => r * end_state x i)) by exact Hx. rewrite size_scal.
+    assert (0 <= (1 - r * r) * size (N + N) (end_state x)) by (apply Rmult_le_pos; [nra | apply size_nonneg]). lra. }
+  unfold size. rewrite Sum_two_parts, <- Sum_plus. apply Sum_le. intros i Hi.
+  pose proof (damping_below_1 i Hi) as Z1. pose proof (Hratio s Hs i Hi) as Ri.
+  assert (I1 : (i < N + N)%nat) by lia. assert (I2 : (N + i < N + N)%nat) by lia.
+  pose proof (Hx i I1) as X1. pose proof (Hx (N + i)%nat I2) as X2.
+  rewrite <- (E i I1), <- (A i I1), !state_velocity in X1 by exact Hi.
+  rewrite <- (E _ I2), <- (A _ I2), !state_displacement in X2.
+  rewrite <- (E i I1), <- (E _ I2), state_displacement, state_velocity by exact Hi.
+  fold (displacement y1 i T) (displacement y i T) in *. fold (displacement y1 i 0) (displacement y i 0) in *.
+  apply (Rmult_le_reg_l (1 - zeta i)); [lra|].
+  replace ((1 - zeta i) * (largest_storage i / (1 - zeta i))) with (largest_storage i) by (field; lra).
+  apply Rle_trans with (1 := storage_above y y1 i T Hi), (storage_of_multiple y y1 i r HY Hi Hr); [|exact X1].
+  apply (Rmult_eq_reg_l (/ R_ i)); [lra | apply Rinv_neq_0_compat; lra].
+Qed.
+(* A motion that ends in its start, k = 1, or in its mirror image, k = -1 *)
+Lemma returns k : k = 1 \/ k = -1 -> exists x y y1, motion_under s load T y y1 /\ at_state x y y1 0 /\
+  at_state (fun i => k * x i) y y1 T.
+Proof.
+  intros Hk. assert (K2 : k * k = 1) by (destruct Hk as [-> | ->]; ring).
+  destruct (fixed_point (N + N) (fun x i => k * end_state x i)) as [x Fx].
+  - intros x x'. rewrite (size_ext (N + N) _ (fun i => k * (end_state x i - end_state x' i))) by (intros; ring).
+    rewrite size_scal, K2, Rmult_1_l. apply end_states_not_apart.
+  - destruct multiples_are_bounded as [b Hbd]. exists b. intros r x Hr Hx. apply (Hbd (r * k)); [destruct Hk as [-> | ->]; lra|].
+    intros i Hi. rewrite (Hx i Hi) at 1. ring.
+  - destruct (from_state x) as [y [y1 [HY [A E]]]]. exists x, y, y1. split; [exact HY|]. split; [exact A|].
+    intros i Hi. rewrite (E i Hi), <- (Fx i Hi), <- Rmult_assoc, K2. ring.
+Qed.
+Lemma a_steady_motion : exists z z1, steady_under s load T z z1.
+Proof.
+  destruct (returns 1 ltac:(left; reflexivity)) as [x [y [y1 [HY [A E]]]]]. exists y, y1. split; [exact HY|].
+  apply (same_state x); [|exact A]. intros i Hi. rewrite (E i Hi). ring.
+Qed.
+Lemma a_mirrored_motion : exists z z1, motion_under s load T z z1 /\
+  forall k, (k < N)%nat -> z k T = - z k 0 /\ z1 k T = - z1 k 0.
+Proof.
+  destruct (returns (-1) ltac:(right; reflexivity)) as [x [y [y1 [HY [A E]]]]]. exists y, y1. split; [exact HY|].
+  assert (Op : forall f : nat -> R -> R, forall i t, modal s (fun a => - f a t) i = - modal s (fun a => f a t) i).
+  { intros f i t. unfold modal. rewrite <- Sum_opp. apply Sum_ext. intros; ring. }
+  apply (same_state (fun i => -1 * x i) y y1 (fun a t => - y a t) (fun a t => - y1 a t) T 0 E).
+  intros i Hi. rewrite <- (A i Hi). unfold state. rewrite !Op. destruct (Nat.ltb i N); ring.
+Qed.
+End Load.
+End Scene.
+
+Theorem steady_motion_exists : forall s, Statements.steady_motion_exists s.
+Proof. intros s Hs Hz Hb load T HT [B HB] HL. apply (a_steady_motion s Hs Hz Hb load T HT HL B HB). Qed.
+(* A motion over half a period that ends in its mirror image, continued by its mirror image *)
+Lemma continued_motion s load y y1 : (forall a t, load a (t + PI) = - load a t) -> motion_under s load PI y y1 ->
+  (forall k, (k < masses s)%nat -> y k PI = - y k 0 /\ y1 k PI = - y1 k 0) ->
+  steady_under s load (2 * PI) (continued y) (continued y1).
+Proof.
+  intros Ly [Cy [L Ey]] My. pose proof PI_RGT_0 as Pp.
+  assert (CJ : forall (f : nat -> R -> R) a, continued f a = joined PI (f a) (fun t => - f a (t - PI))) by reflexivity.
+  assert (Sh : forall (f : R -> R) t, continuous f (t - PI) -> continuous (fun t => - f (t - PI)) t).
+  { intros f t Cf. apply (continuous_opp (V := R_NormedModule)). apply (continuous_comp (fun t => t - PI) f); [|exact Cf].
+    apply (continuous_minus (V := R_NormedModule)); [apply continuous_id | apply continuous_const]. }
+  split; [split|].
+  - intros a t Ha Ht. rewrite !CJ. destruct (My a Ha) as [M1 M2].
+    split; apply joined_continuous; try (intros; apply Cy; [exact Ha | lra]); try (intros; apply Sh, Cy; [exact Ha | lra]);
+      replace (PI - PI) with 0 by ring; assumption.
+  - exists (PI :: L ++ map (fun t => t + PI) L)%list. intros t Ht NL. assert (NP : t <> PI) by (intro; apply NL; left; auto).
+    destruct (Rlt_dec t PI) as [B|B].
+    + destruct (Ey t ltac:(lra)) as [y2 [sg [Cs Es]]]; [intros I; apply NL; right; apply in_or_app; left; exact I|].
+      exists y2, sg.
+      assert (Loc : forall (f : nat -> R -> R) a z, Rabs (z - t) < PI - t -> f a z = continued f a z)
+        by (intros f a z Hx; apply Rabs_lt_between in Hx; rewrite CJ, joined_before by lra; reflexivity).
+      assert (V : forall f a, continued f a t = f a t) by (intros; rewrite CJ; apply joined_before; lra).
+      split; [rewrite V; exact Cs|]. intros a Ha. destruct (Es a Ha) as [D1 [D2 Q]]. rewrite V. split; [|split].
+      * apply (near_derive (y a) _ t _ (PI - t) ltac:(lra) (Loc _ a)), D1.
+      * apply (near_derive (y1 a) _ t _ (PI - t) ltac:(lra) (Loc _ a)), D2.
+      * rewrite (Sum_ext _ _ (fun b => mass s a b * y2 b + damping s a b * y1 b t + stiffness s a b * y b t))
+          by (intros; rewrite !V; reflexivity). exact Q.
+    + destruct (Ey (t - PI) ltac:(lra)) as [y2 [sg [Cs Es]]].
+      { intros I. apply NL. right. apply in_or_app. right. apply in_map_iff. exists (t - PI). split; [ring | exact I]. }
+      exists (fun a => - y2 a), (- sg).
+      assert (Loc : forall (f : nat -> R -> R) a z, Rabs (z - t) < t - PI -> - f a (z - PI) = continued f a z)
+        by (intros f a z Hx; apply Rabs_lt_between in Hx; rewrite CJ, joined_after by lra; reflexivity).
+      assert (V : forall f a, continued f a t = - f a (t - PI)) by (intros; rewrite CJ, joined_after by lra; reflexivity).
+      assert (DS : forall (f : R -> R) k, is_derive f (t - PI) k -> is_derive (fun z => - f (z - PI)) t (- k)).
+      { intros f k D. apply (is_derive_opp (V := R_NormedModule)).
+        evar_last. { apply (is_derive_comp f (fun x => x - PI)); [exact D | auto_derive; [trivial | reflexivity]]. }
+        unfold scal; simpl; unfold mult; simpl. ring. }
+      split; [rewrite V; apply coulomb_is_odd, Cs|]. intros a Ha. destruct (Es a Ha) as [D1 [D2 Q]]. rewrite V. split; [|split].
+      * apply (near_derive (fun z => - y a (z - PI)) _ t _ (t - PI) ltac:(lra) (Loc _ a)), DS, D1.
+      * apply (near_derive (fun z => - y1 a (z - PI)) _ t _ (t - PI) ltac:(lra) (Loc _ a)), DS, D2.
+      * rewrite (Sum_ext _ _ (fun b => - (mass s a b * y2 b + damping s a b * y1 b (t - PI) + stiffness s a b * y b (t - PI))))
+          by (intros; rewrite !V; ring).
+        rewrite Sum_opp. pose proof (Ly a (t - PI)) as E. replace (t - PI + PI) with t in E by ring. lra.
+  - intros a Ha. rewrite !CJ, !(joined_after PI _ _ (2 * PI)), !(joined_before PI _ _ 0) by lra.
+    replace (2 * PI - PI) with PI by ring. destruct (My a Ha) as [M1 M2]. rewrite M1, M2. split; ring.
+Qed.
+Theorem mirrored_steady_motion_exists : forall s, Statements.mirrored_steady_motion_exists s.
+Proof.
+  intros s Hs Hz Hb load Ly [B HB] HL. pose proof PI_RGT_0 as Pp.
+  destruct (a_mirrored_motion s Hs Hz Hb load PI Pp HL B HB) as [y [y1 [HY My]]]. exists (continued y), (continued y1).
+  split; [apply continued_motion; assumption|]. intros k t Hk Ht. unfold continued.
+  destruct (Rle_dec t PI); [|lra]. destruct (Rle_dec (t + PI) PI).
+  - assert (t = 0) by lra. subst t. rewrite Rplus_0_l. apply My, Hk.
+  - replace (t + PI - PI) with t by ring. split; reflexivity.
+Qed.
+
+Theorem steady_motion_exists_and_attracts : forall s, Statements.steady_motion_exists_and_attracts s.
+Proof.
+  intros s Hs Hz Hb load Per HB HL. pose proof PI_RGT_0.
+  destruct (steady_motion_exists s Hs Hz Hb load (2 * PI) ltac:(lra) HB HL) as [z [z1 HZ]]. exists z, z1. split; [exact HZ|].
+  intros y y1 HY. apply (velocities_are_attracted s Hs Hz Hb load Per y y1 z z1 HY HZ).
+Qed.
+
+(* The motion with (74) that starts as the steady one ends as it does. *)
+Theorem steady_contact_motion_exists : forall s, Statements.steady_contact_motion_exists s.
+Proof.
+  intros s Hs Hz Hb phi HL. pose proof PI_RGT_0 as Pp. set (load := fun a t => delta a (loaded s) * cos (t + phi)).
+  assert (HB : bounded_on s load (2 * PI)).
+  { exists 1. intros a t _ _. unfold load, delta. pose proof (COS_bound (t + phi)). apply Rabs_le.
+    destruct (Nat.eqb a (loaded s)); lra. }
+  destruct (steady_motion_exists s Hs Hz Hb load (2 * PI) ltac:(lra) HB) as [z [z1 [HZ Pz]]].
+  { intros u v. destruct (HL u v) as [y [y1 [HY St]]]. exists y, y1.
+    split; [apply contact_motions_are_under_a_load, HY | exact St]. }
+  destruct (HL (fun k => z k 0) (fun k => z1 k 0)) as [y [y1 [HY St]]]. exists y, y1. split; [exact HY|].
+  intros k Hk. destruct (St k Hk) as [-> ->]. destruct (Pz k Hk) as [<- <-].
+  apply (same_state s Hs (state s z z1 (2 * PI))); [|intros i _; reflexivity | exact Hk].
+  intros i Hi. apply (one_end s Hs Hz Hb load (2 * PI) ltac:(lra) (state s z z1 0)); try exact Hi;
+    [apply contact_motions_are_under_a_load, HY | exact HZ | | intros n _; reflexivity].
+  intros n Hn. unfold state. destruct (Nat.ltb_spec n (masses s)); [|f_equal]; apply Sum_ext; intros a Ha;
+    destruct (St a Ha) as [E0 E1]; rewrite ?E0, ?E1; reflexivity.
+Qed.
+
+(* (A.6) at all times, with the acceleration *)
+Lemma from_start_at_all_times R_i z pj pl beta phi y0 y10 t : admissible R_i z ->
+  let y := from_start R_i z pj pl beta phi y0 y10 in let y1 := from_start_prime R_i z pj pl beta phi y0 y10 in
+  is_derive y t (y1 t) /\ is_derive y1 t (Derive y1 t) /\
+  Derive y1 t + 2 * z / R_i * y1 t + / R_i ^ 2 * y t = pj * beta + pl * cos (t + phi).
+Proof.
+  intros Ad y y1. pose proof Ad as [Hr _].
+  destruct (eq_21_solves_eq_20 R_i z pj pl beta phi
+    (y0 - pj * R_i ^ 2 * beta - pl * R_i ^ 2 * v_cos R_i z phi 0)
+    (R_i / w z * (y10 + pl * R_i ^ 2 * v_sin R_i z phi 0) +
+     z * (y0 - pj * R_i ^ 2 * beta - pl * R_i ^ 2 * v_cos R_i z phi 0) / w z) Ad) as [a [b E]]. cbv zeta in E.
+  assert (D : forall t, is_derive y t (y1 t)) by (intros x; apply eq_A_7, Ad).
+  assert (E1 : forall t, is_derive y t (a t)).
+  { intros x. destruct (E x) as [Da _]. eapply is_derive_ext; [|exact Da]. intros v.
+    apply (eq_A_5 R_i z pj pl beta phi y0 y10 v Ad). }
+  assert (Same : forall t, a t = y1 t).
+  { intros x. rewrite <- (is_derive_unique _ _ _ (D x)). symmetry. apply is_derive_unique, E1. }
+  destruct (E t) as [_ [Db Q]]. assert (D2 : is_derive y1 t (b t)) by (apply (is_derive_ext a); [exact Same | exact Db]).
+  assert (Dy1 : Derive y1 t = b t) by (apply is_derive_unique, D2).
+  pose proof (eq_A_5 R_i z pj pl beta phi y0 y10 t Ad) as [V _]. rewrite V, Same in Q. fold (y t) in Q.
+  split; [apply D|]. rewrite Dy1. split; [exact D2|].
+  apply (Rmult_eq_reg_l (R_i ^ 2)); [|apply pow_nonzero; lra]. rewrite <- Q. field. lra.
+Qed.
+
+(* Without friction (A.6) is a motion from every start. *)
+Theorem solvable_without_friction : forall s, Statements.solvable_without_friction s.
+Proof.
+  intros s Hs H0 phi T u v. set (N := masses s).
+  set (R_ := ratio s). set (z := damping_ratio s). set (p := fun i => shape s (loaded s) i).
+  set (f := fun i => from_start (R_ i) (z i) 0 (p i) 0 phi (modal s u i) (modal s v i)).
+  set (f1 := fun i => from_start_prime (R_ i) (z i) 0 (p i) 0 phi (modal s u i) (modal s v i)).
+  assert (A : forall i t, (i < N)%nat -> is_derive (f i) t (f1 i t) /\ is_derive (f1 i) t (Derive (f1 i) t) /\
+    Derive (f1 i) t + 2 * z i / R_ i * f1 i t + / R_ i ^ 2 * f i t = 0 * 0 + p i * cos (t + phi)).
+  { intros i t Hi. apply from_start_at_all_times, (Hadm s Hs i Hi). }
+  set (y := fun k t => Sum N (fun i => shape s k i * f i t)). set (y1 := fun k t => Sum N (fun i => shape s k i * f1 i t)).
+  assert (Dy : forall k t, is_derive (y k) t (y1 k t)).
+  { intros k t. apply (is_derive_Sum N (fun i t => shape s k i * f i t) (fun i t => shape s k i * f1 i t)).
+    intros i Hi. apply is_derive_scal, A, Hi. }
+  assert (Dy1 : forall k t, is_derive (y1 k) t (Sum N (fun i => shape s k i * Derive (f1 i) t))).
+  { intros k t. apply (is_derive_Sum N (fun i t => shape s k i * f1 i t) (fun i t => shape s k i * Derive (f1 i) t)).
+    intros i Hi. apply is_derive_scal, A, Hi. }
+  exists y, y1. split; [split|].
+  - intros k t _ _. split; eapply continuous_of_derive; [apply Dy | apply Dy1].
+  - exists nil. intros t _ _. exists (fun k => Sum N (fun i => shape s k i * Derive (f1 i) t)).
+    exists (if Rlt_dec 0 (y1 (contact s) t) then 1 else if Rlt_dec (y1 (contact s) t) 0 then -1 else 0). split.
+    { destruct (Rlt_dec 0 (y1 (contact s) t)); [repeat split; lra|]. destruct (Rlt_dec (y1 (contact s) t) 0); repeat split; lra. }
+    intros a Ha. split; [apply Dy|]. split; [apply Dy1|]. rewrite H0, !Rmult_0_l, Rplus_0_r. unfold y, y1.
+    etransitivity; [exact (row s Hs a (fun i => Derive (f1 i) t) (fun i => f1 i t) (fun i => f i t) Ha)|].
+    rewrite (Sum_ext _ _ (fun i => cos (t + phi) * (MP s a i * shape s (loaded s) i))).
+    + rewrite Sum_scal, (complete_1 s Hs a (loaded s) Ha (Hl s Hs)). ring.
+    + intros i Hi. destruct (A i t Hi) as [_ [_ Q]]. unfold R_, z in Q. rewrite Q. unfold p. ring.
+  - intros k Hk. unfold y, y1.
+    rewrite (physical s Hs u k Hk) at 1. rewrite (physical s Hs v k Hk) at 1.
+    split; apply Sum_ext; intros i Hi; f_equal; unfold f, f1; eapply eq_A_5, (Hadm s Hs i Hi); exact 0.
+Qed.
