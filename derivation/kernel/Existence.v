@@ -1,5 +1,6 @@
-(* For mu = 1 and damping in all modes there is a steady motion, if the contact law has a motion over one period from every start.
-   The map from the state at the start of a period to the state at its end takes no two states apart, and damping bounds it. *)
+(* For mu = 1 and damping in all modes there is a steady motion, if the contact law has a motion over one period,
+   with a finite number of exceptions, from every start. The map from the state at the start of a period to the state at its end
+   increases no distance, and damping bounds it. *)
 Require Import Reals List Lra Lia Psatz PeanoNat.
 From Coquelicot Require Import Coquelicot.
 From Kernel Require Import Statements Modes SteadyMode Sums Masses OneVelocity Attraction FixedPoint.
@@ -157,7 +158,7 @@ Lemma displacement_continuous y y1 i t : motion_under s load T y y1 -> 0 <= t <=
   continuous (displacement y i) t /\ continuous (displacement y1 i) t.
 Proof. intros [C _] Ht. split; apply (modal_continuous s); intros a Ha; apply (C a t Ha Ht). Qed.
 
-(* V of mode i, with c = zeta_i / R_i and w = 1 / R_i, and its bound where a motion ends in a multiple of its start *)
+(* V of mode i, with c = zeta_i / R_i and w = 1 / R_i, and its bound where the start of a motion is r times its end, 0 < r < 1 *)
 Definition decay_of i := zeta i * / R_ i.
 Lemma decay_positive i : (i < N)%nat -> 0 < decay_of i.
 Proof. intros Hi. apply Rmult_lt_0_compat; [apply Hz, Hi | apply Rinv_0_lt_compat, (Hratio s Hs i Hi)]. Qed.
@@ -179,7 +180,7 @@ Proof.
   apply Rmult_le_pos; [lra|]. apply Rplus_le_le_0_compat; apply Rle_0_sqr.
 Qed.
 
-(* The product of V less its bound and exp(c t) does not grow. *)
+(* (V - bound) exp(c t) does not grow. *)
 Lemma storage_falls y y1 i : motion_under s load T y y1 -> (i < N)%nat ->
   (storage y y1 i T - largest_storage i) * exp (decay_of i * T) <= storage y y1 i 0 - largest_storage i.
 Proof.

@@ -1,5 +1,5 @@
-(* A map of the space of m numbers takes no two points apart. It has a fixed point, if those points are bounded that are r times
-   their image for some r between 0 and 1. *)
+(* Let a map T of m numbers never increase the distance of two points. It has a fixed point if the points x = r T(x), 0 < r < 1,
+   are bounded. *)
 Require Import Reals Lra Lia Psatz PeanoNat.
 From Coquelicot Require Import Coquelicot.
 From Kernel Require Import Statements Sums.

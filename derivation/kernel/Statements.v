@@ -574,18 +574,19 @@ Definition steady_motion_exists_and_attracts : Prop := is_scene -> (forall i, (i
   forall y y1, (forall T, 0 < T -> motion_under load T y y1) ->
   forall eps, 0 < eps -> exists n0 : nat, forall n k t, (n0 <= n)%nat -> (k < N)%nat -> 0 <= t <= 2 * PI ->
   Rabs (y1 k (t + 2 * PI * INR n) - z1 k t) < eps.
-(* The same for the paper's load, with (74): if the contact has a motion over one period from every start, it has a steady one. *)
+(* The same for the paper's load, with (74): if the contact has a motion over one period, with a finite number of exceptions, from
+   every start, it has a steady one. *)
 Definition steady_contact_motion_exists : Prop := is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta -> forall phi,
   (forall u v : nat -> R, exists y y1, contact_motion 1 phi (2 * PI) y y1 /\
     forall k, (k < N)%nat -> y k 0 = u k /\ y1 k 0 = v k) ->
   exists z z1, steady_contact_motion 1 phi (2 * PI) z z1.
-(* For forces that turn over after half a period, as the paper's load does, there is a steady motion that mirrors itself, (25), in its
-   displacements too. Motions over half a period suffice. *)
+(* For forces that change their sign after half a period, as the paper's load does, there is a steady motion that mirrors itself,
+   (25), in its displacements too. Motions over half a period suffice. *)
 Definition mirrored_steady_motion_exists : Prop := is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta ->
   forall load, (forall a t, load a (t + PI) = - load a t) -> bounded_on load PI -> solvable load PI ->
   exists z z1, steady_under load (2 * PI) z z1 /\
   forall k t, (k < N)%nat -> 0 <= t <= PI -> z k (t + PI) = - z k t /\ z1 k (t + PI) = - z1 k t.
-(* That the assumption can hold: without friction and under the paper's load it does. *)
+(* Without friction and under the paper's load the assumption holds. *)
 Definition solvable_without_friction : Prop := is_scene -> beta = 0 -> forall phi T,
   solvable (fun a t => delta a l * cos (t + phi)) T.
 End All_masses.

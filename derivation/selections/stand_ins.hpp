@@ -5,7 +5,7 @@
 /// the symbolic scalar. Each stands for a theorem, which is what its overload here returns: what the body computes, without
 /// rounding. This is the whole list. A shipped function that compares and is not on it does not compile for the proofs, and an
 /// overload anywhere else is not found. That the bodies compute what the theorems say is measured in
-/// `tests/derivation/selections/stand_ins.cpp` and, to the last places, by the tests of accuracy.
+/// `tests/derivation/stand_ins.cpp` and, to the last places, by the tests of accuracy.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,7 @@
 // Which known mistakes explain the wrong answers of an implementation? Each mistake is weighed by the answers that agree with it
 // and by those that contradict it; the best one is named, the answers that it explains are set aside, and the search goes on with
-// the rest. Read `diagnose` first, then `findings_of` and `weigh`.
+// the rest. Read `diagnose` first, then `findings_of` and `weigh`. The second part says what wrong
+// answers have in common: the first wrong link of the chain of quantities, properties of scenes, and counts by quantity.
 #include "conformance/diagnose.hpp"
 
 #include <algorithm>

@@ -48,7 +48,7 @@ TEST_CASE("scenes of the benchmark's pack come out the same to the last byte whe
 }
 
 TEST_CASE("the benchmark's pack comes out the same to the last byte when both routes compute it anew",
-          "[.][sweep][eq:6][eq:69]") {
+          "[.][sweep]") {
     const auto files = benchmark::files_of(benchmark::certify_all(false));
     for (const auto& [name, bytes] : files) {
         INFO(name);

@@ -159,9 +159,17 @@ inline void check_masses_within(const Solution& found, const Solution& exact) {
     }
 }
 
-/// @brief A map of one point. @param scene the scene, with r and beta @param masses whose amplitudes it has @return the map
-inline RegimeMap map_of_point(const Scene<double>& scene, std::vector<Mass> masses = {Mass{0}}, MapStart start = MapStart::rest) {
-    return regime_map(scene, {{*scene.r}, {*scene.beta}, std::move(masses), start, 1}, std::atomic<bool>(false));
+/// @brief A map of one point.
+/// @param scene   the scene, with r and beta
+/// @param masses  those whose amplitudes it has
+/// @param start   the start of its motion
+/// @param phases  whether it has phases
+/// @return        the map
+inline RegimeMap map_of_point(const Scene<double>& scene, std::vector<Mass> masses = {Mass{0}}, MapStart start = MapStart::rest,
+                              bool phases = false) {
+    MapRequest request{{*scene.r}, {*scene.beta}, std::move(masses), start, 1};
+    request.phases = phases;
+    return regime_map(scene, request, std::atomic<bool>(false));
 }
 
 } // namespace denhartog::tests

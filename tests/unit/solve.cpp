@@ -316,8 +316,14 @@ TEST_CASE("a steady motion that is certain is the answer where that from rest is
         const State end = solver.run(start, 0.0, 2 * pi<double>() * s.periods).end;
         CHECK(std::abs(end.x[0] - start.x[0]) <= 1e-9);
     }
-    // A map shows the motion from its start, and has no numbers where that is not known.
-    CHECK(map_of_point(cases[2].scene).points.front().status == PointStatus::not_converged);
+    // A map shows the motion from its start. Where that is not known, it has a contact that rests for ever, and else no numbers.
+    for (const bool phases : {false, true}) {
+        CHECK(map_of_point(cases[2].scene, {Mass{0}}, MapStart::rest, phases).points.front().status ==
+              PointStatus::not_converged);
+        const MapPoint rest = map_of_point(cases[1].scene, {Mass{0}}, MapStart::rest, phases).points.front();
+        CHECK(rest.status == PointStatus::answered);
+        CHECK(rest.regime == Regime::permanent_sticking);
+    }
 }
 
 TEST_CASE("where the motion from rest has come to the sliding motion, the closed form has its numbers", "[solve][eq:38]") {

@@ -27,13 +27,13 @@ namespace denhartog::conformance {
 // with a number fit a wrong answer; the diagnosis weighs all as it weighs known mistakes.
 [[nodiscard]] std::vector<Mistake> guesses_at(std::span<const Judged* const> wrong);
 
-// Of a mistake that has a number of its own, its name with the number that the answers show, and other mistakes that they show.
+// Least number of answers that must show the same number of a mistake that has one, such as the instants of (57) or a period.
 // Programs look for the maximum in (57) at instants. As printed (57) has no maximum, and a coarse grid misses the maximum of the
 // corrected (57): either way the answer depends on the instants. If a program reads off a motion before it has settled, the
-// answer depends on the period. Such a number counts as found if `least_agreeing` answers or more show the same one.
+// answer depends on the period.
 inline constexpr std::size_t least_agreeing = 3;
 
-// Finds the period from rest, up to the 200th, in which a program reads off wrong amplitudes and motions: of `transient`.
+// Finds the period from rest, up to the 200th, in which a program reads off wrong amplitudes and motions, for `transient`.
 [[nodiscard]] std::optional<Mistake> fitted_transient(std::span<const Judged> judged);
 
 // Where a function changes its sign between neighbours of a grid, each place by a number of halvings.

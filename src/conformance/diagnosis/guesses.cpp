@@ -214,7 +214,10 @@ std::vector<double> sign_changes(const std::function<double(double)>& f, const s
             double a = grid[n - 1], b = grid[n];
             for (int halving = 0; halving < halvings; ++halving) {
                 const double middle = (a + b) / 2;
-                (f_before * f(middle) < 0 ? b : a) = middle;
+                if (f_before * f(middle) < 0)
+                    b = middle;
+                else
+                    a = middle;
             }
             places.push_back((a + b) / 2);
         }

@@ -23,7 +23,8 @@ struct Choices;
 struct Answering {
     /// The answer of a program that makes this mistake alone; empty: it follows from the changes.
     std::function<std::optional<Value>(const ProtocolQuestion&)> alone = {};
-    std::function<bool(const ProtocolQuestion&)> touches = {};          ///< whether it changes an answer; empty: see `alone`
+    std::function<bool(const ProtocolQuestion&)> touches =
+        {}; ///< whether it changes an answer; empty: it is not made together with others
     std::function<void(ProtocolQuestion&)> read = {};                   ///< changes the question that is read
     std::function<void(Choices&, const ProtocolQuestion&)> choose = {}; ///< changes the formulas
     std::function<void(Value&, const ProtocolQuestion&)> change = {};   ///< changes the answer
@@ -35,8 +36,9 @@ struct Answering {
 };
 
 /// @brief The answer of a program that makes several mistakes.
-/// @param several what the mistakes change; those that cannot be made together with others are left out @param q the question
-/// @return the answer; none if no mistake touches the question, or if the answer cannot be computed
+/// @param several  what the mistakes change; those that cannot be made together with others are left out
+/// @param q        the question
+/// @return         the answer; none if no mistake touches the question, or if the answer cannot be computed
 [[nodiscard]] std::optional<Value> answer_with_several(std::span<const Answering* const> several, const ProtocolQuestion& q);
 
 /// @brief A known mistake.

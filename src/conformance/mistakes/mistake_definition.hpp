@@ -15,7 +15,7 @@ inline constexpr double of_steps_in_time = 3e-2;
 
 using Names = std::vector<std::string_view>;
 
-// Quantities that (67) decides; those that the condition of (69) decides; those that a maximum over tau decides.
+// The quantities that (67) decides, those that the condition of (69) decides, and those that depend on a maximum over tau.
 inline const Names of_load{"beta_lim_approximate", "beta_lim_exact", "beta_lim_paper", "regime"},
     of_boundary{"beta_lim_exact", "beta_lim_paper", "regime"}, of_maximum{"S_j", "beta_lim_exact", "beta_lim_paper", "regime"};
 

@@ -1,6 +1,6 @@
 // The list of known mistakes, and the makers of their answers: the plain closed form with other choices, another question in the
 // place of the one asked, or a right answer that is changed. Several mistakes made together act in this order. Read
-// `answer_with_several` first; the mistakes themselves are in the three files beside this one.
+// `answer_with_several` first; the mistakes themselves are in the two files beside this one.
 #include <algorithm>
 
 #include "conformance/mistakes/mistake_definition.hpp"

@@ -1,5 +1,5 @@
 // Known mistakes in reading a question: ratios that are ignored or inverted, damping by (18) or (19) misread, masses counted from
-// 0, and the motion of a base, (81) to (85), left out or added twice.
+// 0, and the motion of a base or wall that is left out or subtracted.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -22,7 +22,7 @@ bool has_damped_base(const ProtocolQuestion& q) {
     return std::ranges::any_of(dampers, [](double x) { return x != 0; });
 }
 
-// Absolute motions, where the motion of the frame is added so many times: once is right.
+// Absolute motions with `times` times the motion of the frame: 1 is right, 0 gives the relative motion, -1 subtracts it.
 Answering adding_frame(double times) {
     return {[times](const ProtocolQuestion& q) {
         const bool moves = quantity(q.quantity).absolute && (q.base_motion == "with_wall" || q.base_motion == "wall");

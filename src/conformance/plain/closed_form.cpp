@@ -76,8 +76,13 @@ double limit_mode_by_mode(const PlainModes& m, double limit) {
     for (int n = 1; n <= steps; ++n) {
         if (every_mode_meets_63(m, limit * n / steps)) continue;
         double met = limit * (n - 1) / steps, failed = limit * n / steps;
-        for (int halvings = 0; halvings < 50; ++halvings)
-            (every_mode_meets_63(m, (met + failed) / 2) ? met : failed) = (met + failed) / 2;
+        for (int halvings = 0; halvings < 50; ++halvings) {
+            const double middle = (met + failed) / 2;
+            if (every_mode_meets_63(m, middle))
+                met = middle;
+            else
+                failed = middle;
+        }
         return failed;
     }
     return limit;

@@ -116,8 +116,10 @@ FrictionResponse::FrictionResponse(const PlainSystem& s) : A(equations_of(s, fal
     const std::size_t n = 2 * s.size();
     const PlainMatrix of_step = propagator(A, step);
     PlainMatrix half = of_step, power = of_step; // over a half-period, by its steps but one
-    for (int left = steps_of(s) / 2 - 1; left > 0; left /= 2, power = times(power, power))
+    for (int left = steps_of(s) / 2 - 1; left > 0; left /= 2) {
         if (left % 2 == 1) half = times(power, half);
+        power = times(power, power);
+    }
     PlainRow mirrored(n); // (I + E) y = -E f with the force f = -1 of a contact that moves backwards
     for (std::size_t i = 0; i < n; ++i) {
         mirrored[i] = half[i][n + 2];
@@ -165,7 +167,9 @@ void PlainContact::start_again(PlainRow& z, bool may_rest) {
     const std::size_t N = system.size();
     const double rate = dot(in_state(system.w, N), z) / dot(system.w, pull), force = dot(load, z);
     for (std::size_t i = 0; i < N; ++i) z[N + i] -= rate * pull[i];
-    direction = may_rest && std::abs(force) <= system.mu * system.beta ? 0 : force > 0 ? 1 : -1;
+    const bool rests = may_rest && std::abs(force) <= system.mu * system.beta;
+    const int pushed = force > 0 ? 1 : -1;
+    direction = rests ? 0 : pushed;
 }
 
 PlainStretch PlainContact::stretch(double from, PlainRow z) const {

@@ -253,7 +253,8 @@ PlainRow increment(const PlainMatrix& A, const PlainRow& z, double dt) {
         term = times(A, term);
         largest = all = 0;
         for (std::size_t n = 0; n < z.size(); ++n) {
-            sum[n] += term[n] *= dt / k;
+            term[n] *= dt / k;
+            sum[n] += term[n];
             largest = std::max(largest, std::abs(term[n]));
             all = std::max(all, std::abs(sum[n]));
         }

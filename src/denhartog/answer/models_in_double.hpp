@@ -43,7 +43,8 @@ public:
     /// @brief The sums without bounds.
     [[nodiscard]] const ModeSums<double>& values() { return values_ ? *values_ : values_.emplace(values_of(sums_)); }
     [[nodiscard]] std::vector<double> demands(); ///< instants of the largest demands: of the sum over modes, then of each mode
-    /// @brief The steady state below the boundary; `with_rivals` errors of phases hold other instants that may be the largest's.
+    /// @brief The steady state below the boundary; with `with_rivals` the error of a phase reaches
+    /// to every other instant at which the displacement may be largest.
     /// @eq{38,39,44,45,47,52,53}
     [[nodiscard]] SteadyState<Bounded<double>> steady_state(const Bounded<double>& beta, std::optional<Mass> only,
                                                             bool with_rivals);
@@ -65,7 +66,8 @@ void set_point(const System<double>& system, double r, std::optional<double> bet
 
 /// @brief Boundary, regime and sliding motion of a scene; `modes` are those in double, if they are prepared. Without beta there is
 /// the boundary alone; if one mass is asked about no other has a maximum. Errors count relative to amplitudes and friction ratios,
-/// absolute for phases. A bad scene and bad digits are an InputError, PrecisionError says that a maximum is not settled, DomainError
+/// absolute for phases. A bad scene and bad digits are an InputError, PrecisionError says that a maximum is not settled, or that a
+/// boundary has no digits or is beyond the range of a double, DomainError
 /// that a mode without damping is at a pole, with `Why::pole_by_rounding` within a few units in the last place.
 /// @eq{38,39,44,45,47,52,53,69}
 [[nodiscard]] Solution sliding_solution(const SceneSource& source, const Question& question,
@@ -74,7 +76,7 @@ void set_point(const System<double>& system, double r, std::optional<double> bet
 /// @brief Writes the stuck response for rest at zero into an answer: masses, where the contact may rest, (88) as printed, and the
 /// largest error, relative to amplitudes, absolute for phases. The error is bounded by what the response leaves over in the
 /// equations of motion. With `only` the errors of one mass count. DomainError where the load excites the resonance of an undamped
-/// stuck mode. @eq{88}
+/// stuck mode, PrecisionError where the digits do not suffice. @eq{88}
 void set_stuck_response(const Scene<double>& scene, const StuckConfiguration& stuck, const ModalBasis<Bounded<double>>& basis,
                         std::optional<Mass> only, Solution& s);
 
@@ -82,7 +84,7 @@ void set_stuck_response(const Scene<double>& scene, const StuckConfiguration& st
 [[nodiscard]] std::optional<Certified> sticking_by_88(const Scene<double>& scene);
 
 /// @brief Writes the motion of an orbit into an answer: masses, stops, start, period, stability and the largest error, from one more
-/// run of the solver. A mass that is not asked about is zero. The error of a phase is that of the velocity at the extremum over the
+/// run of the solver. The entry of a mass that is not asked about is zero. The error of a phase is that of the velocity at the extremum over the
 /// acceleration there; so is that of the start of a stop; that of its end is the error of the load on the contact over its rate.
 void set_motion_of_orbit(const Scene<double>& scene, const Question& question, ExactSolver& solver, const PeriodicOrbit& orbit,
                          Solution& s);
@@ -113,7 +115,7 @@ void set_motion_of_orbit(const Scene<double>& scene, const Question& question, E
 
 /// @brief Distinct steady motions that were found, the one from rest first; more may exist. The starts are the same in every run:
 /// rest; the sliding motion, larger and smaller ones; the contact displaced; random states; the orbits of neighbouring r and
-/// beta. Newton's method from these finds the unstable ones. Where the motion is known to be unique rest alone is followed.
+/// beta. Newton's method from these may find unstable ones. Where the motion is known to be unique rest alone is followed.
 [[nodiscard]] std::vector<OtherMotion> other_motions(const Scene<double>& scene, const ContactSystem& system,
                                                      const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis,
                                                      Effort* effort);

@@ -44,7 +44,7 @@ double error_of_masses(const SteadyState<Number>& state, std::optional<Mass> onl
         if (only && k != only->index) continue;
         const MassResponse<Number>& m = state.masses[k];
         const double error_of_mass = std::max({m.x0.e, m.v0.e, m.amplitude.e, m.amplitude_monoharmonic.e});
-        // Of the one mass that is asked about double cannot tell.
+        // If one mass alone is asked about, double cannot tell whether it moves.
         if (!only && does_not_move(m.amplitude.x, error_of_mass, largest)) continue;
         error = std::max(
             {error, relative_error(Number{m.amplitude.x, error_of_mass}), as_error(m.phase.e), as_error(m.phase_monoharmonic.e)});

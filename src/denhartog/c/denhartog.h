@@ -496,7 +496,7 @@ DH_EXPORT int dh_solution_motion(const dh_solution* solution, size_t samples, si
 enum dh_point_status {
     DH_POINT_ANSWERED = 0,    ///< all numbers are there
     DH_POINT_ON_BOUNDARY = 1, ///< all are there; beta equals a boundary to rounding, so that the neighbouring regime is possible
-    DH_POINT_NOT_CONVERGED = 2, ///< no steady motion was found
+    DH_POINT_NOT_CONVERGED = 2, ///< no steady motion is known to follow from the start
     DH_POINT_AT_A_POLE = 3,     ///< a mode without damping resonates
     DH_POINT_FAILED = 4         ///< no answer: digits or work are missing, or no motion is known to be the one asked for
 };

@@ -59,8 +59,9 @@ public:
             column = tried([&] { return evaluated(); });
     }
 
-    // The point in double; as `solve` answers it, where the bounds do not tell the regime or leave an amplitude too few digits.
-    // If that finds no more, the point is next to a boundary and has the numbers that double has.
+    // The point by the column's numbers in double. If these do not decide the regime, or leave an amplitude fewer than 6 digits,
+    // `solve` is asked. If it has no answer, and beta is within the error of a boundary, the point has the numbers of double and
+    // the status `on_boundary`.
     PointStatus answer(std::size_t n) {
         is_near = false;
         if (column.outcome == Outcome::at_a_pole) return PointStatus::at_a_pole;
@@ -74,7 +75,7 @@ public:
         return points[n].status == PointStatus::answered ? PointStatus::on_boundary : points[n].status;
     }
 
-    // As many points from n on as the closed form or the rest answer without a motion to follow; the contact's amplitude alone.
+    // As many points from n on as the closed form or a contact at rest answer without a motion to follow; the contact's amplitude alone.
     std::size_t answer_together(std::size_t n) {
         if (!column.is_answered() || !answers_together(prepared, request)) return 0;
         is_near = false;
@@ -218,7 +219,10 @@ private:
         const PeriodicOrbit orbit = periodic_orbit(*solver, start, search);
         if (orbit.status == OrbitStatus::permanently_stuck && mu > 1) return is_told(n) && stick(n);
         points[n].status = PointStatus::not_converged;
-        if (orbit.status != OrbitStatus::periodic) return true;
+        if (orbit.status != OrbitStatus::periodic) {
+            const bool may_rest = as_solve_does && rests(beta[n]); // then `solve` is asked
+            return !may_rest;
+        }
         const auto number = [&](std::size_t k) {
             return Bounded<double>(contact_alone ? orbit.contact.amplitude : orbit.masses[k].amplitude, orbit.error_bound);
         };
@@ -235,7 +239,7 @@ private:
         return true;
     }
 
-    // As users ask: where there is more than one motion, the one from the start of the map.
+    // The answer of `solve`; with mu > 1 and the start `sliding` that of the sliding motion alone.
     Tried<Solution> decided(std::size_t n) {
         Question question{request.from_ground ? Asked::motion : request.phases ? Asked::phase : Asked::amplitude, std::nullopt};
         if (question.asked == Asked::amplitude && request.masses.size() == 1) question.mass = request.masses.front();
@@ -292,7 +296,7 @@ MapPoint map_point(const Tried<Solution>& answer) {
     const Solution& s = *answer.value;
     const bool may_choose = s.mu.value > 1 && s.beta && s.beta->value > 0 && !s.rest_interval;
     const bool is_another_motion = !s.not_from_rest.empty() && (may_choose || s.start);
-    if (is_another_motion) return {PointStatus::failed};
+    if (is_another_motion) return {PointStatus::not_converged};
     return {s.regime.on_boundary ? PointStatus::on_boundary : PointStatus::answered, s.regime.regime,
             static_cast<std::int32_t>(s.stops.size()), s.periods};
 }

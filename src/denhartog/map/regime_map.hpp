@@ -4,9 +4,10 @@
 ///
 /// A column of the map belongs to one frequency ratio: one evaluation of the modes and one boundary serve all its friction
 /// ratios. If the contact slides throughout, the closed form answers; if it rests, the response with the contact held does. If it
-/// sticks and slips, the periodic motion is found from that of the friction ratio before it. `solve` answers a point if the error
-/// bounds in double do not decide its regime, or give an amplitude fewer than 6 digits. Columns do not depend on each other, so
-/// that the map is the same for any number of threads.
+/// sticks and slips, the periodic motion is found from that of the friction ratio before it, or from rest if mu > 1 and the map
+/// starts at rest. `solve` answers a point if the error bounds in double do not decide its regime, or give an amplitude fewer than
+/// 6 digits. If it has no answer, and beta lies within the error of a boundary, the point has the numbers of double and the status
+/// `on_boundary`. Columns do not depend on each other, so that the map is the same for any number of threads.
 #pragma once
 
 #include <atomic>
@@ -31,9 +32,9 @@ enum class MapStart : std::uint8_t {
 enum class PointStatus : std::int8_t {
     answered = 0,      ///< the point has all numbers
     on_boundary = 1,   ///< it has all numbers; beta equals a boundary to rounding, and the neighbouring regime is possible
-    not_converged = 2, ///< no steady motion was found; the point has no regime and no numbers
+    not_converged = 2, ///< no steady motion is known to follow from the start of the map; the point has no regime and no numbers
     at_a_pole = 3,     ///< a mode without damping resonates; the point has no numbers
-    failed = 4 ///< `solve` has no answer either: digits or work are missing, or no motion is known to be the one asked for
+    failed = 4         ///< `solve` has no answer either: digits or work are missing
 };
 
 /// @brief Name of a status, as files write it. @param status a status @return e.g. `not_converged`

@@ -77,7 +77,10 @@ std::optional<T> read_force(const json& object, const T& m_1, const T& k_1, cons
     const bool with_wall = object.at("base_motion") == "with_wall";
     if (with_wall && accelerates) return T(m_1 * amplitude);
     if (!with_wall && !accelerates) return T(k_1 * amplitude);
-    (accelerates ? units.acceleration : units.base) = static_cast<double>(amplitude);
+    if (accelerates)
+        units.acceleration = static_cast<double>(amplitude);
+    else
+        units.base = static_cast<double>(amplitude);
     if (!omega) return std::nullopt;
     if (accelerates) return T(k_1 * amplitude / (*omega * *omega));
     return T(m_1 * *omega * *omega * amplitude);

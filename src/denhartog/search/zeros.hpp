@@ -40,7 +40,10 @@ template <class Function>
     const bool rises = (now.t < before.t) == (now.f < 0);
     double a = std::min(now.t, before.t), b = std::max(now.t, before.t), whole = b - a, step_before = 2 * whole, far_before(0);
     for (int n = 0; n < most_steps && now.f != 0; ++n) {
-        (rises == (now.f > 0) ? b : a) = now.t;
+        if (rises == (now.f > 0))
+            b = now.t;
+        else
+            a = now.t;
         const double span = before.f - now.f, part = -now.f / span, rest = 1 - part;
         const double zero = now.t + part * rest * rest * (span / now.slope) +
                             part * part * ((1 + 2 * rest) * (before.t - now.t) - rest * (span / before.slope));

@@ -12,8 +12,8 @@
 /// these give the numbers.
 ///
 /// The reference answers if a proof or 15 digits and more are asked for, or if double does not have the digits, the regime or the
-/// stability. If it has no proof either, double answers if its regime is certain; else nothing does. Where a question has no answer,
-/// that is a value, see `Outcome`, which is decided where it arises; the functions that users call make an exception of it.
+/// stability. If the reference has no proof, double answers if its regime is certain; else nothing does. Inside the library
+/// a missing answer is a value, an `Outcome`; the functions that users call throw it.
 #pragma once
 
 #include <memory>
@@ -33,7 +33,7 @@ enum class Prepared : std::uint8_t {
     every_regime     ///< all that the cheaper models of `solve` may need
 };
 
-/// @brief A system prepared for a question, which no use changes. A point that needs more than is there solves for it by itself.
+/// @brief A system prepared for a question; it is not changed by its uses. A point that needs more than is there solves for it by itself.
 struct PreparedSystem {
     SceneSource source;                    ///< the system in every number type; its r and beta are not used
     std::optional<ContactModes> contact{}; ///< modes as the contact has them
@@ -87,7 +87,7 @@ struct SolvePoint {
 /// @brief The answer of double to a question.
 struct AnswerInDouble : Tried<Solution> {
     bool open = false;                    ///< whether double does not tell what the contact does
-    bool regime_is_certain = true;        ///< whether it is, so that double answers if the reference has no proof
+    bool regime_is_certain = true;        ///< whether the regime is certain; then double answers if the reference has no proof
     bool vague = false;                   ///< whether double does not tell if the motion is stable
     std::optional<PeriodicOrbit> orbit{}; ///< the motion from rest, where it was followed
 

@@ -1,7 +1,7 @@
 // The motion while the contact is held, and the friction ratio that holds it: the stuck modes under the load, each by itself or
-// coupled by damping, and (88). The load on a contact at rest is that of this
-// motion, a constant, and what is left of the start, which loses energy: `LastingRest::verdict` compares their sum with mu beta, and
-// says whether the rest lasts. Read `stuck_response` first.
+// coupled by damping, and (88). The load on a contact at rest is that of this motion, a constant, and what is left of the start,
+// which loses energy: `LastingRest::verdict` compares their sum with mu beta, and says whether the rest lasts. Read
+// `stuck_response` first.
 #include "denhartog/stick_slip/stuck_response.hpp"
 
 #include <algorithm>

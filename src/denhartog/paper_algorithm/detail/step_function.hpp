@@ -1,4 +1,4 @@
-// A number over one step of an integration, theta in [0, 1], and its zeros, by the search of `first_zero.hpp`.
+// A number over one step of an integration, theta in [0, 1], and its zeros, by the search of `search/zeros.hpp`.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Members that an answer has besides those of its regime: the scene's own units, dampings, the place of rest, and motions seen
-// from the ground; as JSON and as lines of a table.
+// Members that an answer has besides those of its regime: the scene's own units, dampings, the place of rest, motions seen
+// from the ground, and energies; as JSON and as lines of a table.
 #include "denhartog/program/json/solution_json.hpp"
 
 #include <cmath>
