@@ -102,13 +102,22 @@ bool are_alike(const std::string& a, const std::string& b) {
            std::abs(std::atof(a.c_str() + sum_of_a) - std::atof(b.c_str() + sum_of_b)) < 0.03;
 }
 
+// Whether a scene has a frequency and a friction ratio; free motions have none.
+bool has_point(const SceneSource& scene) {
+    try {
+        return scene->in_double().r && scene->in_double().beta;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
 std::vector<std::pair<std::string, SceneSource>> scenes() {
     std::vector<std::pair<std::string, SceneSource>> all;
     std::ifstream named(source_file("tests/named_scenes.jsonl"));
     for (std::string line; std::getline(named, line);) {
         const std::string name = nlohmann::json::parse(line).at("name");
         const SceneSource scene = named_source(name);
-        if (scene->in_double().r && scene->in_double().beta) all.emplace_back(name, scene);
+        if (has_point(scene)) all.emplace_back(name, scene);
     }
     const auto draw = [&all](const std::string& range, const AdversarialRange& from, int count) {
         AdversarialScenes drawn(2026, from);
