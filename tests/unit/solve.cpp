@@ -324,6 +324,10 @@ TEST_CASE("a steady motion that is certain is the answer where that from rest is
         CHECK(rest.status == PointStatus::answered);
         CHECK(rest.regime == Regime::permanent_sticking);
     }
+    // The motion from rest takes the work of the point; `solve` may spend as much again.
+    const Scene<double> undamped = chain({1, 1.316, 1.931200566712639, 2.787334761745207}, {1, 1.289, 0.7837296426201019, 0.82},
+                                         {0, 0, 0, 0}, 2, 3, 2.898272851114194, 0.133012, 0.4548993751361975);
+    CHECK(map_of_point(undamped).points.front().regime == Regime::permanent_sticking);
 }
 
 TEST_CASE("where the motion from rest has come to the sliding motion, the closed form has its numbers", "[solve][eq:38]") {

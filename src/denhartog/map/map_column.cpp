@@ -220,8 +220,11 @@ private:
         if (orbit.status == OrbitStatus::permanently_stuck && mu > 1) return is_told(n) && stick(n);
         points[n].status = PointStatus::not_converged;
         if (orbit.status != OrbitStatus::periodic) {
-            const bool may_rest = as_solve_does && rests(beta[n]); // then `solve` is asked
-            return !may_rest;
+            if (as_solve_does && rests(beta[n])) {
+                effort.spent = 0; // `solve` may spend what it may on a question of its own
+                if (!has_numbers(write(n, decided(n)))) points[n] = {PointStatus::not_converged};
+            }
+            return true;
         }
         const auto number = [&](std::size_t k) {
             return Bounded<double>(contact_alone ? orbit.contact.amplitude : orbit.masses[k].amplitude, orbit.error_bound);
