@@ -3,7 +3,7 @@
    increases no distance, and damping bounds it. *)
 Require Import Reals List Lra Lia Psatz PeanoNat.
 From Coquelicot Require Import Coquelicot.
-From Kernel Require Import Statements Modes SteadyMode Sums Masses OneVelocity Attraction FixedPoint.
+From Kernel Require Import Statements Modes SteadyMode Sums Masses OneVelocity ContactMotion Attraction FixedPoint.
 Open Scope R_scope.
 
 Lemma Sum_two_parts n k f : Sum (n + k) f = Sum n f + Sum k (fun i => f (n + i)%nat).
@@ -286,51 +286,6 @@ End Scene.
 
 Theorem steady_motion_exists : forall s, Statements.steady_motion_exists s.
 Proof. intros s Hs Hz Hb load T HT [B HB] HL. apply (a_steady_motion s Hs Hz Hb load T HT HL B HB). Qed.
-(* A motion over half a period that ends in its mirror image, continued by its mirror image *)
-Lemma continued_motion s load y y1 : (forall a t, load a (t + PI) = - load a t) -> motion_under s load PI y y1 ->
-  (forall k, (k < masses s)%nat -> y k PI = - y k 0 /\ y1 k PI = - y1 k 0) ->
-  steady_under s load (2 * PI) (continued y) (continued y1).
-Proof.
-  intros Ly [Cy [L Ey]] My. pose proof PI_RGT_0 as Pp.
-  assert (CJ : forall (f : nat -> R -> R) a, continued f a = joined PI (f a) (fun t => - f a (t - PI))) by reflexivity.
-  assert (Sh : forall (f : R -> R) t, continuous f (t - PI) -> continuous (fun t => - f (t - PI)) t).
-  { intros f t Cf. apply (continuous_opp (V := R_NormedModule)). apply (continuous_comp (fun t => t - PI) f); [|exact Cf].
-    apply (continuous_minus (V := R_NormedModule)); [apply continuous_id | apply continuous_const]. }
-  split; [split|].
-  - intros a t Ha Ht. rewrite !CJ. destruct (My a Ha) as [M1 M2].
-    split; apply joined_continuous; try (intros; apply Cy; [exact Ha | lra]); try (intros; apply Sh, Cy; [exact Ha | lra]);
-      replace (PI - PI) with 0 by ring; assumption.
-  - exists (PI :: L ++ map (fun t => t + PI) L)%list. intros t Ht NL. assert (NP : t <> PI) by (intro; apply NL; left; auto).
-    destruct (Rlt_dec t PI) as [B|B].
-    + destruct (Ey t ltac:(lra)) as [y2 [sg [Cs Es]]]; [intros I; apply NL; right; apply in_or_app; left; exact I|].
-      exists y2, sg.
-      assert (Loc : forall (f : nat -> R -> R) a z, Rabs (z - t) < PI - t -> f a z = continued f a z)
-        by (intros f a z Hx; apply Rabs_lt_between in Hx; rewrite CJ, joined_before by lra; reflexivity).
-      assert (V : forall f a, continued f a t = f a t) by (intros; rewrite CJ; apply joined_before; lra).
-      split; [rewrite V; exact Cs|]. intros a Ha. destruct (Es a Ha) as [D1 [D2 Q]]. rewrite V. split; [|split].
-      * apply (near_derive (y a) _ t _ (PI - t) ltac:(lra) (Loc _ a)), D1.
-      * apply (near_derive (y1 a) _ t _ (PI - t) ltac:(lra) (Loc _ a)), D2.
-      * rewrite (Sum_ext _ _ (fun b => mass s a b * y2 b + damping s a b * y1 b t + stiffness s a b * y b t))
-          by (intros; rewrite !V; reflexivity). exact Q.
-    + destruct (Ey (t - PI) ltac:(lra)) as [y2 [sg [Cs Es]]].
-      { intros I. apply NL. right. apply in_or_app. right. apply in_map_iff. exists (t - PI). split; [ring | exact I]. }
-      exists (fun a => - y2 a), (- sg).
-      assert (Loc : forall (f : nat -> R -> R) a z, Rabs (z - t) < t - PI -> - f a (z - PI) = continued f a z)
-        by (intros f a z Hx; apply Rabs_lt_between in Hx; rewrite CJ, joined_after by lra; reflexivity).
-      assert (V : forall f a, continued f a t = - f a (t - PI)) by (intros; rewrite CJ, joined_after by lra; reflexivity).
-      assert (DS : forall (f : R -> R) k, is_derive f (t - PI) k -> is_derive (fun z => - f (z - PI)) t (- k)).
-      { intros f k D. apply (is_derive_opp (V := R_NormedModule)).
-        evar_last. { apply (is_derive_comp f (fun x => x - PI)); [exact D | auto_derive; [trivial | reflexivity]]. }
-        unfold scal; simpl; unfold mult; simpl. ring. }
-      split; [rewrite V; apply coulomb_is_odd, Cs|]. intros a Ha. destruct (Es a Ha) as [D1 [D2 Q]]. rewrite V. split; [|split].
-      * apply (near_derive (fun z => - y a (z - PI)) _ t _ (t - PI) ltac:(lra) (Loc _ a)), DS, D1.
-      * apply (near_derive (fun z => - y1 a (z - PI)) _ t _ (t - PI) ltac:(lra) (Loc _ a)), DS, D2.
-      * rewrite (Sum_ext _ _ (fun b => - (mass s a b * y2 b + damping s a b * y1 b (t - PI) + stiffness s a b * y b (t - PI))))
-          by (intros; rewrite !V; ring).
-        rewrite Sum_opp. pose proof (Ly a (t - PI)) as E. replace (t - PI + PI) with t in E by ring. lra.
-  - intros a Ha. rewrite !CJ, !(joined_after PI _ _ (2 * PI)), !(joined_before PI _ _ 0) by lra.
-    replace (2 * PI - PI) with PI by ring. destruct (My a Ha) as [M1 M2]. rewrite M1, M2. split; ring.
-Qed.
 Theorem mirrored_steady_motion_exists : forall s, Statements.mirrored_steady_motion_exists s.
 Proof.
   intros s Hs Hz Hb load Ly [B HB] HL. pose proof PI_RGT_0 as Pp.
