@@ -83,6 +83,17 @@ std::vector<NamedNumber> numbers_of(const Solution& s) {
     return n.all;
 }
 
+std::vector<NamedNumber> numbers_of(const OtherMotion& motion) {
+    Solution as_answer;
+    as_answer.masses = motion.masses;
+    as_answer.stops = motion.stops;
+    as_answer.stability = motion.stability;
+    as_answer.rest_interval = motion.rest_interval;
+    std::vector<NamedNumber> all = numbers_of(as_answer);
+    std::erase_if(all, [](const NamedNumber& n) { return n.name == "r" || n.name == "mu"; }); // those of the answer
+    return all;
+}
+
 std::vector<NamedNumber> numbers_of(const Quantities<Bounded<double>>& q) {
     Numbers n;
     const auto certified = [](const Bounded<double>& a) { return Certified{a.x, a.e, {}}; };
@@ -154,22 +165,10 @@ std::vector<std::string> faults_of(const Solution& s) {
     const auto add = [&faults](const std::vector<std::string>& more, const std::string& of) {
         for (const std::string& each : more) faults.push_back(of + each);
     };
-    const auto multipliers = [&faults](const Stability& stability, const std::string& of) {
-        for (const Certified& each : stability.multipliers) {
-            if (!std::isfinite(each.value) || each.value < 0) faults.push_back(of + "multiplier is negative or not finite");
-            if (!(each.error >= 0)) faults.push_back(of + "multiplier has a bound that is none");
-        }
-    };
-    if (s.stability) multipliers(*s.stability, "");
     if (s.slides_below) add(faults_of({{"slides below", 0, *s.slides_below, 0, false}}), "");
     if (!(s.relative_error >= 0)) faults.emplace_back("the largest error is no number");
     for (const OtherMotion& motion : s.motions) {
-        Solution as_answer;
-        as_answer.masses = motion.masses;
-        as_answer.stops = motion.stops;
-        as_answer.rest_interval = motion.rest_interval;
-        add(faults_of(numbers_of(as_answer)), "another motion's ");
-        multipliers(motion.stability, "another motion's ");
+        add(faults_of(numbers_of(motion)), "another motion's ");
         for (const std::vector<double>* numbers : {&motion.start.x, &motion.start.x_prime, &motion.from.x, &motion.from.x_prime})
             for (const double x : *numbers)
                 if (!std::isfinite(x)) faults.emplace_back("another motion's state is not finite");

@@ -27,6 +27,9 @@ struct NamedNumber {
 /// @brief The numbers of an answer that carry a bound. @param s the answer @return its numbers, without those of other motions
 [[nodiscard]] std::vector<NamedNumber> numbers_of(const Solution& s);
 
+/// @brief The numbers of another motion that carry a bound. @param motion the motion @return its numbers
+[[nodiscard]] std::vector<NamedNumber> numbers_of(const OtherMotion& motion);
+
 /// @brief The numbers of a point. @param q the numbers with their bounds @return the same with their names
 [[nodiscard]] std::vector<NamedNumber> numbers_of(const Quantities<Bounded<double>>& q);
 
