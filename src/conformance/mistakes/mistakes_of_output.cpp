@@ -1,6 +1,6 @@
-// Known mistakes in an answer: another unit, sign or origin of a phase or displacement, (39) and (47); the errors of solvers that step
-// in time, such as a smoothed sign of the velocity or a transient that has not decayed; and, in `mistakes_of_formulas`, equations
-// that are coded as printed.
+// Known mistakes in an answer: another unit, sign or origin of a phase or displacement, (39) and (47); the errors of solvers that
+// step in time, such as a smoothed sign of the velocity or a transient that has not decayed; and, in `mistakes_of_formulas`,
+// equations that are coded as printed.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

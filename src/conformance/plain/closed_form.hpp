@@ -104,14 +104,14 @@ struct PlainTurn {
 [[nodiscard]] double plain_sticking_limit_by_88(const ProtocolQuestion& q, bool by_modes);
 [[nodiscard]] double plain_sticking_limit_without_damping(const ProtocolQuestion& q);
 
-// The answer to a question; beyond the sliding regime it is that of the motion from event to event. With choices it is that of the
-// varied formulas, for scenes of the paper. The formulas are used as they stand even if the scene breaks a rule of friction. None if the answer is not finite, or if
-// the question has none.
+// The answer to a question; beyond the sliding regime it is that of the motion from event to event. With choices it is that of
+// the varied formulas, for scenes of the paper. The formulas are used as they stand even if the scene breaks a rule of friction.
+// None if the answer is not finite, or if the question has none.
 [[nodiscard]] std::optional<Value> plain_answer(const ProtocolQuestion& q);
 [[nodiscard]] std::optional<Value> plain_answer(const ProtocolQuestion& q, const Choices& c);
 
-// The answer to a question of an absolute motion, with `times_frame` times the motion of the frame: 1 is right, 0 gives the relative
-// motion, and -1 subtracts that of the frame.
+// The answer to a question of an absolute motion, with `times_frame` times the motion of the frame: 1 is right, 0 gives the
+// relative motion, and -1 subtracts that of the frame.
 [[nodiscard]] std::optional<Value> plain_answer_in_frame(const ProtocolQuestion& q, double times_frame);
 
 // An answer; none where it has a number that is not finite, or where NoPlainAnswer is thrown.
