@@ -310,7 +310,8 @@ TEST_CASE("a mode without damping and an even number of periods in one of the fo
     // A chain, of which the second mode is damped otherwise.
     Scene<double> chain_of_two = chain({1, 0.5}, {1, 0.75}, {0, 0.125}, 2, 1, 1, 1, 0.02);
     chain_of_two.r = modal_basis(chain_of_two.system).r_n[0] / 2;
-    // A chain whose least share is that at the start; next to the end velocity and rate vanish together, and rounding is their quotient.
+    // A chain whose least share is that at the start; next to the end velocity and rate vanish together, and rounding is their
+    // quotient.
     Scene<double> chain_of_three = chain({1, 1.096, 0.98}, {1, 2.44, 1.504}, {0.7963, 0.0027, 0}, 1, 1, 1, 1, 0.197);
     chain_of_three.r = 1.2350169962702975; // half of the third natural frequency
     for (const Scene<double>& scene : {undamped(0.5, 0.2), undamped(0.25, 0.05), chain_of_two, chain_of_three}) {

@@ -1,6 +1,7 @@
 /// @file
-/// @brief The digits of an answer in double, whose numbers carry bounds of their errors; and the motion as it is seen from the ground,
-/// where base and wall, or the wall alone, move by \f$ b\cos\tau \f$: absolute displacements are the relative ones and that.
+/// @brief The digits of an answer in double, whose numbers carry bounds of their errors; and the motion as it is seen from the
+/// ground, where base and wall, or the wall alone, move by \f$ b\cos\tau \f$: absolute displacements are the relative ones and
+/// that.
 #pragma once
 
 #include <cmath>
@@ -21,7 +22,8 @@ struct Aim {
     double tolerance; ///< ten to the minus that
 };
 
-/// @brief The aim of a number of digits, by default of `digits_by_default`; InputError where they are not from 1 to `most_digits`.
+/// @brief The aim of a number of digits, by default of `digits_by_default`; InputError where they are not from 1 to
+/// `most_digits`.
 [[nodiscard]] Aim aim_of(std::optional<int> digits);
 [[nodiscard]] double tolerance_of(int digits); ///< the relative error that leaves so many digits: ten to the minus that
 [[nodiscard]] int digits_of(double error);     ///< the number of digits that a relative error leaves, from 0 to 17

@@ -64,12 +64,11 @@ private:
 /// @brief Writes the point and the question into an answer.
 void set_point(const System<double>& system, double r, std::optional<double> beta, double mu, Asked asked, Solution& s);
 
-/// @brief Boundary, regime and sliding motion of a scene; `modes` are those in double, if they are prepared. Without beta there is
-/// the boundary alone; if one mass is asked about no other has a maximum. Errors count relative to amplitudes and friction ratios,
-/// absolute for phases. A bad scene and bad digits are an InputError, PrecisionError says that a maximum is not settled, or that a
-/// boundary has no digits or is beyond the range of a double, DomainError
-/// that a mode without damping is at a pole, with `Why::pole_by_rounding` within a few units in the last place.
-/// @eq{38,39,44,45,47,52,53,69}
+/// @brief Boundary, regime and sliding motion of a scene; `modes` are those in double, if they are prepared. Without beta there
+/// is the boundary alone; if one mass is asked about no other has a maximum. Errors count relative to amplitudes and friction
+/// ratios, absolute for phases. A bad scene and bad digits are an InputError, PrecisionError says that a maximum is not settled,
+/// or that a boundary has no digits or is beyond the range of a double, DomainError that a mode without damping is at a pole,
+/// with `Why::pole_by_rounding` within a few units in the last place. @eq{38,39,44,45,47,52,53,69}
 [[nodiscard]] Solution sliding_solution(const SceneSource& source, const Question& question,
                                         std::shared_ptr<const ModalBasis<Bounded<double>>> modes = nullptr);
 
@@ -83,9 +82,10 @@ void set_stuck_response(const Scene<double>& scene, const StuckConfiguration& st
 /// @brief The boundary of permanent sticking by (88) as printed; none for a system that is no chain, or at a resonance. @eq{88}
 [[nodiscard]] std::optional<Certified> sticking_by_88(const Scene<double>& scene);
 
-/// @brief Writes the motion of an orbit into an answer: masses, stops, start, period, stability and the largest error, from one more
-/// run of the solver. The entry of a mass that is not asked about is zero. The error of a phase is that of the velocity at the extremum over the
-/// acceleration there; so is that of the start of a stop; that of its end is the error of the load on the contact over its rate.
+/// @brief Writes the motion of an orbit into an answer: masses, stops, start, period, stability and the largest error, from one
+/// more run of the solver. The entry of a mass that is not asked about is zero. The error of a phase is that of the velocity at
+/// the extremum over the acceleration there; so is that of the start of a stop; that of its end is the error of the load on the
+/// contact over its rate.
 void set_motion_of_orbit(const Scene<double>& scene, const Question& question, ExactSolver& solver, const PeriodicOrbit& orbit,
                          Solution& s);
 

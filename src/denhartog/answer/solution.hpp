@@ -1,6 +1,6 @@
 /// @file
-/// @brief Questions about a scene, and the answer: certified numbers, the method, the error and the work it took; the energies that
-/// a steady motion dissipates in a period of the force, and the forces that it hands to wall and base.
+/// @brief Questions about a scene, and the answer: certified numbers, the method, the error and the work it took; the energies
+/// that a steady motion dissipates in a period of the force, and the forces that it hands to wall and base.
 ///
 /// Displacements are in units of P / k_1. Time is tau = omega t, zero where the force is largest. Phases are lags behind the
 /// force in radians. Equation numbers are the paper's.
@@ -203,8 +203,8 @@ struct EquivalentDamping {
     std::optional<Certified> textbook_amplitude_error; ///< by what part of the amplitude it is off
 };
 
-/// @brief Energies in a period of the force, and forces. Every number is proved. In a period the load does as much work as contact
-/// and dampers take; of a motion that is longer than a period they are the mean over its periods.
+/// @brief Energies in a period of the force, and forces. Every number is proved. In a period the load does as much work as
+/// contact and dampers take; of a motion that is longer than a period they are the mean over its periods.
 ///
 /// Energies have their digits beside the largest work that the load could do on that motion, everything else beside itself.
 struct Energies {

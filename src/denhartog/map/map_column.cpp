@@ -75,7 +75,8 @@ public:
         return points[n].status == PointStatus::answered ? PointStatus::on_boundary : points[n].status;
     }
 
-    // As many points from n on as the closed form or a contact at rest answer without a motion to follow; the contact's amplitude alone.
+    // As many points from n on as the closed form or a contact at rest answer without a motion to follow; the contact's amplitude
+    // alone.
     std::size_t answer_together(std::size_t n) {
         if (!column.is_answered() || !answers_together(prepared, request)) return 0;
         is_near = false;

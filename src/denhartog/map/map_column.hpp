@@ -18,8 +18,8 @@ namespace denhartog {
 /// form and rest then answer many points of a column together.
 [[nodiscard]] bool answers_together(const PreparedSystem& system, const MapRequest& request);
 
-/// @brief Sums and boundary at the frequency ratio of a column, with bounds if it was evaluated; those of `contact_sums`, which are computed for many
-/// columns at once, have none.
+/// @brief Sums and boundary at the frequency ratio of a column, with bounds if it was evaluated; those of `contact_sums`, which
+/// are computed for many columns at once, have none.
 struct ContactColumn {
     Complex<Bounded<double>> V_dj;            ///< complex response function of the mass in contact, Eq. (33)
     Bounded<double> U_dj;                     ///< first damping function, Eq. (34)
@@ -27,9 +27,10 @@ struct ContactColumn {
     RegimeBoundary<Bounded<double>> boundary; ///< where the regimes part
 };
 
-/// @brief Computes column m of a map of a system that is prepared for every regime, at friction ratios that need not be those of the
-/// request. `arrays` has the sums of `contact_sums` at its frequency ratio, if their boundaries separate the friction ratios for certain;
-/// else the sums are evaluated here. Once `stop` is set, the rest of the column is left undone. Amplitudes and phases were filled with NaN before.
+/// @brief Computes column m of a map of a system that is prepared for every regime, at friction ratios that need not be those of
+/// the request. `arrays` has the sums of `contact_sums` at its frequency ratio, if their boundaries separate the friction ratios
+/// for certain; else the sums are evaluated here. Once `stop` is set, the rest of the column is left undone. Amplitudes and
+/// phases were filled with NaN before.
 void compute_column(const PreparedSystem& system, const MapRequest& request, std::size_t m, std::span<const double> beta,
                     const std::optional<ContactColumn>& arrays, const std::atomic<bool>& stop, RegimeMap& map);
 

@@ -1,13 +1,13 @@
 /// @file
-/// @brief The regime, the amplitudes and the stops per period over a grid of (r, beta), in double as far as that is certain; in ratios,
-/// or in the units of a scene.
+/// @brief The regime, the amplitudes and the stops per period over a grid of (r, beta), in double as far as that is certain; in
+/// ratios, or in the units of a scene.
 ///
 /// A column of the map belongs to one frequency ratio: one evaluation of the modes and one boundary serve all its friction
 /// ratios. If the contact slides throughout, the closed form answers; if it rests, the response with the contact held does. If it
 /// sticks and slips, the periodic motion is found from that of the friction ratio before it, or from rest if mu > 1 and the map
-/// starts at rest. `solve` answers a point if the error bounds in double do not decide its regime, or give an amplitude fewer than
-/// 6 digits. If it has no answer, and beta lies within the error of a boundary, the point has the numbers of double and the status
-/// `on_boundary`. Columns do not depend on each other, so that the map is the same for any number of threads.
+/// starts at rest. `solve` answers a point if the error bounds in double do not decide its regime, or give an amplitude fewer
+/// than 6 digits. If it has no answer, and beta lies within the error of a boundary, the point has the numbers of double and the
+/// status `on_boundary`. Columns do not depend on each other, so that the map is the same for any number of threads.
 #pragma once
 
 #include <atomic>

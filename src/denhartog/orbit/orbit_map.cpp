@@ -1,6 +1,6 @@
 // The map over half-periods of the force, seen in a mirror. A fixed point over h of them is a steady motion; if h = 1 it has the
-// symmetry (25). `OrbitMap::apply` follows the motion, and `find_fixed_point` looks for such a state. `bounds_of_orbit.cpp` has bounds
-// of the rounding of the image and of its derivative.
+// symmetry (25). `OrbitMap::apply` follows the motion, and `find_fixed_point` looks for such a state. `bounds_of_orbit.cpp` has
+// bounds of the rounding of the image and of its derivative.
 #include "denhartog/orbit/orbit_map.hpp"
 
 #include <algorithm>

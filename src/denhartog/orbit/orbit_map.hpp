@@ -27,10 +27,10 @@ enum class BadSteps : int { none = 0, some = 16, all_and_go_on_from_image = 40 }
 /// \f$ \Phi \f$ carries a state, displacements and velocities at \f$ \tau=0 \f$, to a later instant. The force changes its sign
 /// after half a period, so that P is the same map for every half-period. A fixed point with h = 1 has the symmetry (25).
 ///
-/// Call `apply` first: the object then holds the image, the motion to it and, if you asked for it, the Jacobian with bounds of the
-/// rounding errors of both. Energy coordinates are 2N values, modal displacements times frequencies and then modal velocities: if
-/// \f$ \mu=1 \f$, the distance of two motions in them never grows. With `mode_errors` the bounds include the errors of the modes,
-/// which no step of Newton's method reduces.
+/// Call `apply` first: the object then holds the image, the motion to it and, if you asked for it, the Jacobian with bounds of
+/// the rounding errors of both. Energy coordinates are 2N values, modal displacements times frequencies and then modal
+/// velocities: if \f$ \mu=1 \f$, the distance of two motions in them never grows. With `mode_errors` the bounds include the
+/// errors of the modes, which no step of Newton's method reduces.
 class OrbitMap {
 public:
     /// @brief The map of a system at one frequency and friction; the solver must outlive it.

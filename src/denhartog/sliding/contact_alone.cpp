@@ -1,7 +1,7 @@
-// The motion of the contact alone. `add_mode` is the summation (33)-(35), (64), (65). For a single question `contact_solution` has
-// (38), (39) and a lower bound of (69): by the maximum of the demand (57) if a search settles it, else by an upper bound of it. If
-// that does not decide, a point is solved in full. For maps `contact_sums` has the sums over arrays of r, `contact_limits` the boundaries of them, and `contact_amplitudes`
-// (38) over beta.
+// The motion of the contact alone. `add_mode` is the summation (33)-(35), (64), (65). For a single question `contact_solution`
+// has (38), (39) and a lower bound of (69): by the maximum of the demand (57) if a search settles it, else by an upper bound of
+// it. If that does not decide, a point is solved in full. For maps `contact_sums` has the sums over arrays of r, `contact_limits`
+// the boundaries of them, and `contact_amplitudes` (38) over beta.
 #include "denhartog/sliding/contact_alone.hpp"
 
 #include <algorithm>

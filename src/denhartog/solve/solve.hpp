@@ -1,15 +1,16 @@
 /// @file
-/// @brief `solve`: the answer in every regime by the cheapest model that is certain to have the digits asked for; the choice between
-/// double and the reference; and what a question to a system needs that does not depend on r and beta, done once for many points.
+/// @brief `solve`: the answer in every regime by the cheapest model that is certain to have the digits asked for; the choice
+/// between double and the reference; and what a question to a system needs that does not depend on r and beta, done once for many
+/// points.
 ///
 /// The models, cheapest first:
 ///  1. amplitude or phase of the mass in contact alone, mu = 1: (38), (39) below a lower bound of (69), see `contact_alone.hpp`;
 ///  2. boundary, regime and closed form of all masses, or of the one that is asked about, see `sliding_solution`;
 ///  3. for a contact that rests the stuck response, see `set_stuck_response`;
 ///  4. the exact solver's periodic orbit.
-/// Each is in double, with the bounds of its numbers. The boundaries tell the regime where mu = 1. Where mu > 1 more than one motion
-/// may exist: the exact solver then follows the start from rest, and where that leads into the closed form or the stuck response
-/// these give the numbers.
+/// Each is in double, with the bounds of its numbers. The boundaries tell the regime where mu = 1. Where mu > 1 more than one
+/// motion may exist: the exact solver then follows the start from rest, and where that leads into the closed form or the stuck
+/// response these give the numbers.
 ///
 /// The reference answers if a proof or 15 digits and more are asked for, or if double does not have the digits, the regime or the
 /// stability. If the reference has no proof, double answers if its regime is certain; else nothing does. Inside the library
@@ -33,7 +34,8 @@ enum class Prepared : std::uint8_t {
     every_regime     ///< all that the cheaper models of `solve` may need
 };
 
-/// @brief A system prepared for a question; it is not changed by its uses. A point that needs more than is there solves for it by itself.
+/// @brief A system prepared for a question; it is not changed by its uses. A point that needs more than is there solves for it by
+/// itself.
 struct PreparedSystem {
     SceneSource source;                    ///< the system in every number type; its r and beta are not used
     std::optional<ContactModes> contact{}; ///< modes as the contact has them
@@ -114,7 +116,8 @@ void check(const Question& question, std::size_t N);
 /// likeliest first: one where the contact turns or is slow, and the guess without its shortest stop or slip.
 [[nodiscard]] std::vector<OrbitGuess> with_other_stops(const OrbitGuess& guess);
 
-/// @brief Motions near the one from rest, as double sees them, the likeliest first; that one is followed here if it was not before.
+/// @brief Motions near the one from rest, as double sees them, the likeliest first; that one is followed here if it was not
+/// before.
 [[nodiscard]] std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source,
                                                  std::optional<PeriodicOrbit>& followed);
 

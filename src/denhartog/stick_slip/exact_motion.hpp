@@ -272,8 +272,8 @@ public:
     [[nodiscard]] double sliding_reach(std::size_t phase);
     /// @brief Largest size of every displacement over the last motion, then that of a contact between two, guaranteed between
     /// samples; other maxima within twice `error`, a bound of the errors of the displacements, may be the largest: `spread`
-    /// counts them, except for the contact. If the frame of the displacements moves by `frame` cos tau, displacements are those seen
-    /// from the ground, and there is no entry for a contact between two.
+    /// counts them, except for the contact. If the frame of the displacements moves by `frame` cos tau, displacements are those
+    /// seen from the ground, and there is no entry for a contact between two.
     [[nodiscard]] std::vector<Extremum> largest_displacements(double error = 0, double frame = 0);
 
 private:

@@ -7,8 +7,8 @@
 namespace denhartog::conformance::generator {
 namespace {
 
-// Factor by which a mistaken answer has to exceed the bound of inaccurate ones: mistakes compute in double, whose last digits must
-// not decide a verdict.
+// Factor by which a mistaken answer has to exceed the bound of inaccurate ones: mistakes compute in double, whose last digits
+// must not decide a verdict.
 constexpr double clear_by = 4;
 
 // Least distance of a sample to the true curve within a step on either side: no way to judge a curve is more lenient.
