@@ -7,6 +7,8 @@ import math
 import os
 import pathlib
 import random
+import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -24,12 +26,12 @@ except ImportError as missing:
     sys.exit(77)
 
 from pages import finish, site, text
-from pages.check import faults_of_pages
 from pages.code import code_of
 from pages.conclusions import conclusions_view
 from pages.doxygen import class_page, text_of, trim
 from pages.equations import equation_view
 from pages.graph import layout
+from pages.site import faults_of_pages
 from pages.records import faults_of_departures, read_symbols, stands_in, symbols_in
 from pages.sources import Sources, coq_lines
 from pages.text import EQUATIONS, Fault, displayed, equation_label, equation_link, escaped, formula, html, prose, symbol, witness_value
@@ -211,26 +213,35 @@ class Code(Case):
 
 
 class Checks(Case):
-    def pages(self, more="", at=0):
-        pages = {equation_label(n): f"# Equation ({n}) {{#{equation_label(n)}}}\n\n" for n in EQUATIONS}
-        pages[list(pages)[at]] += more
-        return pages
+    def doxygen(self, wrong):
+        """What Doxygen says, with the options of the site, of a page (2) that has something after a link to (1)."""
+        pages = self.folder / "wrong"
+        pages.mkdir(exist_ok=True)
+        for number, said in (("1", "x"), ("2", equation_link("1") + formula(r"\frac{a}{b}") + displayed("|x|") + wrong)):
+            (pages / f"eq_{number}.md").write_text(f"# Equation ({number}) {{#eq_{number}}}\n\n{said}\n")
+        options = (PROJECT / "docs/site/Doxyfile").read_text() + f"INPUT = {pages}\nINPUT_FILTER =\nGENERATE_TAGFILE =\n"
+        return subprocess.run(["doxygen", "-"], input=options, cwd=PROJECT, env=os.environ | {"DENHARTOG_SITE": str(self.folder)},
+                              stderr=subprocess.PIPE, text=True)
 
-    def test_sound_pages(self):
-        """Pages of all equations with labels that are there have no fault."""
-        self.assertEqual(faults_of_pages(self.pages("see " + equation_link("A.8") + formula(r"\frac{a}{b}") + displayed("|x|"))), [])
-        self.assertEqual(faults_of_pages(self.pages("\\htmlonly[block]\n$ \\frac \\endhtmlonly")), [])
+    @unittest.skipUnless(shutil.which("doxygen"), "needs Doxygen")
+    def test_faults_for_doxygen(self):
+        """Doxygen takes sound pages; unknown and doubled labels, raw LaTeX and open formulas are faults to it."""
+        self.assertEqual((self.doxygen("").returncode, self.doxygen("\\htmlonly[block]\n$ \\frac \\endhtmlonly").returncode), (0, 0))
+        for wrong, told in ((r'\ref figure_nowhere "a figure"', "unable to resolve reference to 'figure_nowhere'"),
+                            (r'\subpage nowhere "a page"', "unable to resolve reference to 'nowhere'"),
+                            ("\\anchor eq_2\n", "multiple use of section label 'eq_2'"), ("\\anchor eq_1\n", "multiple use of section label 'eq_1'"),
+                            (r"the \frac{a}{b} of", r"unknown command '\frac'"), (r"the \beta of", r"unknown command '\beta'"),
+                            (r"\f$ a + b", "inside formula"), (r"\f[ a + b", "inside formula"), ("\\htmlonly[block]\n<p>", "without end marker")):
+            found = self.doxygen(wrong)
+            self.assertIn(told, found.stderr)
+            self.assertNotEqual(found.returncode, 0, wrong)
 
     def test_faults(self):
-        """An equation without page, unknown and doubled labels, raw LaTeX, open formulas and place-holders are faults."""
-        for wrong, told in ((r'\ref figure_nowhere "a figure"', "links to figure_nowhere"), ("\\anchor eq_2\n", "eq_2 is there twice"),
-                            ("\\anchor eq_1\n", "eq_1 is there twice"), (r"the \frac{a}{b} of", "LaTeX outside of a formula"),
-                            ("price 5 $ x", "dollar outside of a formula"), (r"\f$ a + b", "not closed"),
-                            ("{{equation 26}}", "place-holder")):
-            self.assertTells(faults_of_pages(self.pages(wrong)), told)
-        pages = self.pages()
-        del pages["eq_46"]
-        self.assertEqual(faults_of_pages(pages), ["equation (46) has no page"])
+        """Dollars outside of formulas and place-holders are faults."""
+        page = equation_link("A.8") + formula(r"\frac{a}{b}") + displayed("|x|") + "\\htmlonly[block]\n$ {{ \\endhtmlonly"
+        self.assertEqual(faults_of_pages({"eq_1": page}), [])
+        for wrong, told in (("price 5 $ x", "page eq_1 has a dollar outside of a formula"), ("{{equation 26}}", "page eq_1 has a place-holder")):
+            self.assertTells(faults_of_pages({"eq_1": page + wrong}), told)
 
     def test_departures(self):
         """A departure is said in words, with the difference marked, and what it says must fit what is printed."""

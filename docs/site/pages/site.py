@@ -9,7 +9,6 @@ import jinja2
 
 from . import text
 from .chapter import chapter_views, places_in_chapter, read_chapter
-from .check import faults_of_pages
 from .code import code_of
 from .conclusions import conclusions_view
 from .equations import LONGEST_STATEMENT, SAMPLES, SAMPLES_OF_MODES, accuracy_rows, equation_view, in_namespace, theorems_of, witness_names
@@ -83,6 +82,16 @@ def environment(run, sources):
                           said_of=lambda equation: said.get(equation, ""), longest_statement=LONGEST_STATEMENT)
     jinja.globals["part"] = jinja.get_template("parts.html").module
     return jinja
+
+
+def faults_of_pages(pages):
+    """A sentence for each page with a dollar outside of a formula or a place-holder that nothing replaced. Doxygen finds labels that
+    are there twice or not at all, formulas that are not closed and LaTeX outside of them, and KaTeX a formula that is wrong."""
+    raw = re.compile(r"\\f\$.*?\\f\$|\\f\[.*?\\f\]|\\htmlonly.*?\\endhtmlonly", re.S)
+    texts = {name: raw.sub("", page) for name, page in pages.items()}
+    return [f"page {name} has {what}: {found[0]}" for name, text in texts.items()
+            for what, mark in (("a dollar outside of a formula", r"(?<!\\)\$.*"), ("a place-holder that nothing replaced", r"\{\{.*"))
+            if (found := re.search(mark, text))]
 
 
 def make_pages(run, sources, chapter):
