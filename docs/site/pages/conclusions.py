@@ -18,8 +18,6 @@ ANSWERS = {"proved": ("holds, proved", "proved"), "argued": ("holds, by an argum
            "refuted at a threshold of ours": ("false at the threshold that was chosen", "illegible"), "assumption": ("assumed", "assumption"),
            "slip of reference": ("cites the wrong equation or figure", "illegible"), "not decided": ("not decided", "open")}
 NUMBER_WORDS = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"]
-SECTIONS = {"1": "Introduction", "3.2.1": "Time responses", "3.2.2": "Amplitudes, phases and regimes", "5": "Concluding remarks"}
-
 
 SYSTEM = re.compile(r"(?:(\d+)DOF j=(\d+) l=(\d+)|SDOF)[, ]*(?:zeta=(\S+)|(undamped))?(.*)")
 
@@ -90,22 +88,16 @@ def number_of_ours(threshold):
 def decided_by(run, claim):
     """What a page says of a claim: its sentence, or what is wrong with the printed equation, or nothing."""
     equation, words = claim["id"].partition("/")[0], run.in_words.get(claim["id"])
-    view = SimpleNamespace(id=claim["id"], verdict=claim["verdict"], said="", equation=equation, misprint=False, numbers=[],
-                           picture=None, record=None, place=None)
     if claim["id"] not in run.claims:  # an id for all claims that begin with it
-        return view
-    view.record = record = record_of(run, claim["id"])
-    if words:
-        view.said = sentence_on(run, claim["id"], claim["verdict"])
-        view.picture = words.get("picture")
-    elif claim["verdict"] in ("refuted", "refuted at a threshold of ours"):
-        view.misprint = equation in run.departures
-        if not view.misprint:
-            raise Fault(f"docs/ledger/in_words.json has no sentence on {claim['id']}")
-    if "refuted" in claim["verdict"]:
-        view.numbers = [number_of_ours(threshold) for threshold in record["thresholds"]]
-        view.place = run.places.get(equation) if view.misprint else scene_of(record)
-    return view
+        return SimpleNamespace(equation=equation, said="", misprint=False, numbers=[], picture=None, record=None, place=None)
+    record, refuted = record_of(run, claim["id"]), "refuted" in claim["verdict"]
+    misprint = refuted and not words and equation in run.departures
+    if refuted and not words and not misprint:
+        raise Fault(f"docs/ledger/in_words.json has no sentence on {claim['id']}")
+    place = run.places.get(equation) if misprint else scene_of(record) if refuted else None
+    return SimpleNamespace(equation=equation, said=sentence_on(run, claim["id"], claim["verdict"]), misprint=misprint,
+                           numbers=[number_of_ours(threshold) for threshold in record["thresholds"]] if refuted else [],
+                           picture=words and words.get("picture"), record=record, place=place)
 
 
 def conclusions_view(run):
@@ -123,4 +115,4 @@ def conclusions_view(run):
                          place=next((claim.place for claim in claims if claim.place), None)))
         shown.update(names[:1])
     count = Counter(row["answer"] for row in rows)
-    return dict(statements=rows, count=[(answer, colour, count[answer]) for answer, colour in ANSWERS.values()], names=SECTIONS)
+    return dict(statements=rows, count=[(answer, colour, count[answer]) for answer, colour in ANSWERS.values()])

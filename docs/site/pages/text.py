@@ -206,12 +206,6 @@ def counted(n, one, many):
     return f"{n} {one if n == 1 else many}"
 
 
-def closed_marks(text, mark, opening, closing):
-    """Text whose marks, which open and close in turn, are replaced by an opening and a closing."""
-    parts = text.split(mark)
-    return parts[0] + "".join((opening if n % 2 == 0 else closing) + part for n, part in enumerate(parts[1:]))
-
-
 def verdict_text(verdict):
     return {"illegible": "illegible in the text at hand", "not_applicable": "not applicable"}.get(verdict, verdict)
 
