@@ -2,9 +2,9 @@
 
 A file is a page, whose parts are apart by empty lines: `# Title` first; `## Title` begins a section; in a paragraph `$...$` is a
 formula, `` `...` `` is code, and the number of an equation in brackets becomes a link. Place-holders stand by themselves:
-`{{equation 26}}` is the form that holds, `{{steps A.5/constants}}` the steps of a claim as the run recorded them, `{{claims 26}}` a
-list of the claims on an equation whose steps the chapter does not show, `{{figure fig08_loaded_mass_response}}` a figure,
-`{{explore 57}}` the picture to explore an equation. `[words](page:label)` links to another page.
+`{{equation 26}}` is the form that holds, `{{steps A.5/constants}}` the steps of a claim as the run recorded them,
+`{{claims 26}}` a list of the claims on an equation whose steps the chapter does not show, `{{figure fig08_loaded_mass_response}}`
+a figure, `{{explore 57}}` the picture to explore an equation. `[words](page:label)` links to another page.
 """
 import re
 
@@ -52,15 +52,16 @@ def chapter_views(run, files):
             return {"kind": "text", "text": with_links(block.replace("\n", " "), place)}
         kind, _, name = block.removeprefix("{{").removesuffix("}}").partition(" ")
         if name not in known.get(kind, {}):
-            raise Fault(f"a place-holder must stand by itself and name an equation, a claim, a figure or a page to explore, in the way of "
-                        f"{{{{equation 26}}}}, not {block}, in {place}")
+            raise Fault(f"a place-holder must stand by itself and name an equation, a claim or a figure of the run, "
+                        f"like {{{{equation 26}}}}, not {block}, in {place}")
         shown, claims = known[kind][name], []
         for claim in shown["claims"] if kind == "claims" else []:
             record = record_of(run, claim["id"])
             if claim["role"] != "observation" and record["claim"] not in mentioned:
                 mentioned.add(record["claim"])
                 claims.append((claim, record))
-        return {"kind": kind, "name": name, "shown": shown, "claims": claims, "steps": steps_of(run, shown) if kind == "steps" else []}
+        steps = steps_of(run, shown) if kind == "steps" else []
+        return {"kind": kind, "name": name, "shown": shown, "claims": claims, "steps": steps}
 
     views = []
     for at, name in enumerate(names):

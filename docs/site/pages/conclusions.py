@@ -1,8 +1,8 @@
 """Do the conclusions survive? The statements of the paper's text in its order, with the verdicts of the run, in plain words.
 
-A person writes the sentence on a claim, docs/ledger/in_words.json; the numbers in it are those of the run: `{beta}` is the value of
-the witness that has this name, to three digits, `{beta:2}` to two, `{error:%}` in percent. A sentence is for one verdict: where
-the run finds another one, the pages are not made.
+A person writes the sentence on a claim, docs/ledger/in_words.json; the numbers in it are those of the run: `{beta}` is the value
+of the witness that has this name, to three digits, `{beta:2}` to two, `{error:%}` in percent. A sentence is for one verdict:
+where the run finds another one, the pages are not made.
 """
 import math
 import re
@@ -15,8 +15,9 @@ from .text import Fault, digits, typeset
 # What a verdict means to a reader, and the colour of its mark.
 ANSWERS = {"proved": ("holds, proved", "proved"), "argued": ("holds, by an argument that is given", "argued"),
            "measured": ("holds where it was measured", "measured"), "refuted": ("false", "refuted"),
-           "refuted at a threshold of ours": ("false at the threshold that was chosen", "illegible"), "assumption": ("assumed", "assumption"),
-           "slip of reference": ("cites the wrong equation or figure", "illegible"), "not decided": ("not decided", "open")}
+           "refuted at a threshold of ours": ("false at the threshold that was chosen", "illegible"),
+           "assumption": ("assumed", "assumption"), "slip of reference": ("cites the wrong equation or figure", "illegible"),
+           "not decided": ("not decided", "open")}
 NUMBER_WORDS = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"]
 
 SYSTEM = re.compile(r"(?:(\d+)DOF j=(\d+) l=(\d+)|SDOF)[, ]*(?:zeta=(\S+)|(undamped))?(.*)")
@@ -41,9 +42,10 @@ def scene_of(record):
         return None
     masses, contact, load, zeta, _, _ = found.groups()
     zeta = float(zeta or values.get("zeta", "0"))
-    ratios = [zeta] if masses != "2" else [zeta / r_n for r_n in ((math.sqrt(5) - 1) / 2, (math.sqrt(5) + 1) / 2)]  # Figs. 8 to 10
-    return (f"machine.html#N={masses or 1}&g=1&k=1&z={','.join(f'{ratio:.6g}' for ratio in ratios)}&j={contact or 1}&l={load or 1}"
-            f"&r={float(values['r']):.6g}&b={float(values['beta']):.6g}")
+    frequencies = ((math.sqrt(5) - 1) / 2, (math.sqrt(5) + 1) / 2) if masses == "2" else (1,)  # of Figs. 8 to 10
+    ratios = ",".join(f"{zeta / r_n:.6g}" for r_n in frequencies)
+    return (f"machine.html#N={masses or 1}&g=1&k=1&z={ratios}&j={contact or 1}&l={load or 1}&r={float(values['r']):.6g}"
+            f"&b={float(values['beta']):.6g}")
 
 
 def with_numbers(words, record, claim):
@@ -110,9 +112,9 @@ def conclusions_view(run):
         names = [claim.picture for claim in claims if claim.picture in figures]
         answer, colour = ANSWERS[row["verdict"]]
         remark = re.sub(r"\bfig0?(\d+)\b", r"Fig. \1", row["remark"])
-        rows.append(dict(row, remark=remark, answer=answer, colour=colour, claims=claims, figure=figures[names[0]] if names else None,
-                         new=bool(names) and names[0] not in shown,
-                         place=next((claim.place for claim in claims if claim.place), None)))
+        place = next((claim.place for claim in claims if claim.place), None)
+        rows.append(dict(row, remark=remark, answer=answer, colour=colour, claims=claims, place=place,
+                         figure=figures[names[0]] if names else None, new=bool(names) and names[0] not in shown))
         shown.update(names[:1])
     count = Counter(row["answer"] for row in rows)
     return dict(statements=rows, count=[(answer, colour, count[answer]) for answer, colour in ANSWERS.values()])

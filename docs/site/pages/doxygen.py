@@ -146,8 +146,8 @@ def part(name, tree, declared):
         types.addprevious(folded)
         folded.append(types)
     places = set(tree.xpath("//tr//@id"))
-    tables = tree.xpath('//table[.//a/@id[contains(" func-members enum-members var-members typedef-members ", concat(" ", ., " "))]]')
-    for table in tables:  # names that have a box have no row
+    for table in tree.xpath('//table[.//a/@id[. = "func-members" or . = "enum-members" or . = "var-members" or '
+                            '. = "typedef-members"]]'):  # names that have a box have no row
         drop(*(row for row in table.xpath('.//tr[contains(@class, ":")]') if row.get("class").partition(":")[2] not in places))
     for element in html.fragments_fromstring(f'<h2 class="groupheader">By header</h2>\n<dl class="by-header">\n{listed}</dl>'):
         documentation.addprevious(element)

@@ -75,8 +75,9 @@ def search_documents(tree, name):
         return []
     title = text_of(title) + ("" if named is None else ": " + shortened(text_of(named)))
     found = [(title, name, text_of(first(tree, '//div[@class="contents"]'), NOT_TEXT))]
-    found += [(text_of(heading, "@class='permalink'"), f"{name}#{anchor.get('id')}", text_of(first(box, './/div[@class="memdoc"]')))
-              for anchor, heading, box in boxes(tree)]
+    for anchor, heading, box in boxes(tree):
+        said = text_of(first(box, './/div[@class="memdoc"]'))
+        found.append((text_of(heading, "@class='permalink'"), f"{name}#{anchor.get('id')}", said))
     return [{"kind": kind_of_page(name), "text": shortened(text), "title": title, "url": url} for title, url, text in found]
 
 

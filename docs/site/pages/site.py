@@ -11,7 +11,8 @@ from . import text
 from .chapter import chapter_views, places_in_chapter, read_chapter
 from .code import code_of
 from .conclusions import conclusions_view
-from .equations import LONGEST_STATEMENT, SAMPLES, SAMPLES_OF_MODES, accuracy_rows, equation_view, in_namespace, theorems_of, witness_names
+from .equations import (LONGEST_STATEMENT, SAMPLES, SAMPLES_OF_MODES, accuracy_rows, equation_view, in_namespace, theorems_of,
+                        witness_names)
 from .graph import graph_of
 from .records import faults_of_departures, faults_of_stand_ins, read_run, record_of
 from .sources import Sources, code_lines, coq_lines
@@ -52,7 +53,8 @@ def environment(run, sources):
         departure_text=lambda kind: DEPARTURES.get(kind, "none"),
         error=lambda worst: "not finite" if worst is None else text.typeset(text.digits(worst, 2), "an error"),
         snippet_lines=lambda function: code_lines(sources.snippet(function)),
-        brief=lambda function: sources.snippet(function).brief, number="{:.10g}".format, json=lambda value: json.dumps(value, ensure_ascii=False, separators=(",", ":")),
+        brief=lambda function: sources.snippet(function).brief, number="{:.10g}".format,
+        json=lambda value: json.dumps(value, ensure_ascii=False, separators=(",", ":")),
         sample=lambda name, of_modes: SAMPLES_OF_MODES[name] if of_modes else SAMPLES.get(name, "1"),
         names=lambda witness, claim="": witness_names(run, witness, claim), record=lambda claim: record_of(run, claim),
         in_order=lambda entries, key: [(name, list(group)) for name, group in groupby(entries, lambda entry: entry[key])],
@@ -68,12 +70,13 @@ def environment(run, sources):
 
 
 def faults_of_pages(pages):
-    """A sentence for each page with a dollar outside of a formula or a place-holder that nothing replaced. Doxygen finds labels that
-    are there twice or not at all, formulas that are not closed and LaTeX outside of them, and KaTeX a formula that is wrong."""
+    """A sentence for each page with a dollar outside of a formula or a place-holder that nothing replaced. Doxygen finds labels
+    that are there twice or not at all, formulas that are not closed and LaTeX outside of them; KaTeX, a formula that is wrong."""
     raw = re.compile(r"\\f\$.*?\\f\$|\\f\[.*?\\f\]|\\htmlonly.*?\\endhtmlonly", re.S)
     texts = {name: raw.sub("", page) for name, page in pages.items()}
     return [f"page {name} has {what}: {found[0]}" for name, text in texts.items()
-            for what, mark in (("a dollar outside of a formula", r"(?<!\\)\$.*"), ("a place-holder that nothing replaced", r"\{\{.*"))
+            for what, mark in (("a dollar outside of a formula", r"(?<!\\)\$.*"),
+                               ("a place-holder that nothing replaced", r"\{\{.*"))
             if (found := re.search(mark, text))]
 
 
@@ -88,6 +91,8 @@ def make_pages(run, sources, chapter):
 
     def add(name, template, view):
         page = jinja.get_template(f"{template}.html").render(view)
+        contents = ", ".join(rf'\ref {label} "{title}"' for label, title in re.findall(r"\\section (\S+) (.*)", page))
+        page = page.replace("<!--contents-->", contents)
         pages[name] = re.sub(r"\n*(\n\\(?:sub)?section .*\n)\n*", r"\n\1\n", page)  # a heading stands apart
 
     for figure in run.figures:
@@ -100,9 +105,11 @@ def make_pages(run, sources, chapter):
             if view["more"]:
                 add(view["name"] + "_more", "equation_more", view)
     views = {"audit": lambda: dict(zip(("summary", "audit"), tables(run.audit, "audit"), strict=True)),
-             "accuracy_page": lambda: dict(zones=[row for type, row in accuracy_rows(run) if type == "double"]), "conclusions": lambda: conclusions_view(run),
-             "equation_graph": lambda: dict(graph=graph_of(run.ledger)), "theorems": lambda: dict(theorems=theorems_of(run.ledger))}
-    for name in ("home", "equations", "errata", "errata_sheet", "stand_ins", "figures_page", "speed_page", "conformance_page", *views):
+             "accuracy_page": lambda: dict(zones=[row for row in accuracy_rows(run) if row["type"] == "double"]),
+             "conclusions": lambda: conclusions_view(run), "equation_graph": lambda: dict(graph=graph_of(run.ledger)),
+             "theorems": lambda: dict(theorems=theorems_of(run.ledger))}
+    for name in ("home", "equations", "errata", "errata_sheet", "stand_ins", "figures_page", "speed_page", "conformance_page",
+                 *views):
         with told_in(faults):
             add(name, name, views.get(name, dict)())
     views, faults_of_chapter = chapter_views(run, files)
@@ -129,8 +136,7 @@ def script_files(run):
         if figure.number:
             places[f"figure {figure.number[5:]}"] = f"{figure.label}.html"
     columns = ("function", "type", "zone", "points", "printed", "shipped", "shipped_at")
-    rows = [",".join(json.dumps((row | {"type": type})[column], ensure_ascii=False) for column in columns)
-            for type, row in accuracy_rows(run)]
+    rows = [",".join(json.dumps(row[column], ensure_ascii=False) for column in columns) for row in accuracy_rows(run)]
     return {"accuracy.csv": "\n".join([",".join(columns)] + rows) + "\n", "symbols.json": as_json(symbols) + "\n",
             "statements.json": as_json(statements) + "\n", "sections.js": f"window.siteSections = {as_json(places)};\n"}
 
