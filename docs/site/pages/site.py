@@ -54,7 +54,6 @@ def environment(run, sources):
         error=lambda worst: "not finite" if worst is None else text.typeset(text.digits(worst, 2), "an error"),
         snippet_lines=lambda function: code_lines(sources.snippet(function)),
         brief=lambda function: sources.snippet(function).brief, number="{:.10g}".format,
-        json=lambda value: json.dumps(value, ensure_ascii=False, separators=(",", ":")),
         sample=lambda name, of_modes: SAMPLES_OF_MODES[name] if of_modes else SAMPLES.get(name, "1"),
         names=lambda witness, claim="": witness_names(run, witness, claim), record=lambda claim: record_of(run, claim),
         in_order=lambda entries, key: [(name, list(group)) for name, group in groupby(entries, lambda entry: entry[key])],
