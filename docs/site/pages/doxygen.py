@@ -170,10 +170,11 @@ def class_page(tree, name):
     its declaration has no box of its own; its name leads to the line of the source. Every place that a page may link to stays."""
     for box in boxes(tree):
         source, anchor = line_of_source(box[2]), box[0].get("id")
-        links = tree.xpath(f'//tr[@class="memitem:{anchor}" or @class="memdesc:{anchor}"]//a[@href="{name}#{anchor}"]')
-        if source and links:
-            links[0].attrib.update({"id": anchor, "href": source})
-            drop(*links[1:], *box)
+        link = f'//a[@href="{name}#{anchor}"]'
+        declared = first(tree, f'//tr[@class="memitem:{anchor}"][1]{link}')
+        if source and declared is not None:
+            declared.attrib.update({"id": anchor, "href": source})
+            drop(*tree.xpath(f'//tr[@class="memdesc:{anchor}"]{link}'), *box)
     drop_empty_sections(tree)
     description_first(tree)
     heading = first(tree, '//h1[@class="title"]')
