@@ -1,12 +1,14 @@
 """The generated pages of the site: what they say, what they refuse, and what the checks of the finished site do not let through.
 
-Needs DENHARTOG_SOURCE_DIR. Ends with status 77 where Jinja2 is missing.
+Needs DENHARTOG_SOURCE_DIR. Ends with status 77 where Jinja2 or lxml is missing.
 """
 import json
 import math
 import os
 import pathlib
 import random
+import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -18,17 +20,18 @@ sys.dont_write_bytecode = True
 
 try:
     import jinja2
+    from lxml import html as lxml_html
 except ImportError as missing:
-    print(f"skipped: {missing} (Debian package python3-jinja2)")
+    print(f"skipped: {missing} (Debian packages python3-jinja2 and python3-lxml)")
     sys.exit(77)
 
 from pages import finish, site, text
-from pages.check import faults_of_pages
 from pages.code import code_of
 from pages.conclusions import conclusions_view
-from pages.doxygen import class_page, text_of_html, trim
+from pages.doxygen import class_page, text_of, trim
 from pages.equations import equation_view
 from pages.graph import layout
+from pages.site import faults_of_pages
 from pages.records import faults_of_departures, read_symbols, stands_in, symbols_in
 from pages.sources import Sources, coq_lines
 from pages.text import EQUATIONS, Fault, displayed, equation_label, equation_link, escaped, formula, html, prose, symbol, witness_value
@@ -210,26 +213,39 @@ class Code(Case):
 
 
 class Checks(Case):
-    def pages(self, more="", at=0):
-        pages = {equation_label(n): f"# Equation ({n}) {{#{equation_label(n)}}}\n\n" for n in EQUATIONS}
-        pages[list(pages)[at]] += more
-        return pages
+    def doxygen(self, wrong):
+        """What Doxygen says, with the options of the site, of a page (2) that has something after a link to (1)."""
+        pages = self.folder / "wrong"
+        pages.mkdir(exist_ok=True)
+        for number, said in (("1", "x"), ("2", equation_link("1") + formula(r"\frac{a}{b}") + displayed("|x|") + wrong)):
+            (pages / f"eq_{number}.md").write_text(f"# Equation ({number}) {{#eq_{number}}}\n\n{said}\n")
+        options = (PROJECT / "docs/site/Doxyfile").read_text() + f"INPUT = {pages}\nINPUT_FILTER =\nGENERATE_TAGFILE =\n"
+        return subprocess.run(["doxygen", "-"], input=options, cwd=PROJECT, env=os.environ | {"DENHARTOG_SITE": str(self.folder)},
+                              stderr=subprocess.PIPE, text=True)
 
-    def test_sound_pages(self):
-        """Pages of all equations with labels that are there have no fault."""
-        self.assertEqual(faults_of_pages(self.pages("see " + equation_link("A.8") + formula(r"\frac{a}{b}") + displayed("|x|"))), [])
-        self.assertEqual(faults_of_pages(self.pages("\\htmlonly[block]\n$ \\frac \\endhtmlonly")), [])
+    @unittest.skipUnless(shutil.which("doxygen"), "needs Doxygen")
+    def test_faults_for_doxygen(self):
+        """Doxygen takes sound pages; unknown and doubled labels, raw LaTeX and open formulas are faults to it."""
+        for sound in ("", "\\htmlonly[block]\n$ \\frac \\endhtmlonly"):
+            self.assertEqual(self.doxygen(sound).returncode, 0)
+        for wrong, told in ((r'\ref figure_nowhere "a figure"', "unable to resolve reference to 'figure_nowhere'"),
+                            (r'\subpage nowhere "a page"', "unable to resolve reference to 'nowhere'"),
+                            ("\\anchor eq_2\n", "multiple use of section label 'eq_2'"),
+                            ("\\anchor eq_1\n", "multiple use of section label 'eq_1'"),
+                            (r"the \frac{a}{b} of", r"unknown command '\frac'"), (r"the \beta of", r"unknown command '\beta'"),
+                            (r"\f$ a + b", "inside formula"), (r"\f[ a + b", "inside formula"),
+                            ("\\htmlonly[block]\n<p>", "without end marker")):
+            found = self.doxygen(wrong)
+            self.assertIn(told, found.stderr)
+            self.assertNotEqual(found.returncode, 0, wrong)
 
     def test_faults(self):
-        """An equation without page, unknown and doubled labels, raw LaTeX, open formulas and place-holders are faults."""
-        for wrong, told in ((r'\ref figure_nowhere "a figure"', "links to figure_nowhere"), ("\\anchor eq_2\n", "eq_2 is there twice"),
-                            ("\\anchor eq_1\n", "eq_1 is there twice"), (r"the \frac{a}{b} of", "LaTeX outside of a formula"),
-                            ("price 5 $ x", "dollar outside of a formula"), (r"\f$ a + b", "not closed"),
-                            ("{{equation 26}}", "place-holder")):
-            self.assertTells(faults_of_pages(self.pages(wrong)), told)
-        pages = self.pages()
-        del pages["eq_46"]
-        self.assertEqual(faults_of_pages(pages), ["equation (46) has no page"])
+        """Dollars outside of formulas and place-holders are faults."""
+        page = equation_link("A.8") + formula(r"\frac{a}{b}") + displayed("|x|") + "\\htmlonly[block]\n$ {{ \\endhtmlonly"
+        self.assertEqual(faults_of_pages({"eq_1": page}), [])
+        for wrong, told in (("price 5 $ x", "page eq_1 has a dollar outside of a formula"),
+                            ("{{equation 26}}", "page eq_1 has a place-holder")):
+            self.assertTells(faults_of_pages({"eq_1": page + wrong}), told)
 
     def test_departures(self):
         """A departure is said in words, with the difference marked, and what it says must fit what is printed."""
@@ -354,7 +370,8 @@ class Pages(Case):
     def test_faults_of_the_chapter(self):
         """An unknown place-holder, claim or equation, an open formula and a claim that is left out are faults of the chapter."""
         _, faults = self.small.chapter("# All\n\n{{proof 38}}\n\n{{steps 38/none}}\n\n{{equation 99}}\n\nopen $x\n\n{{claims 38}}\n")
-        self.assertTells(faults, "{{proof 38}}", "38/none", "(99)", "must be closed", "claim 37/sine is on a result")
+        self.assertTells(faults, "{{proof 38}}", "{{steps 38/none}}", "{{equation 99}}", "must be closed",
+                         "claim 37/sine is on a result")
         self.assertNotIn("38/amplitude", " ".join(faults))
 
     def test_borrowed_symbols(self):
@@ -437,26 +454,31 @@ class Pages(Case):
 
 
 class Finished(Case):
+    def setUp(self):
+        super().setUp()
+        self.write("tags.xml", '<tagfile>\n<compound kind="file">\n<name>mode.hpp</name>\n'
+                               f'<path>{self.folder.resolve()}/checkout/src/a/</path>\n<filename>a_2mode_8hpp</filename>\n'
+                               '<member kind="function"><name>d</name></member>\n</compound>\n</tagfile>\n')
+
     def write(self, name, content):
         (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
         (self.folder / name).write_text(content)
 
+    def finish(self):
+        return finish.finish(self.folder / "site", self.folder / "tags.xml", self.folder / "checkout")
+
     def test_links_to_sources(self):
         """Links to lines of sources are resolved through the tag file, or reported."""
-        self.write("tags.xml", f'<tagfile>\n<compound kind="file">\n<name>mode.hpp</name>\n<path>{self.folder.resolve()}/checkout/src/a/</path>\n'
-                               '<filename>a_2mode_8hpp</filename>\n<member kind="function"><name>d</name></member>\n</compound>\n'
-                               '<compound kind="page">\n<name>eq_46</name>\n<filename>eq_46</filename>\n</compound>\n</tagfile>\n')
         self.write("site/a_2mode_8hpp_source.html", '<a id="l00042"></a>')
-        self.write("site/eq_46.html", '<a href="source:src/a/mode.hpp:42">x</a><a href="page:eq_46">y</a>')
-        link = lambda: finish.link(self.folder / "site", self.folder / "tags.xml", self.folder / "checkout")
-        self.assertEqual(link(), ("links to 2 places in the sources and pages", []))
-        self.assertEqual((self.folder / "site/eq_46.html").read_text(), '<a href="a_2mode_8hpp_source.html#l00042">x</a><a href="eq_46.html">y</a>')
-        self.write("site/bad.html", '<a href="source:src/a/mode.hpp:43"><a href="source:src/b.hpp:1"><a href="page:eq_99">'
+        self.write("site/eq_46.html", '<a href="source:src/a/mode.hpp:42">x</a><a href="source:src/a/mode.hpp">y</a>')
+        self.assertEqual(self.finish()[1], [])
+        self.assertHas((self.folder / "site/eq_46.html").read_text(),
+                       '<a href="a_2mode_8hpp_source.html#l00042">x</a><a href="a_2mode_8hpp_source.html">y</a>')
+        self.write("site/bad.html", '<a href="source:src/a/mode.hpp:43"><a href="source:src/b.hpp:1">'
                                     '<a href="source:src/a/mode.hpp:x"><a href="source:">')
-        self.assertTells(link()[1], "source:src/b.hpp:1, which", "page:eq_99, which", "mode.hpp:x, which", "source:, which")
-        self.write("site/bad.html", '<a href="source:src/a/mode.hpp:43">')
-        self.assertEqual(link()[1], [])
-        self.assertTells(finish.finish(self.folder / "site")[1], "leads to a_2mode_8hpp_source.html#l00043, but there is no such place")
+        self.assertEqual(len(self.finish()[1]), 4)
+        self.assertTells(self.finish()[1], "leads to source:src/b.hpp", "#l0000x, but", "leads to source:, which",
+                         "leads to a_2mode_8hpp_source.html#l00043, but there is no such place")
 
     def test_headings_and_tables(self):
         """A page gets its title as a heading, and a table a box to scroll in."""
@@ -464,8 +486,9 @@ class Finished(Case):
                 ('<div class="headertitle"><div class="title">E (46)</div></div>', '<div class="headertitle"><div><h1 class="title">E (46)</h1></div></div>'),
                 ('<div class="title">T</div><h1>S</h1><h2>U</h2>', '<div><h1 class="title">T</h1></div><h2>S</h2><h3>U</h3>'),
                 ('<table class="markdownTable">x</table>y', '<div class="table-box" tabindex="0"><table class="markdownTable">x</table></div>y'),
+                ("<title>a::b Namespace Reference - x</title>", "<title>Namespace a::b - x</title>"),
                 ('<div class="title">f<div class="ingroups">g</div></div>', '<div><h1 class="title">f</h1><div class="ingroups">g</div></div>')):
-            self.assertEqual(finish.finished_page(before), after)
+            self.assertEqual(finish.finished_page(before, {}), after)
 
     def test_sources(self):
         """The page of a source has no mark in a comment that only Doxygen reads."""
@@ -474,56 +497,65 @@ class Finished(Case):
     def test_search(self):
         """The search knows a page and each documented name on it."""
         page = ('<h1 class="title">paper</h1><div class="contents"><p>The formulas, R &lt; 1.</p>'
-                '<h2 class="memtitle"><span class="permalink"><a href="#a1">&#9670;&#160;</a></span>d()</h2><div class="memproto">d(tau)</div>'
-                '<div class="memdoc"><p>Free <b>motion</b> \\(d_i\\).</p></div></div><footer></footer>')
-        self.assertEqual(finish.search_documents(page, "paper.html"),
+                '<a id="a1" name="a1"></a><h2 class="memtitle"><span class="permalink"><a href="#a1">&#9670;</a></span>d()</h2>'
+                '<div class="memitem"><div class="memproto">d(tau)</div><div class="memdoc"><p>Free <b>motion</b> \\(d_i\\).</p>'
+                '</div></div></div>')
+        documents = lambda page, name: finish.search_documents(lxml_html.document_fromstring(page), name)
+        self.assertEqual(documents(page, "paper.html"),
                          [{"kind": 2, "text": "The formulas, R < 1.", "title": "paper", "url": "paper.html"},
                           {"kind": 2, "text": "Free motion d_i.", "title": "d()", "url": "paper.html#a1"}])
-        self.assertEqual(finish.search_documents("<p>no heading</p>", "x.html"), [])
+        self.assertEqual(documents("<p>no heading</p>", "x.html"), [])
         named = '<h1 class="title">Equation (69)</h1><div class="contents"><p><span class="named">Boundary of sliding</span></p></div><footer>'
-        self.assertEqual([each["title"] for each in finish.search_documents(named, "eq_69.html")], ["Equation (69): Boundary of sliding"])
+        self.assertEqual([each["title"] for each in documents(named, "eq_69.html")], ["Equation (69): Boundary of sliding"])
         kinds = [finish.kind_of_page(name) for name in ("eq_57.html", "figure_fig07.html", "errata.html", "eq_57_more.html",
                                                         "structdenhartog_1_1Boundary.html")]
         self.assertEqual(kinds, sorted(set(kinds)))
-        self.assertEqual(text_of_html("<script>x</script> a\n <i>b</i>&amp;lt; "), "a b &lt;")
+        self.assertEqual(text_of(lxml_html.fromstring("<p><script>x</script> a\n <i>b</i>&amp;lt; </p>")), "a b &lt;")
 
     def test_faults_of_the_site(self):
         """A broken link, a missing place and an address elsewhere are faults of the site."""
-        self.write("site/a.html", '<h1 class="title">A</h1><a href="b.html#there">b</a> <a href="#own" id="own">o</a> <a href="b.html?q=1">q</a>'
-                                  ' <script src="search-documents.js"></script>')
+        self.write("site/a.html", '<h1 class="title">A</h1><div class="contents"><a href="b.html#there">b</a> '
+                                  '<a href="#own" id="own">o</a> <a href="b.html?q=1">q</a>'
+                                  ' <script src="search-documents.js"></script></div>')
         self.write("site/b.html", '<p id="there">b</p>')
         place = self.folder / "site"
-        self.assertEqual(finish.finish(place), ("2 pages, 4 links followed, 1 entries for the search", []))
+        self.assertEqual(self.finish(), ("2 pages, 4 links followed, 1 entries for the search", []))
         self.assertTrue((place / "search-documents.js").exists() and (place / "sitemap.txt").exists())
         self.write("site/paper.html", f'<a href="{finish.PAPER}">the paper</a>')
-        self.assertEqual(finish.finish(place)[1], [])
+        self.assertEqual(self.finish()[1], [])
         for wrong in ('<a href="none.html">x</a>', '<a href="b.html#nowhere">x</a>', '<a href="#nowhere">x</a>', '<img src="none.svg">',
                       '<a href="https://example.org">x</a>', '<a href="mailto:x">x</a>'):
             self.write("site/c.html", wrong)
-            self.assertEqual(len(finish.finish(place)[1]), 1, wrong)
+            self.assertEqual(len(self.finish()[1]), 1, wrong)
 
     def test_trim(self):
         """The site leaves out pages that nobody reads and parts a namespace by header."""
-        folder, made_from = '<li class="navelem"><a class="el" href="dir_1.html">', "was generated from the following file:<ul><li>"
+        folder = '<li class="navelem"><a class="el" href="dir_1.html">'
+        made_from = "<hr/>The documentation for this struct was generated from the following file:<ul><li>"
         item = lambda anchor, name, file: (
-            f'<a id="{anchor}" name="{anchor}"></a>\n<h2 class="memtitle"><span class="permalink"></span>{name}</h2>\n<p>Says {name} of file '
-            f'<a class="el" href="{file}_source.html">x</a>.</p>\n')
-        texts = trim({
-            "eq_80.html": '<a href="structA-members.html">list</a> <a href="namespacedenhartog.html#a1">f</a>', "structA-members.html": "",
-            "structA.html": made_from + "src/denhartog/scene/<a", "structB.html": made_from + "tests/unit/<a",
-            "x_8hpp.html": folder + "tests</a></li>", "y_8cpp.html": "",
+            f'<a id="{anchor}" name="{anchor}"></a>\n<h2 class="memtitle"><span class="permalink"></span>{name}</h2>\n'
+            f'<div class="memitem"><p>Says {name}</p><p class="definition">Line <a href="{file}_source.html#l1">1</a> of file '
+            f'<a href="{file}_source.html">x</a>.</p></div>\n')
+        trees = trim({
+            "eq_80.html": '<a href="structA-members.html">list</a> <a href="namespacedenhartog.html#a1">f</a>',
+            "structA-members.html": "<p>",
+            "structA.html": '<h1 class="title">A</h1>' + made_from + "src/denhartog/scene/<a",
+            "structB.html": made_from + "tests/unit/<a",
+            "x_8hpp.html": folder + "tests</a></li>", "y_8cpp.html": "<p>",
             "x_8hpp_source.html": '<a href="x_8hpp.html">Go to the documentation of this file.</a><a href="structB.html">B</a>',
             "c_8h.html": folder + 'src</a></li><a href="x_8hpp.html#there">x</a>',
-            "namespacedenhartog.html": '<title>t</title><h1 class="title">denhartog Namespace Reference</h1><div class="contents">\n<p>All. '
+            "namespacedenhartog.html": '<title>t</title><h1 class="title">Namespace denhartog</h1><div class="contents">\n<p>All. '
                 '<a href="namespacedenhartog.html#details">More...</a></p><table class="memberdecls"><a id="func-members" name="func-members"></a></table><a name="details" id="details"></a><h2 '
                 'class="groupheader">Detailed Description</h2><p>All of it.</p><h2 class="groupheader">Function Documentation</h2>\n'
                 + item("a1", "f() [1/2]", "one_8hpp") + item("a3", "f() [2/2]", "one_8hpp") + item("a2", "g()", "two_2x__y_8hpp") + "</div><!-- contents -->",
-            "one_8hpp_source.html": "", "two_2x__y_8hpp_source.html": ""})
+            "one_8hpp_source.html": "<p>", "two_2x__y_8hpp_source.html": "<p>"})
+        texts = {name: lxml_html.tostring(tree, encoding="unicode") for name, tree in trees.items()}
         for name in ("structA-members.html", "structB.html", "x_8hpp.html", "y_8cpp.html"):
             self.assertNotIn(name, texts)
         self.assertIn("structA.html", texts)
-        self.assertEqual(texts["eq_80.html"], 'list <a href="namespacedenhartog_in_one_8hpp.html#a1">f</a>')
-        self.assertEqual(texts["x_8hpp_source.html"], "B")
+        self.assertHas(texts["eq_80.html"], '>list <a href="namespacedenhartog_in_one_8hpp.html#a1">f</a><')
+        self.assertHas(texts["x_8hpp_source.html"], ">B<")
+        self.assertNotIn("Go to", texts["x_8hpp_source.html"])
         self.assertHas(texts["c_8h.html"], '<a href="x_8hpp_source.html">x</a>')
         self.assertNotRegex(texts["namespacedenhartog.html"], "memberdecls|Says")
         self.assertHas(texts["namespacedenhartog.html"], 'namespacedenhartog_in_two_2x__y_8hpp.html#a2">g()</a>')
@@ -538,23 +570,30 @@ class Finished(Case):
         row = lambda name: (f'<tr class="memitem:{name}"><td><a class="el" href="structA.html#{name}">{name}</a></td></tr>\n<tr class="memdesc:'
                             f'{name}"><td>says {name} <a href="structA.html#{name}">More...</a></td></tr>\n')
         box = lambda name, more: (
-            f'<a id="{name}" name="{name}"></a>\n<h2 class="memtitle">{name}</h2>\n<div class="memdoc">\n<p>says {name}</p>\n<p class="definition">'
-            f'Definition at line <a class="el" href="a_8hpp_source.html#l00001">1</a>.</p>{more}</div>\n')
-        page = class_page(
-            '<h1 class="title">A Struct Reference</h1>\n<p>Brief. <a href="structA.html#details">More...</a></p>\n<table>' + row("one") +
-            row("two") + row("three") + '</table>\n<a name="details" id="details"></a><h2 class="groupheader">Detailed Description</h2>\n'
+            f'<a id="{name}" name="{name}"></a>\n<h2 class="memtitle">{name}</h2>\n<div class="memitem"><div class="memdoc">\n'
+            f'<p>says {name}</p>\n<p class="definition">'
+            f'Definition at line <a class="el" href="a_8hpp_source.html#l00001">1</a>.</p>{more}</div></div>\n')
+        tree = lxml_html.document_fromstring(finish.finished_page(
+            '<h1 class="title">A Struct Reference</h1>\n<div class="contents"><p>Brief. '
+            '<a href="structA.html#details">More...</a></p>\n<table>' + row("one") +
+            row("two") + row("three") + '<tr class="memitem:four"><td>template</td></tr>\n' + row("four") + '</table>\n<a name="details" id="details"></a><h2 class="groupheader">Detailed Description</h2>\n'
             '<div>Brief. All of it.</div><h2 class="groupheader">Member Function Documentation</h2>\n' +
-            box("one", "<dl><dd>its parameters</dd></dl>") + '<h2 class="groupheader">Member Data Documentation</h2>\n' + box("two", "") +
-            box("three", "") + "<hr/>The documentation for this struct was generated from the following file:<ul></ul>", "structA.html")
-        self.assertTrue(page.startswith('<h1 class="title">A</h1>\n<a name="details" id="details"></a>\n<div>Brief. All of it.</div>'))
+            box("one", "<dl><dd>its parameters</dd></dl>") + box("four", "") + '<h2 class="groupheader">Member Data Documentation</h2>\n' + box("two", "") +
+            box("three", "") + "<hr/>The documentation for this struct was generated from the following file:<ul></ul></div>",
+            {}))
+        class_page(tree, "structA.html")
+        page = lxml_html.tostring(tree, encoding="unicode")
+        self.assertHas(page, '<h1 class="title">A</h1>\n<div class="contents"><a name="details" id="details"></a>'
+                             '<div>Brief. All of it.</div>')
         self.assertHas(page, 'structA.html#one">More...')
         self.assertIn("says one", page[page.index("in detail"):])
+        self.assertEqual(page.count("says four"), 2)  # a template keeps its box
         for name in ("two", "three"):
-            self.assertHas(page, f'<a class="el" id="{name}" href="a_8hpp_source.html#l00001">{name}')
+            self.assertHas(page, f'<a class="el" href="a_8hpp_source.html#l00001" id="{name}">{name}')
             self.assertEqual(page.count(f"says {name}"), 1)
             self.assertNotIn(f"structA.html#{name}", page)
         self.assertNotIn("Data", page)
-        self.assertTrue(page.endswith("</div>\n<hr/>Declared in:<ul></ul>"))
+        self.assertRegex(page, "</div></div>\\s+<hr>Declared in:<ul></ul></div></body></html>$")
 
 
 if __name__ == "__main__":

@@ -2,9 +2,9 @@
 
 A file is a page, whose parts are apart by empty lines: `# Title` first; `## Title` begins a section; in a paragraph `$...$` is a
 formula, `` `...` `` is code, and the number of an equation in brackets becomes a link. Place-holders stand by themselves:
-`{{equation 26}}` is the form that holds, `{{steps A.5/constants}}` the steps of a claim as the run recorded them, `{{claims 26}}` a
-list of the claims on an equation whose steps the chapter does not show, `{{figure fig08_loaded_mass_response}}` a figure,
-`{{explore 57}}` the picture to explore an equation. `[words](page:label)` links to another page.
+`{{equation 26}}` is the form that holds, `{{steps A.5/constants}}` the steps of a claim as the run recorded them,
+`{{claims 26}}` a list of the claims on an equation whose steps the chapter does not show, `{{figure fig08_loaded_mass_response}}`
+a figure, `{{explore 57}}` the picture to explore an equation. `[words](page:label)` links to another page.
 """
 import re
 
@@ -39,8 +39,10 @@ def places_in_chapter(files):
 
 def chapter_views(run, files):
     """What the template shows of each page, and the faults: a claim on a result that the chapter leaves out is one."""
-    shown = {claim for content in files.values() for claim in re.findall(r"\{\{steps (.*?)\}\}", content)}
-    faults, mentioned, names = [], set(shown), list(files)
+    mentioned = {claim for content in files.values() for claim in re.findall(r"\{\{steps (.*?)\}\}", content)}
+    known = {"equation": run.entries, "claims": run.entries, "steps": run.claims, "explore": run.places,
+             "figure": {figure.name: figure for figure in run.figures}}
+    faults, names = [], list(files)
 
     def piece(block, place):
         """A section, a paragraph or a place-holder."""
@@ -48,25 +50,18 @@ def chapter_views(run, files):
             return {"kind": "section", "text": block[3:]}
         if not block.startswith("{{"):
             return {"kind": "text", "text": with_links(block.replace("\n", " "), place)}
-        found = re.fullmatch(r"\{\{(equation|steps|claims|figure|explore) (.*?)\}\}", block)
-        if not found:
-            raise Fault(f"a place-holder must be {{{{equation|steps|claims|figure|explore name}}}} by itself, not {block}, in {place}")
-        kind, name = found.groups()
-        known = {"steps": run.claims, "figure": {figure.name: figure for figure in run.figures}, "explore": run.places}
-        known = known.get(kind, run.entries)
-        if name not in known:
-            raise Fault(f"a place-holder must name a claim, an equation or a figure of the run, not ({name}), in {place}")
-        if kind in ("figure", "explore"):
-            return {"kind": kind, "name": name, "shown": known[name]}
-        if kind == "steps":
-            return {"kind": kind, "record": known[name], "steps": steps_of(run, known[name])}
-        claims = []
-        for claim in known[name]["claims"] if kind == "claims" else []:
+        kind, _, name = block.removeprefix("{{").removesuffix("}}").partition(" ")
+        if name not in known.get(kind, {}):
+            raise Fault(f"a place-holder must stand by itself and name an equation, a claim or a figure of the run, "
+                        f"like {{{{equation 26}}}}, not {block}, in {place}")
+        shown, claims = known[kind][name], []
+        for claim in shown["claims"] if kind == "claims" else []:
             record = record_of(run, claim["id"])
             if claim["role"] != "observation" and record["claim"] not in mentioned:
                 mentioned.add(record["claim"])
                 claims.append((claim, record))
-        return {"kind": kind, "entry": known[name], "claims": claims}
+        steps = steps_of(run, shown) if kind == "steps" else []
+        return {"kind": kind, "name": name, "shown": shown, "claims": claims, "steps": steps}
 
     views = []
     for at, name in enumerate(names):

@@ -4,6 +4,7 @@ The library writes an expression down with brackets around each operation. All f
 does, so that Python's own printer leaves out the brackets that say nothing, and the order of the operations stays.
 """
 import ast
+import re
 from collections import Counter, namedtuple
 from functools import cache
 
@@ -24,12 +25,11 @@ NAMES = {"sqrt(1 - zeta * zeta)": "w", "pi * sqrt(1 - zeta * zeta) / R": "theta"
 key_of = cache(ast.unparse)  # the same for the same computation
 
 
-class Writer:
+class Writer(ast.NodeTransformer):
     """Writes one formula in one language; within a loop over the modes, `scope` is what is summed."""
 
     def __init__(self, formula, language):
         self.formula, self.language, self.scope, self.body = formula, LANGUAGES[language], "", ""
-        self.operators = {" * ": " .* ", " / ": " ./ "} if language == "matlab" else {}
         self.uses, self.names, self.taken = Counter(), {}, set(formula["arguments"])
 
     def function(self, name, expressions):
@@ -37,7 +37,7 @@ class Writer:
         results = [ast.parse(expression, mode="eval").body for expression in expressions]
         for result in results:
             self.count(result, "")
-        written = [self.text(self.named(result)) for result in results]
+        written = [self.text(self.visit(result)) for result in results]
         pair, arguments, of_modes = len(results) > 1, self.formula["arguments"], self.formula["of_modes"]
         typed = [("const std::vector<double>& " if each in of_modes else "double ") + each for each in arguments]
         head = self.language.head.format(name=name, type="std::complex<double>" if pair else "double", plain=", ".join(arguments),
@@ -46,31 +46,26 @@ class Writer:
 
     def text(self, node):
         text = ast.unparse(node)
-        for python, other in self.operators.items():
-            text = text.replace(python, other)
-        return text
+        return re.sub(r" ([*/]) ", r" .\1 ", text) if self.language is LANGUAGES["matlab"] else text
 
     def count(self, node, scope):
         """How often a computation is needed; what stands within a loop over the modes stays there."""
-        if isinstance(node, (ast.Name, ast.Constant)):
-            return
-        key = key_of(node)
-        self.uses[scope, key] += 1
-        if self.uses[scope, key] == 1:
-            for child in operands(node):
-                self.count(child, key if key.startswith("sum(") and self.language.loop else scope)
+        key = scope, key_of(node)
+        self.uses[key] += 1
+        if self.uses[key] == 1:
+            inner = key[1] if key[1].startswith("sum(") and self.language.loop else scope
+            for child in ast.iter_child_nodes(node):
+                self.count(child, inner)
 
-    def named(self, node):
+    def visit(self, node):
         """A computation with names for what is needed twice, whose assignments stand in the body."""
-        if isinstance(node, ast.Constant):
-            return node
-        if isinstance(node, ast.Name):
-            indexed = self.scope and node.id in self.formula["of_modes"]
-            return ast.Name(self.language.pi if node.id == "pi" else f"{node.id}[i]" if indexed else node.id)
+        plain = isinstance(node, (ast.Name, ast.Constant, ast.operator, ast.unaryop, ast.expr_context))
+        if plain or isinstance(node, ast.UnaryOp) and isinstance(node.operand, (ast.Name, ast.Constant)):
+            return super().visit(node)
         key = self.scope, key_of(node)
         if key not in self.names:
-            made = self.computed(node)
-            if self.uses[key] < 2 or isinstance(node, ast.UnaryOp) and isinstance(node.operand, (ast.Name, ast.Constant)):
+            made = super().visit(node)
+            if self.uses[key] < 2:
                 return made
             self.names[key] = self.free([NAMES.get(key[1])] + [f"t{n}" for n in range(1, 100)])
             self.body += f"    {self.language.assignment.format(self.names[key], self.text(made))}\n"
@@ -82,35 +77,32 @@ class Writer:
         self.taken.add(name)
         return name
 
-    def computed(self, node):
-        if isinstance(node, ast.UnaryOp):
-            return ast.UnaryOp(node.op, self.named(node.operand))
-        if isinstance(node, ast.BinOp):
-            left, right = self.named(node.left), self.named(node.right)
-            if self.language.prefix == "std::" and isinstance(left, ast.Constant) and isinstance(right, ast.Constant):
-                left = ast.Constant(float(left.value))  # which C++ would divide as integers
-            return ast.BinOp(left, node.op, right)
+    def visit_Name(self, node):
+        indexed = self.scope and node.id in self.formula["of_modes"]
+        return ast.Name(self.language.pi if node.id == "pi" else f"{node.id}[i]" if indexed else node.id)
+
+    def visit_BinOp(self, node):
+        left, right = self.visit(node.left), self.visit(node.right)
+        if self.language.prefix == "std::" and isinstance(left, ast.Constant) and isinstance(right, ast.Constant):
+            left = ast.Constant(float(left.value))  # which C++ would divide as integers
+        return ast.BinOp(left, node.op, right)
+
+    def visit_Call(self, node):
         name = node.func.id
         if name == "sum" and self.language.loop:
             return self.loop(node)
         name = "arctan2" if name == "atan2" and self.language.prefix == "np." else name
-        return ast.Call(ast.Name(self.language.prefix + name), [self.named(each) for each in node.args], [])
+        return ast.Call(ast.Name(self.language.prefix + name), [self.visit(each) for each in node.args], [])
 
     def loop(self, node):
         """A sum over the modes in a loop with names of its own."""
         name, before, outside = self.free(["sum"] + [f"sum_{n}" for n in range(2, 100)]), self.body, self.scope
         text, self.body, self.scope = key_of(node), "", key_of(node)
-        term = self.text(self.named(node.args[0]))
+        term = self.text(self.visit(node.args[0]))
         lines = "".join(f"    {line}\n" for line in self.body.splitlines())
         first = next(each for each in self.formula["of_modes"] if each in text)
         self.body, self.scope = f"{before}    {self.language.loop.format(name, first, lines, term)}", outside
         return ast.Name(name)
-
-
-def operands(node):
-    if isinstance(node, ast.Call):
-        return node.args
-    return [node.operand] if isinstance(node, ast.UnaryOp) else [node.left, node.right]
 
 
 def code_of(formula, language, form="holds"):

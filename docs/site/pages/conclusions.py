@@ -1,8 +1,8 @@
 """Do the conclusions survive? The statements of the paper's text in its order, with the verdicts of the run, in plain words.
 
-A person writes the sentence on a claim, docs/ledger/in_words.json; the numbers in it are those of the run: `{beta}` is the value of
-the witness that has this name, to three digits, `{beta:2}` to two, `{error:%}` in percent. A sentence is for one verdict: where
-the run finds another one, the pages are not made.
+A person writes the sentence on a claim, docs/ledger/in_words.json; the numbers in it are those of the run: `{beta}` is the value
+of the witness that has this name, to three digits, `{beta:2}` to two, `{error:%}` in percent. A sentence is for one verdict:
+where the run finds another one, the pages are not made.
 """
 import math
 import re
@@ -15,11 +15,10 @@ from .text import Fault, digits, typeset
 # What a verdict means to a reader, and the colour of its mark.
 ANSWERS = {"proved": ("holds, proved", "proved"), "argued": ("holds, by an argument that is given", "argued"),
            "measured": ("holds where it was measured", "measured"), "refuted": ("false", "refuted"),
-           "refuted at a threshold of ours": ("false at the threshold that was chosen", "illegible"), "assumption": ("assumed", "assumption"),
-           "slip of reference": ("cites the wrong equation or figure", "illegible"), "not decided": ("not decided", "open")}
+           "refuted at a threshold of ours": ("false at the threshold that was chosen", "illegible"),
+           "assumption": ("assumed", "assumption"), "slip of reference": ("cites the wrong equation or figure", "illegible"),
+           "not decided": ("not decided", "open")}
 NUMBER_WORDS = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"]
-SECTIONS = {"1": "Introduction", "3.2.1": "Time responses", "3.2.2": "Amplitudes, phases and regimes", "5": "Concluding remarks"}
-
 
 SYSTEM = re.compile(r"(?:(\d+)DOF j=(\d+) l=(\d+)|SDOF)[, ]*(?:zeta=(\S+)|(undamped))?(.*)")
 
@@ -43,9 +42,10 @@ def scene_of(record):
         return None
     masses, contact, load, zeta, _, _ = found.groups()
     zeta = float(zeta or values.get("zeta", "0"))
-    ratios = [zeta] if masses != "2" else [zeta / r_n for r_n in ((math.sqrt(5) - 1) / 2, (math.sqrt(5) + 1) / 2)]  # Figs. 8 to 10
-    return (f"machine.html#N={masses or 1}&g=1&k=1&z={','.join(f'{ratio:.6g}' for ratio in ratios)}&j={contact or 1}&l={load or 1}"
-            f"&r={float(values['r']):.6g}&b={float(values['beta']):.6g}")
+    frequencies = ((math.sqrt(5) - 1) / 2, (math.sqrt(5) + 1) / 2) if masses == "2" else (1,)  # of Figs. 8 to 10
+    ratios = ",".join(f"{zeta / r_n:.6g}" for r_n in frequencies)
+    return (f"machine.html#N={masses or 1}&g=1&k=1&z={ratios}&j={contact or 1}&l={load or 1}&r={float(values['r']):.6g}"
+            f"&b={float(values['beta']):.6g}")
 
 
 def with_numbers(words, record, claim):
@@ -90,22 +90,16 @@ def number_of_ours(threshold):
 def decided_by(run, claim):
     """What a page says of a claim: its sentence, or what is wrong with the printed equation, or nothing."""
     equation, words = claim["id"].partition("/")[0], run.in_words.get(claim["id"])
-    view = SimpleNamespace(id=claim["id"], verdict=claim["verdict"], said="", equation=equation, misprint=False, numbers=[],
-                           picture=None, record=None, place=None)
     if claim["id"] not in run.claims:  # an id for all claims that begin with it
-        return view
-    view.record = record = record_of(run, claim["id"])
-    if words:
-        view.said = sentence_on(run, claim["id"], claim["verdict"])
-        view.picture = words.get("picture")
-    elif claim["verdict"] in ("refuted", "refuted at a threshold of ours"):
-        view.misprint = equation in run.departures
-        if not view.misprint:
-            raise Fault(f"docs/ledger/in_words.json has no sentence on {claim['id']}")
-    if "refuted" in claim["verdict"]:
-        view.numbers = [number_of_ours(threshold) for threshold in record["thresholds"]]
-        view.place = run.places.get(equation) if view.misprint else scene_of(record)
-    return view
+        return SimpleNamespace(equation=equation, said="", misprint=False, numbers=[], picture=None, record=None, place=None)
+    record, refuted = record_of(run, claim["id"]), "refuted" in claim["verdict"]
+    misprint = refuted and not words and equation in run.departures
+    if refuted and not words and not misprint:
+        raise Fault(f"docs/ledger/in_words.json has no sentence on {claim['id']}")
+    place = run.places.get(equation) if misprint else scene_of(record) if refuted else None
+    return SimpleNamespace(equation=equation, said=sentence_on(run, claim["id"], claim["verdict"]), misprint=misprint,
+                           numbers=[number_of_ours(threshold) for threshold in record["thresholds"]] if refuted else [],
+                           picture=words and words.get("picture"), record=record, place=place)
 
 
 def conclusions_view(run):
@@ -118,9 +112,9 @@ def conclusions_view(run):
         names = [claim.picture for claim in claims if claim.picture in figures]
         answer, colour = ANSWERS[row["verdict"]]
         remark = re.sub(r"\bfig0?(\d+)\b", r"Fig. \1", row["remark"])
-        rows.append(dict(row, remark=remark, answer=answer, colour=colour, claims=claims, figure=figures[names[0]] if names else None,
-                         new=bool(names) and names[0] not in shown,
-                         place=next((claim.place for claim in claims if claim.place), None)))
+        place = next((claim.place for claim in claims if claim.place), None)
+        rows.append(dict(row, remark=remark, answer=answer, colour=colour, claims=claims, place=place,
+                         figure=figures[names[0]] if names else None, new=bool(names) and names[0] not in shown))
         shown.update(names[:1])
     count = Counter(row["answer"] for row in rows)
-    return dict(statements=rows, count=[(answer, colour, count[answer]) for answer, colour in ANSWERS.values()], names=SECTIONS)
+    return dict(statements=rows, count=[(answer, colour, count[answer]) for answer, colour in ANSWERS.values()])

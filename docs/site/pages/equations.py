@@ -92,7 +92,7 @@ def sorted_claims(entry):
 
 
 def witness_names(run, witness, claim=""):
-    """The values of a witness with their names typeset, as the derivation has them if it does; what fails and what holds come last."""
+    """The values of a witness with their names typeset, as the derivation has them if it does; last what fails and what holds."""
     latex = {name: meant_by(run, claim, run.symbols.get(name) or symbol(name, True)) for name in witness}
     words = {"derived": "what holds", "under test": "as printed" if claim.endswith("/printed") else "the formula"}
     return [(formula(latex[name]) if latex[name] else prose(words.get(name, name)), witness[name])
@@ -120,9 +120,10 @@ def statement_of(run, entry):
     of_formula = {name: value for name, value in entry["witness"].items()
                   if is_of_formula(run, name, f"{read} {entry['correction']}")}
     parts = re.split(r"\$\$(.*?)\$\$", departure.why) if departure and departure.why else []
-    why = "".join(displayed(part) if at % 2 else f"<p>{typeset(part, 'docs/ledger/departures.json')}</p>" for at, part in enumerate(parts))
-    return SimpleNamespace(departure=departure, marked=marked, why=why, printed=departure.printed if marked else read, held=held, two=two,
-                           short=two and len(read) < 110 and len(without_marks(held)) < 110,
+    why = "".join(displayed(part) if at % 2 else f"<p>{typeset(part, 'docs/ledger/departures.json')}</p>"
+                  for at, part in enumerate(parts))
+    return SimpleNamespace(departure=departure, marked=marked, why=why, printed=departure.printed if marked else read, held=held,
+                           two=two, short=two and len(read) < 110 and len(without_marks(held)) < 110,
                            symbols=symbols_in(run.notation, latex), witness=of_formula or entry["witness"])
 
 
@@ -149,7 +150,8 @@ def theorems_of(ledger):
     for entry in ledger:
         for kind in ("theorems", "negations"):
             for theorem in entry.get("kernel", {}).get(kind, []):
-                theorems.setdefault(theorem["name"], {"says": theorem["name"], "status": "not_run"} | theorem | {"equations": []})["equations"].append(entry["equation"])
+                told = {"says": theorem["name"], "status": "not_run"} | theorem | {"equations": []}
+                theorems.setdefault(theorem["name"], told)["equations"].append(entry["equation"])
     return theorems
 
 
@@ -169,7 +171,7 @@ def in_namespace(functions, name):
 
 def accuracy_rows(run, equation=None):
     """Rows of the records of accuracy, with the number type of each; of one equation, or all."""
-    return [(record["type"], row) for record in run.accuracy for row in record["functions"]
+    return [row | {"type": record["type"]} for record in run.accuracy for row in record["functions"]
             if equation is None or equation in row["equations"]]
 
 
@@ -182,20 +184,16 @@ def equation_view(run, sources, entry):
     own, others, observations = ([claim_view(run, sources, claim, equation) for claim in claims]
                                  for claims in sorted_claims(entry))
     statement, correction = statement_of(run, entry), entry["correction"]
-    accuracy = [row for type, row in accuracy_rows(run, equation) if type == "double"]
+    accuracy = [row for row in accuracy_rows(run, equation) if row["type"] == "double"]
     departure, code, questions = statement.departure, run.formulas.get(equation), run.questions.get(equation, [])
     cost = fails(entry["printed"]) and bool(entry.get("scene") or entry["consequence"])
     more = [what for there, what in (
         (forms, "the forms that keep their digits"), (others, counted(len(others), "further claim", "further claims")),
         (accuracy, "the measured accuracy"), (callers, "the functions that use it")) if there]
-    contents = [(key, title) for key, title, there in (
-        ("why", "why it is wrong", statement.why), ("cost", "what it costs", cost), ("proof", "proof", True), ("functions", "function", True), ("check", "check your number", code or questions),
-        ("figures", "figure", entry["figures"]), ("tests", "tests", True), ("observations", "what the text says", observations),
-        ("kernel", "kernel", True), ("more_link", "more", more)) if there]
     return dict(
         entry=entry, equation=equation, name=equation_label(equation), statement=statement, fails=fails(entry["printed"]),
         previous=EQUATIONS[at - 1] if at else None, next=EQUATIONS[at + 1] if at + 1 < len(EQUATIONS) else None,
-        place=run.places.get(equation), contents=contents, cost=cost, more=more,
+        place=run.places.get(equation), cost=cost, more=more,
         own=own, others=others, observations=observations, paper=paper, forms=forms, callers=callers, code=code,
         questions=questions, figures=[figure_named(run, name) for name in entry["figures"]], kernel=kernel_of(run, entry),
         tests=[(name, verdict, sources.test(name)) for key, verdict in (("tests_failed", "failed"), ("tests", "passed"))

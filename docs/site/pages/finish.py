@@ -1,60 +1,31 @@
-"""Passes over the HTML that Doxygen wrote: links to sources and pages; headings, what of Doxygen's pages nobody reads, the list
-for the search; and the links of the whole site are followed."""
+"""What Doxygen wrote becomes the site: links to sources, headings, what of Doxygen's pages nobody reads, the list for the search;
+and the links of the whole site are followed."""
 import json
 import os
 import re
 from xml.etree import ElementTree
 
-from .doxygen import cut, text_of_html, trim
+from lxml import html
+
+from .doxygen import boxes, first, text_of, trim
 
 PAPER = "https://doi.org/10.1016/j.jsv.2022.117085"
 LONGEST_TEXT = 1200  # bytes that the search keeps of a page
+# What is no text of a page for the search: what leads elsewhere, what is to be filled in, and what documents a name by itself.
+NOT_TEXT = """self::script or self::style or self::form or self::h2/@class='memtitle' or
+              contains(' eq-nav eq-contents copies memitem ', concat(' ', @class, ' '))"""
+WORDS = {"Public Types": "Types", "Public Member Functions": "Functions", "Static Public Member Functions": "Static functions",
+         "Public Attributes": "Members", "Static Public Attributes": "Static members"} | {
+    f"{doxygens} Documentation": f"The {ours} in detail" for doxygens, ours in {
+        "Constructor &amp; Destructor": "constructors", "Member Function": "functions", "Member Data": "members",
+        "Member Typedef": "types", "Member Enumeration": "enumerations", "Friends And Related Function": "friends"}.items()}
 
 
-# Links to sources and pages
-
-
-def read_tags(tagfile, root):
-    """The addresses of pages by their labels, and of sources by their paths from the root."""
-    addresses = {}
-    for compound in ElementTree.parse(tagfile).iterfind("compound"):
-        path, name, file = map(compound.findtext, ("path", "name", "filename"))
-        if compound.get("kind") == "page":
-            addresses[f"page:{name}"] = file.removesuffix(".html") + ".html"
-        elif compound.get("kind") == "file":
-            addresses[f"source:{os.path.relpath(root / path / name, root)}"] = file.removesuffix(".html") + "_source.html"
-    return addresses
-
-
-def with_links(page, addresses, missing, targets):
-    """A page with its links `source:FILE:LINE`, `source:FILE` and `page:LABEL` resolved."""
-    def resolved(link):
-        target, line = link[1], ""
-        if target not in addresses:
-            target, _, line = target.rpartition(":")
-        if target not in addresses or (line and not re.fullmatch("[0-9]{1,6}", line)):
-            missing.add(link[1])
-            return link[0]
-        address = addresses[target] + (f"#l{int(line):05d}" if line else "")
-        targets.add(address)
-        return f'href="{address}"'
-
-    return re.sub(r'href="((?:source|page):[^"]*)"', resolved, page)
-
-
-def link(site, tagfile, source):
-    """Resolves the links of all pages; with faults nothing is written."""
-    addresses, changed, faults, targets = read_tags(tagfile, source.resolve()), {}, set(), set()
-    for file in sorted(site.rglob("*.html")):
-        missing = set()
-        changed[file] = with_links(file.read_text(), addresses, missing, targets)
-        faults |= {f"{file.name} links to {target}, which the site does not have" for target in missing}
-    for file, text in {} if faults else changed.items():
-        file.write_text(text)
-    return f"links to {len(targets)} places in the sources and pages", sorted(faults)
-
-
-# Headings, tables, the search
+def sources_of(tagfile, root):
+    """The pages of sources by their paths from the root."""
+    files = ElementTree.parse(tagfile).iterfind("compound[@kind='file']")
+    return {os.path.relpath(root / file.findtext("path") / file.findtext("name"), root):
+            file.findtext("filename").removesuffix(".html") + "_source.html" for file in files}
 
 
 def readable_source(page):
@@ -64,20 +35,26 @@ def readable_source(page):
     return re.sub(r"@eq\{([^}]*)\}", r"(\1)", page).replace("@brief ", "")
 
 
-def finished_page(page):
-    """A page as readers get it: its title as the heading of first order, wide tables in boxes that scroll."""
+def finished_page(page, sources):
+    """A page as readers get it: its title as the heading of first order, links to sources resolved, wide tables in boxes that
+    scroll."""
     if "<h1>" in page and 'class="memtitle"' not in page:  # sections stand below the title
         page = re.sub("(</?h)([123])>", lambda heading: f"{heading[1]}{int(heading[2]) + 1}>", page)
     page = re.sub(r'<div class="title">(.*?)(?=</div>|<div)', r'<div><h1 class="title">\1</h1>', page, count=1, flags=re.S)
     boxed = r'<div class="table-box" tabindex="0">\g<0></div>'
     page = re.sub('<table class="markdownTable">.*?</table>', boxed, page, flags=re.S)
-    page = cut(page, '<div class="summary">', "</div>")  # its links lead to headings that are left out where all is private
-    return re.sub('<div class="(fragment|memproto)">', r'<div class="\1" tabindex="0">', page)
+    page = re.sub('<div class="(fragment|memproto)">', r'<div class="\1" tabindex="0">', page)
+    page = re.sub(r"([\w:]+) Namespace Reference", r"Namespace \1", page)
+    for doxygens, ours in WORDS.items():
+        page = re.sub(f"(\n|>){doxygens}</h2>", rf"\1{ours}</h2>", page)
+    # A link to a source that the site does not have stays, and is found as a fault.
+    return re.sub(r'(?<=href=")source:([^:"]*):?([^"]*)',
+                  lambda link: sources.get(link[1], link[0]) + (f"#l{link[2]:>05}" if link[2] else ""), page)
 
 
-def shortened(html):
+def shortened(text):
     """What the search keeps of a text: not too much, and formulas without their TeX."""
-    text = re.sub(r"\\[()]|[\\{}]", "", text_of_html(html))
+    text = re.sub(r"\\\[.*?\\\]|\\[()]|[\\{}]", "", text)
     return text.encode()[:LONGEST_TEXT].decode(errors="ignore")
 
 
@@ -91,33 +68,17 @@ def kind_of_page(name):
     return 4 if of_code or "_8" in name or "-members" in name else 2
 
 
-def between(text, opening, closing):
-    """What stands between two marks; empty where they are not there."""
-    found = re.search(re.escape(opening) + "(.*?)" + re.escape(closing), text, re.S)
-    return found[1] if found else ""
-
-
-def search_documents(page, name):
+def search_documents(tree, name):
     """What the search knows of a page: an entry for the page and one for each documented name on it."""
-    title = text_of_html(between(page, '<h1 class="title">', "</h1>"))
-    if not title:
+    title, named = first(tree, '//h1[@class="title"]'), first(tree, '//span[@class="named"]')
+    if title is None:
         return []
-    if name_of_equation := between(page, '<span class="named">', "</span>"):
-        title += ": " + shortened(name_of_equation)
-    body = between(page, '<div class="contents">', "<footer")
-    for opening, closing in (('<div class="eq-nav">', "</div>"), ('<p class="eq-contents">', "</p>"),
-                             ('<div class="copies">', "</div>"), ("<form", "</form>"), (r"\[", r"\]")):
-        body = cut(body, opening, closing)
-    first, *items = body.split('<h2 class="memtitle">')
-    found = [(title, name, first)]
-    for item in items:
-        heading = item.partition("</h2>")[0]
-        anchor, named = between(heading, 'href="#', '"'), heading.partition("</span>")[2]
-        if anchor and "</span>" in heading:
-            documented = '<div class="memdoc">'
-            found.append((text_of_html("</span>" + named), f"{name}#{anchor}", documented + item.partition(documented)[2]))
-    kind = kind_of_page(name)
-    return [{"kind": kind, "text": shortened(text), "title": title, "url": url} for title, url, text in found]
+    title = text_of(title) + ("" if named is None else ": " + shortened(text_of(named)))
+    found = [(title, name, text_of(first(tree, '//div[@class="contents"]'), NOT_TEXT))]
+    for anchor, heading, box in boxes(tree):
+        said = text_of(first(box, './/div[@class="memdoc"]'))
+        found.append((text_of(heading, "@class='permalink'"), f"{name}#{anchor.get('id')}", said))
+    return [{"kind": kind_of_page(name), "text": shortened(text), "title": title, "url": url} for title, url, text in found]
 
 
 def fault_of_link(page, target, site, anchors):
@@ -131,23 +92,22 @@ def fault_of_link(page, target, site, anchors):
     return f"{page} leads to {target}, but there is no such place on that page" if anchor and anchor not in place else None
 
 
-def finish(site):
+def finish(site, tagfile, source):
     """Finishes all pages of a site, writes the list for the search and the map of the site, and follows all links."""
-    before = {file.name: file.read_text() for file in sorted(site.glob("*.html"))}
-    texts = trim({name: readable_source(text) if name.endswith("_source.html") else finished_page(text)
-                  for name, text in before.items()})
-    for name in before.keys() - texts.keys():
-        (site / name).unlink()
-    texts = dict(sorted(texts.items()))
-    for name, text in texts.items():
-        if text != before.get(name):
-            (site / name).write_text(text)
-    documents = sum((search_documents(text, name) for name, text in texts.items() if not name.endswith("_source.html")), [])
-    (site / "sitemap.txt").write_text("".join(f"{name}\n" for name in texts if kind_of_page(name) < 4))
+    sources, files = sources_of(tagfile, source.resolve()), sorted(site.glob("*.html"))
+    texts = {file.name: file.read_text() for file in files}
+    trees = dict(sorted(trim({name: readable_source(text) if name.endswith("_source.html") else finished_page(text, sources)
+                              for name, text in texts.items()}).items()))
+    for file in files:
+        file.unlink()
+    for name, tree in trees.items():
+        (site / name).write_text(html.tostring(tree, encoding="unicode", doctype="<!DOCTYPE html>"))
+    documents = sum((search_documents(tree, name) for name, tree in trees.items() if not name.endswith("_source.html")), [])
+    (site / "sitemap.txt").write_text("".join(f"{name}\n" for name in trees if kind_of_page(name) < 4))
     listed = json.dumps(documents, indent=0, ensure_ascii=False)
     (site / "search-documents.js").write_text(f"window.searchDocuments = {listed};\n")
-    anchors = {name: set(re.findall(r' (?:id|name)="([^"]*)"', text)) for name, text in texts.items()}
-    links = [(name, target) for name, text in texts.items() for target in re.findall(r' (?:href|src)="([^"]*)"', text)
+    anchors = {name: set(tree.xpath("//@id|//a/@name")) for name, tree in trees.items()}
+    links = [(name, target) for name, tree in trees.items() for target in tree.xpath("//@href|//@src")
              if target and target != PAPER and not target.startswith(("data:", "javascript:void"))]
     faults = [fault for fault in (fault_of_link(name, target, site, anchors) for name, target in links) if fault]
-    return f"{len(texts)} pages, {len(links)} links followed, {len(documents)} entries for the search", faults
+    return f"{len(trees)} pages, {len(links)} links followed, {len(documents)} entries for the search", faults

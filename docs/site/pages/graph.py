@@ -24,20 +24,19 @@ def depths(ledger):
 def layout(ledger, columns=3):
     """Row and column of each equation, in the band of its section, at most so many columns wide; what does not fit goes on in the
     row below. The bands are in the order of the paper, but the Appendix stands after Section 2.2, which asks for it."""
-    depth = depths(ledger)
-    cells = defaultdict(list)
+    depth, levels = depths(ledger), defaultdict(lambda: defaultdict(list))
     for entry in ledger:
-        cells[depth[entry["equation"]], entry.get("section", "")].append(entry["equation"])
-    order = sorted({section for _, section in cells}, key=lambda section: section.replace("Appendix", "2.2 and its appendix"))
-    width = {name: min(columns, max(len(cell) for (_, section), cell in cells.items() if section == name)) for name in order}
+        levels[depth[entry["equation"]]][entry.get("section", "")].append(entry["equation"])
+    order = sorted({section for level in levels.values() for section in level},
+                   key=lambda section: section.replace("Appendix", "2.2 and its appendix"))
+    width = {section: min(columns, max(len(level.get(section, ())) for level in levels.values())) for section in order}
     places, line = {}, 0
-    for level in range(max(depth.values()) + 1):
-        row = {section: cell for (deep, section), cell in cells.items() if deep == level}
-        for section, cell in row.items():
-            first = sum(width[before] for before in order[:order.index(section)])
+    for _, level in sorted(levels.items()):
+        for section, cell in level.items():
+            left = sum(width[before] for before in order[:order.index(section)])
             for i, equation in enumerate(cell):
-                places[equation] = (line + i // width[section], first + i % width[section])
-        line += max(-(-len(cell) // width[section]) for section, cell in row.items())
+                places[equation] = (line + i // width[section], left + i % width[section])
+        line = 1 + max(row for row, _ in places.values())
     return places
 
 

@@ -28,7 +28,7 @@ def told(command, asked=""):
 
 def read_run(verify, source):
     """Everything that the pages are made of."""
-    ledger = read_json(verify / "paper/ledger.json")
+    ledger, written = read_json(verify / "paper/ledger.json"), source / "docs/ledger"
     claims = {claim["claim"]: claim for claim in read_json(verify / "paper/derivation.json")}
     exported = verify / "kernel/certificates.json"
     certificates = read_json(exported)["certificates"] if exported.exists() else []
@@ -48,10 +48,11 @@ def read_run(verify, source):
             for row in rows.splitlines()],
         conformance={file.stem: file.read_text() for file in (verify / "conformance").glob("*.md")},
         departures={row["equation"]: SimpleNamespace(**({"printed": "", "holds": "", "why": ""} | row))
-                    for row in read_json(source / "docs/ledger/departures.json")},
+                    for row in read_json(written / "departures.json")},
         statements=read_json(verify / "paper/statements.json"),
-        in_words={row["claim"]: row for row in read_json(source / "docs/ledger/in_words.json")},
-        stand_for=read_json(source / "docs/ledger/stand_for.json"), names=read_json(source / "docs/ledger/names.json"), notation=read_symbols((source / "docs/notation.md").read_text()), places=read_json(source / "docs/explore/places.json"),
+        in_words={row["claim"]: row for row in read_json(written / "in_words.json")},
+        stand_for=read_json(written / "stand_for.json"), names=read_json(written / "names.json"),
+        notation=read_symbols((source / "docs/notation.md").read_text()), places=read_json(source / "docs/explore/places.json"),
         formulas=offers["formulas"], questions=offers["questions"], excess_of_67=excess_of_67(program),
         motion=motion_of_example(program, source / "docs/example.json"))
 
@@ -84,8 +85,8 @@ def faults_of_stand_ins(run):
     """A symbol of stand_for.json that stands in no formula of its claims would leave what it means unsaid."""
     return [f"docs/ledger/stand_for.json has {symbol} for claims {row['claims']}, in none of which it stands"
             for row in run.stand_for for symbol, _ in row["symbols"]
-            if not any(re.search(symbol, step["latex"]) for claim, record in run.claims.items() if re.fullmatch(row["claims"], claim)
-                       for step in record["steps"])]
+            if not any(re.search(symbol, step["latex"]) for claim, record in run.claims.items()
+                       if re.fullmatch(row["claims"], claim) for step in record["steps"])]
 
 
 def meant_by(run, claim, latex):
@@ -117,7 +118,8 @@ def read_figures(folder, source):
         if name not in captions:
             raise Fault(f"figure {name} must have its caption in docs/ledger/figures.json")
         record = read_json(folder / f"{name}.json") if (folder / f"{name}.json").exists() else None
-        title = (record["title"] if record else title_of_script(scripts[name].read_text().splitlines())).replace("->", "→").replace("zeta", "ζ")
+        title = record["title"] if record else title_of_script(scripts[name].read_text().splitlines())
+        title = title.replace("->", "→").replace("zeta", "ζ")
         number = f"Fig. {int(name[3:5])}" if name.startswith("fig") else ""
         data = [file.name for ending in (".pdf", ".dat", ".csv") for file in sorted(folder.glob(f"{name}*{ending}"))]
         figures.append(SimpleNamespace(
@@ -143,19 +145,17 @@ def of_other_masses(latex):
 def read_symbols(notation):
     """The paper's symbols from the tables of the notation page."""
     symbols = []
-    for line in notation.partition("\n## Symbols of ours\n")[0].splitlines():
-        if not line.startswith("| $"):
-            continue
-        cells = [cell.strip(" ") for cell in line[1:].removesuffix("|").split("|")]
+    for row in re.findall(r"^\| (\$.*)\|$", notation.partition("\n## Symbols of ours\n")[0], re.M):
+        cells = [cell.strip() for cell in row.split("|")]
         if len(cells) < 4:
-            raise Fault(f"a symbol must have its meaning and its equation: {line}")
-        equations = [number for number in re.findall(r"\(([^)]*)\)", cells[3]) if number in EQUATIONS]
+            raise Fault(f"a symbol must have its meaning and its equation: {row}")
         for latex in re.findall(r"\$([^$]*)\$", cells[0]):
             latex = re.sub(r"(\\overline|\\mathbf|\\dot) (.)", r"\1{\2}", latex).replace(r"\boldsymbol\Psi", r"\boldsymbol{\Psi}")
             latex = latex.replace("'", "")
             if latex not in ("", "j", "l", "t"):
-                symbols.append(SimpleNamespace(latex=of_other_masses(latex), meaning=cells[2], equations=equations,
-                                               units=cells[4] if len(cells) > 4 else ""))
+                symbols.append(SimpleNamespace(
+                    latex=of_other_masses(latex), meaning=cells[2], units=cells[4] if len(cells) > 4 else "",
+                    equations=[number for number in re.findall(r"\(([^)]*)\)", cells[3]) if number in EQUATIONS]))
     if not symbols:
         raise Fault("the notation page must have tables of symbols")
     return symbols
@@ -181,26 +181,17 @@ def symbols_in(symbols, latex):
 
 def faults_of_departures(departures, ledger):
     """Why the departures do not fit the run: one without a sentence, a sentence too many, or another formula than printed."""
-    def bare(latex):
-        for part in (r"\misprint", r"\mended", r"\begin{aligned}", r"\end{aligned}", r"\vphantom{\frac{V}{V}}",
-                     r"\vphantom{\sqrt{V_{dj}^2}}", r"\Bigl", r"\Bigr", r"\left.", r"\right.", r"\left", r"\right"):
-            latex = latex.replace(part, "")
-        return re.sub(r"[{}&\s\\]", "", latex)
-
+    marks = re.compile(r"\\vphantom\{(\\frac\{V\}\{V\}|\\sqrt\{V_\{dj\}\^2\})\}|\\(begin|end)\{aligned\}|"
+                       r"\\(misprint|mended|Bigl|Bigr|left\.?|right\.?)|[{}&\s\\]")
     faults = []
     for entry in ledger:
-        place = f"docs/ledger/departures.json: ({entry['equation']})"
-        departure = departures.get(entry["equation"])
-        if (entry["departure"] != "none") != (departure is not None):
-            faults.append(f"{place} " + ("has a sentence and does not depart" if departure else
-                                         "departs from the print and has no sentence"))
-        if departure is not None and entry["printed"] == "refuted" and not departure.why:
-            faults.append(f"{place} is refuted as printed and does not say why")
-        if departure is None or not departure.printed:
-            continue
-        printed, statement = bare(departure.printed), bare(entry["statement"])
-        if printed != statement:
-            faults.append(f"{place} without its marks is not the printed formula: {printed} against {statement}")
-        if entry["equation"] != "68" and not (r"\misprint{" in departure.printed and r"\mended{" in departure.holds):
-            faults.append(f"{place} shows no difference")
+        departure, departs = departures.get(entry["equation"]), entry["departure"] != "none"
+        printed, statement = (marks.sub("", latex) for latex in (departure.printed if departure else "", entry["statement"]))
+        differs = departure and r"\misprint{" in departure.printed and r"\mended{" in departure.holds
+        faults += [f"docs/ledger/departures.json: ({entry['equation']}) {told}" for told, there in (
+            ("has a sentence and does not depart", departure and not departs),
+            ("departs from the print and has no sentence", departs and not departure),
+            ("is refuted as printed and does not say why", departure and entry["printed"] == "refuted" and not departure.why),
+            (f"without its marks is not the printed formula: {printed} against {statement}", printed and printed != statement),
+            ("shows no difference", printed and not differs and entry["equation"] != "68")) if there]
     return faults

@@ -9,18 +9,19 @@ import jinja2
 
 from . import text
 from .chapter import chapter_views, places_in_chapter, read_chapter
-from .check import faults_of_pages
 from .code import code_of
 from .conclusions import conclusions_view
-from .equations import LONGEST_STATEMENT, SAMPLES, SAMPLES_OF_MODES, accuracy_rows, equation_view, in_namespace, theorems_of, witness_names
+from .equations import (LONGEST_STATEMENT, SAMPLES, SAMPLES_OF_MODES, accuracy_rows, equation_view, in_namespace, theorems_of,
+                        witness_names)
 from .graph import graph_of
 from .records import faults_of_departures, faults_of_stand_ins, read_run, record_of
 from .sources import Sources, code_lines, coq_lines
-from .text import EQUATIONS, Fault, closed_marks, html, statement_that_holds, told_in, verdict_text, without_marks
+from .text import EQUATIONS, Fault, html, statement_that_holds, told_in, verdict_text, without_marks
 
-SECTIONS = {"2.1": "Formulation", "2.2": "Modal superposition", "2.3": "The mass in contact", "2.4": "Time response",
-            "2.5": "The other masses", "2.6": "Domain of validity", "3.1": "Numerical approach", "4.1": "Resonances",
-            "4.2": "Low and high frequency ratios", "4.3": "Invariant points and the stuck contact"}
+SECTIONS = {"1": "Introduction", "2.1": "Formulation", "2.2": "Modal superposition", "2.3": "The mass in contact",
+            "2.4": "Time response", "2.5": "The other masses", "2.6": "Domain of validity", "3.1": "Numerical approach",
+            "3.2.1": "Time responses", "3.2.2": "Amplitudes, phases and regimes", "4.1": "Resonances",
+            "4.2": "Low and high frequency ratios", "4.3": "Invariant points and the stuck contact", "5": "Concluding remarks"}
 DEPARTURES = {"scan": "a slip of the scan", "misprint": "a misprint: the paper's own other equations contradict it",
               "substance": "an error of substance: it does not hold as it is meant",
               "convention": "a convention that the paper does not state"}
@@ -28,36 +29,18 @@ DEPARTURES = {"scan": "a slip of the scan", "misprint": "a misprint: the paper's
 
 def tables(markdown, prefix):
     """Headings, tables and sentences of a text in Markdown."""
-    parts, sections = [], 0
+    parts = []
     for is_table, lines in groupby(markdown.splitlines(), lambda line: line.startswith("|")):
         if is_table:
-            rows = [[cell.strip(" ").replace("\\|", "|") for cell in re.findall(r"((?:\\\||[^|])*)\|", line[1:])]
-                    for line in lines]
-            for row in rows:
-                if len(row) != len(rows[0]):
-                    raise Fault(f"a row of a table must have as many cells as its head: {row}")
-            parts.append({"rows": [row for row in rows if not re.fullmatch("[-: ]*", "".join(row))]})
-            continue
-        for line in filter(None, lines):
-            if line.startswith("#"):
-                sections += 1
-                parts.append({"heading": line.lstrip("# "), "label": f"{prefix}_{sections}"})
-            else:
-                parts.append({"text": line})
+            rows = [[cell.strip().replace("\\|", "|") for cell in re.split(r"(?<!\\)\|", line)[1:-1]] for line in lines]
+            if any(len(row) != len(rows[0]) for row in rows):
+                raise Fault(f"a row of a table must have as many cells as its head: {rows[0]}")
+            parts.append({"rows": rows[:1] + rows[2:]})  # the second one is a line
+        else:
+            parts += [{"heading": line.lstrip("# ")} if line.startswith("#") else {"text": line} for line in lines if line]
+    for number, heading in enumerate((each for each in parts if "heading" in each), 1):
+        heading["label"] = f"{prefix}_{number}"
     return parts
-
-
-def worst_of_functions(run):
-    """For each function in double the worst errors over its zones; those of the printed form None where one is not finite."""
-    rows = sorted((row for type, row in accuracy_rows(run) if type == "double"), key=lambda row: row["function"])
-    worst = []
-    for name, zones in groupby(rows, lambda row: row["function"]):
-        zones = list(zones)
-        printed = [zone["printed"] for zone in zones]
-        worst.append({"function": name, "equations": zones[-1]["equations"], "points": sum(zone["points"] for zone in zones),
-                      "printed": None if None in printed else max(printed),
-                      "shipped": max((zone["shipped"] for zone in zones if zone["shipped"] is not None), default=0)})
-    return worst
 
 
 def environment(run, sources):
@@ -70,7 +53,7 @@ def environment(run, sources):
         departure_text=lambda kind: DEPARTURES.get(kind, "none"),
         error=lambda worst: "not finite" if worst is None else text.typeset(text.digits(worst, 2), "an error"),
         snippet_lines=lambda function: code_lines(sources.snippet(function)),
-        brief=lambda function: sources.snippet(function).brief, number="{:.10g}".format, json=lambda value: json.dumps(value, ensure_ascii=False, separators=(",", ":")),
+        brief=lambda function: sources.snippet(function).brief, number="{:.10g}".format,
         sample=lambda name, of_modes: SAMPLES_OF_MODES[name] if of_modes else SAMPLES.get(name, "1"),
         names=lambda witness, claim="": witness_names(run, witness, claim), record=lambda claim: record_of(run, claim),
         in_order=lambda entries, key: [(name, list(group)) for name, group in groupby(entries, lambda entry: entry[key])],
@@ -85,6 +68,17 @@ def environment(run, sources):
     return jinja
 
 
+def faults_of_pages(pages):
+    """A sentence for each page with a dollar outside of a formula or a place-holder that nothing replaced. Doxygen finds labels
+    that are there twice or not at all, formulas that are not closed and LaTeX outside of them; KaTeX, a formula that is wrong."""
+    raw = re.compile(r"\\f\$.*?\\f\$|\\f\[.*?\\f\]|\\htmlonly.*?\\endhtmlonly", re.S)
+    texts = {name: raw.sub("", page) for name, page in pages.items()}
+    return [f"page {name} has {what}: {found[0]}" for name, text in texts.items()
+            for what, mark in (("a dollar outside of a formula", r"(?<!\\)\$.*"),
+                               ("a place-holder that nothing replaced", r"\{\{.*"))
+            if (found := re.search(mark, text))]
+
+
 def make_pages(run, sources, chapter):
     """The pages by name, and why they cannot be taken, a sentence each."""
     faults = [f"the ledger must have an entry for equation ({number})" for number in EQUATIONS if number not in run.entries]
@@ -96,6 +90,8 @@ def make_pages(run, sources, chapter):
 
     def add(name, template, view):
         page = jinja.get_template(f"{template}.html").render(view)
+        contents = ", ".join(rf'\ref {label} "{title}"' for label, title in re.findall(r"\\section (\S+) (.*)", page))
+        page = page.replace("<!--contents-->", contents)
         pages[name] = re.sub(r"\n*(\n\\(?:sub)?section .*\n)\n*", r"\n\1\n", page)  # a heading stands apart
 
     for figure in run.figures:
@@ -108,9 +104,11 @@ def make_pages(run, sources, chapter):
             if view["more"]:
                 add(view["name"] + "_more", "equation_more", view)
     views = {"audit": lambda: dict(zip(("summary", "audit"), tables(run.audit, "audit"), strict=True)),
-             "accuracy_page": lambda: dict(functions=worst_of_functions(run)), "conclusions": lambda: conclusions_view(run),
-             "equation_graph": lambda: dict(graph=graph_of(run.ledger)), "theorems": lambda: dict(theorems=theorems_of(run.ledger))}
-    for name in ("home", "equations", "errata", "errata_sheet", "stand_ins", "figures_page", "speed_page", "conformance_page", *views):
+             "accuracy_page": lambda: dict(zones=[row for row in accuracy_rows(run) if row["type"] == "double"]),
+             "conclusions": lambda: conclusions_view(run), "equation_graph": lambda: dict(graph=graph_of(run.ledger)),
+             "theorems": lambda: dict(theorems=theorems_of(run.ledger))}
+    for name in ("home", "equations", "errata", "errata_sheet", "stand_ins", "figures_page", "speed_page", "conformance_page",
+                 *views):
         with told_in(faults):
             add(name, name, views.get(name, dict)())
     views, faults_of_chapter = chapter_views(run, files)
@@ -123,8 +121,8 @@ def make_pages(run, sources, chapter):
 def script_files(run):
     """What the scripts of the pages read: symbols and statements for the formulas, places to go to, accuracy as a table."""
     as_json = lambda value: json.dumps(value, indent=0, ensure_ascii=False)
-    in_html = lambda words: closed_marks(html(words), "$", r"\(", r"\)")
-    symbols = [{"latex": symbol.latex, "meaning": closed_marks(in_html(symbol.meaning), "`", "<code>", "</code>"),
+    in_html = lambda words: re.sub("`(.*?)`", r"<code>\1</code>", re.sub(r"\$(.*?)\$", r"\\(\1\\)", html(words)))
+    symbols = [{"latex": symbol.latex, "meaning": in_html(symbol.meaning),
                 "units": symbol.units, "equations": symbol.equations} for symbol in run.notation]
     statements, places = {}, {}
     for entry in run.ledger:
@@ -137,8 +135,7 @@ def script_files(run):
         if figure.number:
             places[f"figure {figure.number[5:]}"] = f"{figure.label}.html"
     columns = ("function", "type", "zone", "points", "printed", "shipped", "shipped_at")
-    rows = [",".join(json.dumps((row | {"type": type})[column], ensure_ascii=False) for column in columns)
-            for type, row in accuracy_rows(run)]
+    rows = [",".join(json.dumps(row[column], ensure_ascii=False) for column in columns) for row in accuracy_rows(run)]
     return {"accuracy.csv": "\n".join([",".join(columns)] + rows) + "\n", "symbols.json": as_json(symbols) + "\n",
             "statements.json": as_json(statements) + "\n", "sections.js": f"window.siteSections = {as_json(places)};\n"}
 

@@ -9,64 +9,42 @@ Place = namedtuple("Place", "file line")
 Snippet = namedtuple("Snippet", "file first lines brief")
 
 LITERAL = r'"(?:[^"\\]|\\.)*"'
-PIECES = re.compile(rf"//[^\n]*|/\*.*?\*/|R\"(?P<end>[^(]*)\((?P<raw>.*?)\)(?P=end)\"|{LITERAL}|(?<!\w)'(?:[^'\\]|\\.)*'",
-                    re.S | re.ASCII)
 TEST = re.compile(rf"(?:TEST_CASE|SCENARIO)\(\s*((?:{LITERAL}\s*)+),\s*((?:{LITERAL}\s*)+)")
 KEYWORDS = re.compile(r"\b(template|class|struct|return|const|typename|inline|requires)\b", re.ASCII)
 COQ_KEYWORDS = set("""Lemma Theorem Definition forall exists Proof Qed Section End Variables Hypothesis Fixpoint fun match with
 end if then else let in Require Import Open Scope""".split())
 
 
-def unescaped(literal):
-    return re.sub(r"\\(.)", lambda m: {"n": "\n", "t": "\t"}.get(m[1], m[1]), literal, flags=re.S)
-
-
 class Sources:
     """The sources of the project."""
 
     def __init__(self, root):
-        self.root = Path(root)
-        self.files = {}
-        self.makers, self.literals, self.lines_of, self.tests = {}, {}, {}, {}
-        for file in sorted((self.root / "derivation").rglob("*.cpp")):
-            self.read_claims(file.relative_to(self.root).as_posix(), file.read_text())
-        for file in sorted((self.root / "tests").rglob("*.cpp")):
-            self.read_tests(file.relative_to(self.root).as_posix(), file.read_text())
+        self.root, self.ids, self.literals, self.tests = Path(root), {}, {}, {}
+        for folder, read in (("derivation", self.read_claims), ("tests", self.read_tests)):
+            for file in sorted((self.root / folder).rglob("*.cpp")):
+                read(file.relative_to(self.root).as_posix(), file.read_text())
 
     def read_claims(self, name, text):
-        """Keeps the literals of a source: those that a claim takes as its id, others with a slash, and those without."""
-        before, end = "", 0
-        for piece in PIECES.finditer(text):
-            before = text[end:piece.start()].strip(" \t") if piece.start() > end else before
-            end = piece.end()
-            if piece[0].startswith("/"):
-                before = ""
-                continue
-            literal = piece["raw"] if piece["raw"] is not None else unescaped(piece[0][1:-1])
-            place = Place(name, text.count("\n", 0, piece.start()) + 1)
-            if "/" in literal:
-                (self.makers if before.endswith(".id =") else self.literals).setdefault(literal, place)
-            else:
-                self.lines_of.setdefault((name, literal), place.line)
-            before = ""
+        """Keeps the literals of a source: those with a slash, the ones that a claim takes as its id rather than others, and those
+        without, by source."""
+        for number, line in enumerate(text.splitlines(), 1):
+            for is_id, literal in re.findall(rf"(\.id = )?({LITERAL})", line.partition("//")[0]):
+                key = literal[1:-1] if "/" in literal else (name, literal[1:-1])
+                (self.ids if is_id else self.literals).setdefault(key, Place(name, number))
 
     def read_tests(self, name, text):
         for test in TEST.finditer(text):
             if "[eq:" in test[2]:
-                told = "".join(unescaped(part[1:-1]) for part in re.findall(LITERAL, test[1]))
+                told = "".join(re.sub(r"\\(.)", r"\1", part[1:-1]) for part in re.findall(LITERAL, test[1]))
                 self.tests.setdefault(told, Place(name, text.count("\n", 0, test.start(1)) + 1))
 
     def claim(self, claim):
-        """Where a claim is made, of whose id a source may have the beginning alone."""
-        for places in (self.makers, self.literals):
-            if claim in places:
-                return places[claim]
-            begins = [text for text in places
-                      if claim.startswith(text) and (text.endswith(("=", "/")) or claim[len(text)] == "/")]
-            if begins:
-                text = max(begins, key=len)
-                file, line = places[text]
-                return Place(file, self.lines_of.get((file, claim[len(text):]), line))
+        """Where a claim is made, of whose id a source may have the beginning and the rest apart."""
+        for literals in (self.ids, self.literals):
+            for at in range(len(claim), 0, -1):
+                if claim[:at] in literals and (claim[at - 1] in "=/" or claim[at:at + 1] in ("", "/")):
+                    place = literals[claim[:at]]
+                    return self.literals.get((place.file, claim[at:] or None), place)
         raise Fault(f"claim {claim} must be made in a source under derivation")
 
     def test(self, name):
@@ -79,9 +57,7 @@ class Sources:
     def snippet(self, function):
         """A function or a type of the ledger, from its template head to its closing brace."""
         name, file, at = function["name"], function["file"], function["line"]
-        if file not in self.files:
-            self.files[file] = (self.root / file).read_text().split("\n")
-        lines = self.files[file]
+        lines = (self.root / file).read_text().split("\n")
         word = name.rpartition("::")[2]
         if not 1 <= at <= len(lines) or not re.search(rf"(?<!\w){re.escape(word)}(?!\w)", lines[at - 1], re.ASCII):
             raise Fault(f"{name} must stand where the ledger has it, {file}:{at}; run ./verify paper again")

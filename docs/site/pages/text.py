@@ -122,12 +122,14 @@ def formula_at(text, at):
     if not latex and not (value and re.fullmatch("[A-Za-z]", word)):
         return "", end
     more = value or (re.compile("'*").match(text, end) if "_" in word else None)
-    after = f"^{{{value[0][1:]}}}" if value and value[0][0] == "^" else "=" + legible(value[0][1:]) if value else more[0] if more else ""
+    after = more[0] if more else ""
+    if value:
+        after = f"^{{{value[0][1:]}}}" if value[0][0] == "^" else "=" + legible(value[0][1:])
     return (latex or word) + after, more.end() if more else end
 
 
 def legible(number):
-    """A decimal of a program to six digits where it has all digits of a double, and with a power of ten where it has an exponent."""
+    """A decimal of a program to six digits where it has all digits of a double, with a power of ten where it has an exponent."""
     if re.fullmatch(r"-?\d+\.\d{9,}", number):
         return digits(float(number), 6).replace("$", "")
     return digits(float(number), min(6, len(re.sub(r"e.*|\D", "", number)))).replace("$", "") if "e" in number else number
@@ -139,7 +141,8 @@ def spelled(text):
     text = re.sub(r"\b([S2-5])DOF\b( (?=\w+=))?", lambda name: masses[name[1]] + (", " if name[2] else ""), text)
     text = re.sub(r"(=[^\s;()]*[^\s;(),]) (?=[a-zA-Z]\w*=|#\d)", r"\1, ", text)
     text = re.sub(r"(?<= )#(?=\d)", "scene ", text).replace("seed 2022 N", "seed 2022, N")
-    return text.replace("off by up to 0 % on the grid of the paper's scenes, ", "right on the grid of the paper's scenes, off by up to ")
+    grid = "on the grid of the paper's scenes, "
+    return text.replace(f"off by up to 0 % {grid}", f"right {grid}off by up to ")
 
 
 @cache
@@ -204,12 +207,6 @@ def digits(value, count):
 
 def counted(n, one, many):
     return f"{n} {one if n == 1 else many}"
-
-
-def closed_marks(text, mark, opening, closing):
-    """Text whose marks, which open and close in turn, are replaced by an opening and a closing."""
-    parts = text.split(mark)
-    return parts[0] + "".join((opening if n % 2 == 0 else closing) + part for n, part in enumerate(parts[1:]))
 
 
 def verdict_text(verdict):
