@@ -3,29 +3,8 @@
    contact moves. *)
 Require Import Reals List Lra Lia Psatz PeanoNat.
 From Coquelicot Require Import Coquelicot.
-From Kernel Require Import Statements Modes SteadyMode Sums Masses OneVelocity.
+From Kernel Require Import Statements Modes SteadyMode Sums Masses OneVelocity Slopes.
 Open Scope R_scope.
-
-(* A continuous function whose slope is bounded but at a finite number of times *)
-Lemma bounded_slope (L : list R) (f : R -> R) a b B : a <= b -> (forall t, a <= t <= b -> continuous f t) ->
-  (forall t, a < t < b -> ~ In t L -> exists c, is_derive f t c /\ Rabs c <= B) -> Rabs (f b - f a) <= B * (b - a).
-Proof.
-  intros Hab Cf H.
-  assert (Line : forall k t, is_derive (fun t => k * t) t k) by (intros; auto_derive; [trivial | ring]).
-  assert (CL : forall k t, continuous (fun t => k * t) t) by (intros k t; eapply continuous_of_derive, Line).
-  assert (Up : f b - B * b <= f a - B * a).
-  { apply (not_growing L (fun t => f t - B * t) a b Hab).
-    - intros t Ht. apply (continuous_minus (V := R_NormedModule)); [apply Cf, Ht | apply CL].
-    - intros t Ht N. destruct (H t Ht N) as [c [D Hc]]. exists (c - B). split; [|apply Rabs_le_between in Hc; lra].
-      apply (is_derive_minus (V := R_NormedModule)); [exact D | apply Line]. }
-  assert (Down : - f b - B * b <= - f a - B * a).
-  { apply (not_growing L (fun t => - f t - B * t) a b Hab).
-    - intros t Ht. apply (continuous_minus (V := R_NormedModule)); [apply (continuous_opp (V := R_NormedModule)), Cf, Ht | apply
-      CL].
-    - intros t Ht N. destruct (H t Ht N) as [c [D Hc]]. exists (- c - B). split; [|apply Rabs_le_between in Hc; lra].
-      apply (is_derive_minus (V := R_NormedModule)); [apply (is_derive_opp (V := R_NormedModule)), D | apply Line]. }
-  apply Rabs_le. lra.
-Qed.
 
 Lemma from_some_on N (P : nat -> nat -> Prop) : (forall i, (i < N)%nat -> exists n0, forall n, (n0 <= n)%nat -> P i n) ->
   exists n0, forall i n, (i < N)%nat -> (n0 <= n)%nat -> P i n.

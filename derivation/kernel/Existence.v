@@ -1,13 +1,10 @@
-(* For mu = 1 and damping in all modes there is a steady motion, if the contact law has a motion over one period,
-   with a finite number of exceptions, from every start. The map from the state at the start of a period to the state at its end
-   increases no distance, and damping bounds it. *)
+(* For mu = 1 and damping in all modes there is a steady motion. The map from the state at the start of a period to the state at
+   its end increases no distance, and damping bounds it. *)
 Require Import Reals List Lra Lia Psatz PeanoNat.
 From Coquelicot Require Import Coquelicot.
-From Kernel Require Import Statements Modes SteadyMode Sums Masses OneVelocity ContactMotion Attraction FixedPoint.
+From Kernel Require Import Statements Modes SteadyMode Sums Masses Contact OneVelocity ContactMotion Attraction FixedPoint Slopes
+  NoAccumulation EveryStart.
 Open Scope R_scope.
-
-Lemma Sum_two_parts n k f : Sum (n + k) f = Sum n f + Sum k (fun i => f (n + i)%nat).
-Proof. induction k; [rewrite Nat.add_0_r; simpl; ring|]. rewrite Nat.add_succ_r. simpl. rewrite IHk. ring. Qed.
 
 (* For a mode under a force f, V = p1^2 + 2 c p p1 + w^2 p^2 has a rate of at most - c V + f^2 / c. *)
 Lemma storage_rate c w zeta p p1 p2 f : 0 < c -> c = zeta * w -> 0 <= zeta <= 1 ->
@@ -84,6 +81,12 @@ Proof.
   rewrite !state_displacement, !state_velocity, !G by exact Hi. pose proof (Hratio s Hs i Hi). field. lra.
 Qed.
 
+(* The contact law has a motion from every start, and the forces are bounded. *)
+Definition solvable (load : nat -> R -> R) (T : R) := forall u v : nat -> R,
+  exists y y1, motion_under s load T y y1 /\ forall k, (k < N)%nat -> y k 0 = u k /\ y1 k 0 = v k.
+Definition bounded_on (load : nat -> R -> R) (T : R) :=
+  exists B, forall a t, (a < N)%nat -> 0 <= t <= T -> Rabs (load a t) <= B.
+
 Section Load.
 Variables (load : nat -> R -> R) (T : R).
 Hypothesis HT : 0 < T.
@@ -116,7 +119,7 @@ Proof.
   - exists y, y1. auto.
 Qed.
 
-Hypothesis HL : solvable s load T.
+Hypothesis HL : solvable load T.
 Lemma from_state x : exists y y1, motion_under s load T y y1 /\ at_state x y y1 0 /\ at_state (end_state x) y y1 T.
 Proof.
   destruct (HL (displacement_of x) (velocity_of x)) as [y [y1 [HY H]]]. pose proof (start_in_state x y y1 0 H) as A.
@@ -284,12 +287,107 @@ Qed.
 End Load.
 End Scene.
 
+(* ---- Forces that are sums of harmonics ---- *)
+Theorem contact_has_a_motion : forall s, Statements.contact_has_a_motion s.
+Proof. intros s Hs Hb n omega p q u v. apply from_every_start; assumption. Qed.
+Lemma harmonic_forces_solvable s n omega p q T : is_scene s -> 0 <= friction s -> solvable s (harmonic_forces n omega p q) T.
+Proof.
+  intros Hs Hb u v. destruct (contact_has_a_motion s Hs Hb n omega p q u v) as [y [y1 [H St]]]. exists y, y1.
+  split; [apply H | exact St].
+Qed.
+Lemma harmonic_forces_bounded s n omega p q T : bounded_on s (harmonic_forces n omega p q) T.
+Proof.
+  set (B := fun a => Sum n (fun k => Rabs (p a k) + Rabs (q a k))).
+  assert (B0 : forall a, 0 <= B a).
+  { intros a. apply Sum_nonneg. intros k _. pose proof (Rabs_pos (p a k)). pose proof (Rabs_pos (q a k)). lra. }
+  exists (Sum (masses s) B). intros a t Ha _.
+  apply Rle_trans with (B a); [|apply (Sum_part (masses s) B); [intros; apply B0 | exact Ha]].
+  apply Rle_trans with (1 := Sum_abs n _), Sum_le. intros k _. apply Rle_trans with (1 := Rabs_triang _ _).
+  assert (P : forall x y, -1 <= y <= 1 -> Rabs (x * y) <= Rabs x).
+  { intros x y Hy. rewrite Rabs_mult. rewrite <- (Rmult_1_r (Rabs x)) at 2.
+    apply Rmult_le_compat_l; [apply Rabs_pos | apply Rabs_le, Hy]. }
+  apply Rplus_le_compat; apply P; [apply COS_bound | apply SIN_bound].
+Qed.
+(* The paper's load is one harmonic. *)
+Lemma paper_load_is_harmonic (l : nat) phi : (fun a t => delta a l * cos (t + phi)) =
+  harmonic_forces 1 (fun _ => 1) (fun a _ => delta a l * cos phi) (fun a _ => - (delta a l * sin phi)).
+Proof.
+  apply FunctionalExtensionality.functional_extensionality. intros a. apply FunctionalExtensionality.functional_extensionality.
+  intros t. unfold harmonic_forces. simpl. rewrite Rmult_1_l, cos_plus. ring.
+Qed.
+
+Theorem contact_has_one_motion : forall s, Statements.contact_has_one_motion s.
+Proof.
+  intros s Hs Hb load T y y1 z z1 HY HZ St k t Hk Ht. set (E := energy s y y1 z z1).
+  assert (E0 : E 0 = 0).
+  { apply Sum_zero. intros i Hi. assert (Z : gap s y z i 0 = 0 /\ gap s y1 z1 i 0 = 0).
+    { split; apply Sum_zero; intros a Ha; destruct (St a Ha) as [E0 E1]; rewrite ?E0, ?E1; ring. }
+    destruct Z as [-> ->]. ring. }
+  assert (Et : E t <= E 0).
+  { destruct (energy_rate s Hs load T y y1 z z1 Hb HY HZ) as [L Er].
+    apply (not_growing L E); [lra | intros; apply (energy_continuous s load T y y1 z z1 HY HZ); lra |].
+    intros x Hx NL. destruct (Er x ltac:(lra) NL) as [c [D Q]]. exists c. split; [exact D|].
+    assert (0 <= Sum (masses s) (fun i => 2 * damping_ratio s i / ratio s i * (gap s y1 z1 i x * gap s y1 z1 i x))); [|lra].
+    apply Sum_nonneg. intros i Hi. destruct (Hadm s Hs i Hi) as [Ri [Zi _]].
+    apply Rmult_le_pos; [|apply Rle_0_sqr]. apply Rmult_le_pos; [lra | apply Rlt_le, Rinv_0_lt_compat, Ri]. }
+  apply (same_state s Hs (state s z z1 t)); [|intros i _; reflexivity | exact Hk].
+  intros i Hi. pose proof (size_of_difference s Hs y y1 z z1 t) as S. fold E in S.
+  pose proof (size_part _ (fun i => state s y y1 t i - state s z z1 t i) i Hi) as P. cbv beta in P. nra.
+Qed.
+
+(* (74): while the load is below the limit, friction takes a velocity back to zero. *)
+Theorem eq_74_follows : forall s, Statements.eq_74_follows s.
+Proof.
+  intros s Hs phi T y y1 [C [L E]]. split; [exact C|]. split; [exists L; exact E|].
+  intros t Ht V0 HL. rewrite Rmult_1_l in HL. set (j := contact s) in *.
+  assert (Cl : forall t, 0 <= t <= T -> continuous (load_at s phi y y1) t).
+  { intros x Hx. unfold load_at, holding_load.
+    apply (continuous_mult (K := R_AbsRing) (fun t => Sum (masses s) (fun a => Sum (masses s) (fun i => shape s (contact s) i *
+      shape s a i) * (Sum (masses s) (fun b => damping s a b * y1 b t + stiffness s a b * y b t) - delta a (loaded s) *
+      cos (t + phi)))) (fun _ => / mobility s)); [|apply continuous_const].
+    apply (continuous_Sum (masses s) (fun a t => Sum (masses s) (fun i => shape s (contact s) i * shape s a i) *
+      (Sum (masses s) (fun b => damping s a b * y1 b t + stiffness s a b * y b t) - delta a (loaded s) * cos (t + phi)))).
+    intros a _. apply continuous_scaled, (continuous_minus (V := R_NormedModule)).
+    - apply (continuous_Sum (masses s) (fun b t => damping s a b * y1 b t + stiffness s a b * y b t)). intros b Hbn.
+      destruct (C b x Hbn Hx). apply (continuous_plus (V := R_NormedModule)); apply continuous_scaled; assumption.
+    - apply continuous_scaled. eapply continuous_of_derive. auto_derive; [exact I | reflexivity]. }
+  destruct (above_near (fun t => - Rabs (load_at s phi y y1 t)) (- friction s) t) as [e [He P]]; [| lra |].
+  { apply opposite, (continuous_comp (load_at s phi y y1) Rabs); [apply Cl; lra | apply continuous_Rabs]. }
+  set (t' := Rmin (t + e / 2) T). pose proof (Rmin_l (t + e / 2) T). pose proof (Rmin_r (t + e / 2) T).
+  exists t'. split; [split; [apply Rmin_glb_lt; lra | assumption]|]. intros x Hx. fold t' in H, H0.
+  assert (Rate : often (fun u => exists k, is_derive (y1 j) u k /\ (0 < y1 j u -> k <= 0) /\ (y1 j u < 0 -> 0 <= k)) t x).
+  { apply (often_of_list L). intros u Hu NL. destruct (E u ltac:(lra) NL) as [y2 [sg [[C1 [C2 _]] Q]]]. exists (y2 j).
+    split; [apply Q, (Hj s Hs)|].
+    assert (Y2 : y2 j = - mobility s * (friction s * sg + load_at s phi y y1 u)).
+    { apply (acceleration_by_load s Hs (cos (u + phi)) (friction s * sg) (fun k => y k u) (fun k => y1 k u) y2).
+      intros a Ha. destruct (Q a Ha) as [_ [_ Row]]. cbv beta in Row. fold j. lra. }
+    rewrite Y2.
+    specialize (P u ltac:(rewrite Rabs_right; lra)). cbv beta in P. assert (A : Rabs (load_at s phi y y1 u) <= friction s) by lra.
+    apply Rabs_le_between in A. pose proof (mobility_pos s Hs) as Mp. split; intros V.
+    - rewrite C1 by exact V. assert (0 <= mobility s * (friction s * 1 + load_at s phi y y1 u)) by (apply Rmult_le_pos; lra). lra.
+    - rewrite C2 by exact V. assert (0 <= mobility s * - (friction s * -1 + load_at s phi y y1 u)) by (apply Rmult_le_pos; lra).
+      lra. }
+  assert (Cv : forall u, t <= u <= x -> continuous (y1 j) u) by (intros u Hu; apply (C j u (Hj s Hs)); lra).
+  apply Rle_antisym.
+  - assert (0 <= - y1 j x); [|lra].
+    apply (stays_above (fun u => - y1 j u) t x); [lra | intros; apply opposite, Cv; assumption | | lra].
+    apply often_weaker with (2 := Rate). intros u _ [k [D [Up _]]]. exists (- k). split; [apply opposite, D|].
+    intros V. specialize (Up ltac:(lra)). lra.
+  - apply (stays_above (y1 j) t x); [lra | exact Cv | | lra]. apply often_weaker with (2 := Rate).
+    intros u _ [k [D [_ Lo]]]. exists k. split; [exact D | exact Lo].
+Qed.
+
 Theorem steady_motion_exists : forall s, Statements.steady_motion_exists s.
-Proof. intros s Hs Hz Hb load T HT [B HB] HL. apply (a_steady_motion s Hs Hz Hb load T HT HL B HB). Qed.
+Proof.
+  intros s Hs Hz Hb n omega p q T HT. destruct (harmonic_forces_bounded s n omega p q T) as [B HB].
+  exact (a_steady_motion s Hs Hz Hb _ T HT (harmonic_forces_solvable s n omega p q T Hs Hb) B HB).
+Qed.
 Theorem mirrored_steady_motion_exists : forall s, Statements.mirrored_steady_motion_exists s.
 Proof.
-  intros s Hs Hz Hb load Ly [B HB] HL. pose proof PI_RGT_0 as Pp.
-  destruct (a_mirrored_motion s Hs Hz Hb load PI Pp HL B HB) as [y [y1 [HY My]]]. exists (continued y), (continued y1).
+  intros s Hs Hz Hb n omega p q load Ly. pose proof PI_RGT_0 as Pp.
+  destruct (harmonic_forces_bounded s n omega p q PI) as [B HB].
+  destruct (a_mirrored_motion s Hs Hz Hb load PI Pp (harmonic_forces_solvable s n omega p q PI Hs Hb) B HB) as [y [y1 [HY My]]].
+  exists (continued y), (continued y1).
   split; [apply continued_motion; assumption|]. intros k t Hk Ht. unfold continued.
   destruct (Rle_dec t PI); [|lra]. destruct (Rle_dec (t + PI) PI).
   - assert (t = 0) by lra. subst t. rewrite Rplus_0_l. apply My, Hk.
@@ -298,82 +396,15 @@ Qed.
 
 Theorem steady_motion_exists_and_attracts : forall s, Statements.steady_motion_exists_and_attracts s.
 Proof.
-  intros s Hs Hz Hb load Per HB HL. pose proof PI_RGT_0.
-  destruct (steady_motion_exists s Hs Hz Hb load (2 * PI) ltac:(lra) HB HL) as [z [z1 HZ]]. exists z, z1. split; [exact HZ|].
+  intros s Hs Hz Hb n omega p q load Per. pose proof PI_RGT_0.
+  destruct (steady_motion_exists s Hs Hz Hb n omega p q (2 * PI) ltac:(lra)) as [z [z1 HZ]]. exists z, z1. split; [exact HZ|].
   intros y y1 HY. apply (velocities_are_attracted s Hs Hz Hb load Per y y1 z z1 HY HZ).
 Qed.
 
-(* The motion with (74) that starts as the steady one ends as it does. *)
 Theorem steady_contact_motion_exists : forall s, Statements.steady_contact_motion_exists s.
 Proof.
-  intros s Hs Hz Hb phi HL. pose proof PI_RGT_0 as Pp. set (load := fun a t => delta a (loaded s) * cos (t + phi)).
-  assert (HB : bounded_on s load (2 * PI)).
-  { exists 1. intros a t _ _. unfold load, delta. pose proof (COS_bound (t + phi)). apply Rabs_le.
-    destruct (Nat.eqb a (loaded s)); lra. }
-  destruct (steady_motion_exists s Hs Hz Hb load (2 * PI) ltac:(lra) HB) as [z [z1 [HZ Pz]]].
-  { intros u v. destruct (HL u v) as [y [y1 [HY St]]]. exists y, y1.
-    split; [apply contact_motions_are_under_a_load, HY | exact St]. }
-  destruct (HL (fun k => z k 0) (fun k => z1 k 0)) as [y [y1 [HY St]]]. exists y, y1. split; [exact HY|].
-  intros k Hk. destruct (St k Hk) as [-> ->]. destruct (Pz k Hk) as [<- <-].
-  apply (same_state s Hs (state s z z1 (2 * PI))); [|intros i _; reflexivity | exact Hk].
-  intros i Hi. apply (one_end s Hs Hz Hb load (2 * PI) ltac:(lra) (state s z z1 0)); try exact Hi;
-    [apply contact_motions_are_under_a_load, HY | exact HZ | | intros n _; reflexivity].
-  intros n Hn. unfold state. destruct (Nat.ltb_spec n (masses s)); [|f_equal]; apply Sum_ext; intros a Ha;
-    destruct (St a Ha) as [E0 E1]; rewrite ?E0, ?E1; reflexivity.
-Qed.
-
-(* (A.6) at all times, with the acceleration *)
-Lemma from_start_at_all_times R_i z pj pl beta phi y0 y10 t : admissible R_i z ->
-  let y := from_start R_i z pj pl beta phi y0 y10 in let y1 := from_start_prime R_i z pj pl beta phi y0 y10 in
-  is_derive y t (y1 t) /\ is_derive y1 t (Derive y1 t) /\
-  Derive y1 t + 2 * z / R_i * y1 t + / R_i ^ 2 * y t = pj * beta + pl * cos (t + phi).
-Proof.
-  intros Ad y y1. pose proof Ad as [Hr _].
-  destruct (eq_21_solves_eq_20 R_i z pj pl beta phi
-    (y0 - pj * R_i ^ 2 * beta - pl * R_i ^ 2 * v_cos R_i z phi 0)
-    (R_i / w z * (y10 + pl * R_i ^ 2 * v_sin R_i z phi 0) +
-     z * (y0 - pj * R_i ^ 2 * beta - pl * R_i ^ 2 * v_cos R_i z phi 0) / w z) Ad) as [a [b E]]. cbv zeta in E.
-  assert (D : forall t, is_derive y t (y1 t)) by (intros x; apply eq_A_7, Ad).
-  assert (E1 : forall t, is_derive y t (a t)).
-  { intros x. destruct (E x) as [Da _]. eapply is_derive_ext; [|exact Da]. intros v.
-    apply (eq_A_5 R_i z pj pl beta phi y0 y10 v Ad). }
-  assert (Same : forall t, a t = y1 t).
-  { intros x. rewrite <- (is_derive_unique _ _ _ (D x)). symmetry. apply is_derive_unique, E1. }
-  destruct (E t) as [_ [Db Q]]. assert (D2 : is_derive y1 t (b t)) by (apply (is_derive_ext a); [exact Same | exact Db]).
-  assert (Dy1 : Derive y1 t = b t) by (apply is_derive_unique, D2).
-  pose proof (eq_A_5 R_i z pj pl beta phi y0 y10 t Ad) as [V _]. rewrite V, Same in Q. fold (y t) in Q.
-  split; [apply D|]. rewrite Dy1. split; [exact D2|].
-  apply (Rmult_eq_reg_l (R_i ^ 2)); [|apply pow_nonzero; lra]. rewrite <- Q. field. lra.
-Qed.
-
-(* Without friction (A.6) is a motion from every start. *)
-Theorem solvable_without_friction : forall s, Statements.solvable_without_friction s.
-Proof.
-  intros s Hs H0 phi T u v. set (N := masses s).
-  set (R_ := ratio s). set (z := damping_ratio s). set (p := fun i => shape s (loaded s) i).
-  set (f := fun i => from_start (R_ i) (z i) 0 (p i) 0 phi (modal s u i) (modal s v i)).
-  set (f1 := fun i => from_start_prime (R_ i) (z i) 0 (p i) 0 phi (modal s u i) (modal s v i)).
-  assert (A : forall i t, (i < N)%nat -> is_derive (f i) t (f1 i t) /\ is_derive (f1 i) t (Derive (f1 i) t) /\
-    Derive (f1 i) t + 2 * z i / R_ i * f1 i t + / R_ i ^ 2 * f i t = 0 * 0 + p i * cos (t + phi)).
-  { intros i t Hi. apply from_start_at_all_times, (Hadm s Hs i Hi). }
-  set (y := fun k t => Sum N (fun i => shape s k i * f i t)). set (y1 := fun k t => Sum N (fun i => shape s k i * f1 i t)).
-  assert (Dy : forall k t, is_derive (y k) t (y1 k t)).
-  { intros k t. apply (is_derive_Sum N (fun i t => shape s k i * f i t) (fun i t => shape s k i * f1 i t)).
-    intros i Hi. apply is_derive_scal, A, Hi. }
-  assert (Dy1 : forall k t, is_derive (y1 k) t (Sum N (fun i => shape s k i * Derive (f1 i) t))).
-  { intros k t. apply (is_derive_Sum N (fun i t => shape s k i * f1 i t) (fun i t => shape s k i * Derive (f1 i) t)).
-    intros i Hi. apply is_derive_scal, A, Hi. }
-  exists y, y1. split; [split|].
-  - intros k t _ _. split; eapply continuous_of_derive; [apply Dy | apply Dy1].
-  - exists nil. intros t _ _. exists (fun k => Sum N (fun i => shape s k i * Derive (f1 i) t)).
-    exists (if Rlt_dec 0 (y1 (contact s) t) then 1 else if Rlt_dec (y1 (contact s) t) 0 then -1 else 0). split.
-    { destruct (Rlt_dec 0 (y1 (contact s) t)); [repeat split; lra|]. destruct (Rlt_dec (y1 (contact s) t) 0); repeat split; lra. }
-    intros a Ha. split; [apply Dy|]. split; [apply Dy1|]. rewrite H0, !Rmult_0_l, Rplus_0_r. unfold y, y1.
-    etransitivity; [exact (row s Hs a (fun i => Derive (f1 i) t) (fun i => f1 i t) (fun i => f i t) Ha)|].
-    rewrite (Sum_ext _ _ (fun i => cos (t + phi) * (MP s a i * shape s (loaded s) i))).
-    + rewrite Sum_scal, (complete_1 s Hs a (loaded s) Ha (Hl s Hs)). ring.
-    + intros i Hi. destruct (A i t Hi) as [_ [_ Q]]. unfold R_, z in Q. rewrite Q. unfold p. ring.
-  - intros k Hk. unfold y, y1.
-    rewrite (physical s Hs u k Hk) at 1. rewrite (physical s Hs v k Hk) at 1.
-    split; apply Sum_ext; intros i Hi; f_equal; unfold f, f1; eapply eq_A_5, (Hadm s Hs i Hi); exact 0.
+  intros s Hs Hz Hb phi. pose proof PI_RGT_0.
+  destruct (steady_motion_exists s Hs Hz Hb 1%nat (fun _ => 1) (fun a _ => delta a (loaded s) * cos phi)
+    (fun a _ => - (delta a (loaded s) * sin phi)) (2 * PI) ltac:(lra)) as [z [z1 [HZ Pz]]].
+  rewrite <- paper_load_is_harmonic in HZ. exists z, z1. split; [apply eq_74_follows; assumption | exact Pz].
 Qed.

@@ -1,9 +1,8 @@
 (* One system at all frequencies: (86) as the limit of (69), amplitudes that vanish, and (67), (69) at small frequencies. *)
 Require Import Reals Lra Lia Psatz PeanoNat.
 From Coquelicot Require Import Coquelicot.
-From Kernel Require Import Statements Modes SteadyMode Sums Masses Contact OneVelocity ContactMotion LargestDemand Misprints
-  Limits
-  HighFrequency Attraction.
+From Kernel Require Import Statements Modes SteadyMode Sums Masses Contact OneVelocity Slopes ContactMotion
+  LargestDemand Misprints Limits HighFrequency Attraction.
 Open Scope R_scope.
 
 Theorem at_frequency_is_a_scene : Statements.at_frequency_is_a_scene.

@@ -558,37 +558,43 @@ Definition displacements_are_attracted : Prop := is_scene -> (forall i, (i < N)%
   forall eps, 0 < eps -> exists n0 : nat, forall n k t, (n0 <= n)%nat -> (k < N)%nat -> 0 <= t <= 2 * PI ->
   Rabs (y k (t + 2 * PI * INR n) - z k t) < eps.
 
-(* Existence, for mu = 1, damping in all modes, any friction, and forces that are bounded on the time from 0 to T. One thing is
-   assumed of the contact law: that it has a motion over this time from every start, with a finite number of exceptions in it.
-   Then one of these motions ends where it starts: it is steady, for forces of period T. *)
-Definition solvable (load : nat -> R -> R) (T : R) := forall u v : nat -> R,
-  exists y y1, motion_under load T y y1 /\ forall k, (k < N)%nat -> y k 0 = u k /\ y1 k 0 = v k.
-Definition bounded_on (load : nat -> R -> R) (T : R) :=
-  exists B, forall a t, (a < N)%nat -> 0 <= t <= T -> Rabs (load a t) <= B.
-Definition steady_motion_exists : Prop := is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta -> forall load T,
-  0 < T -> bounded_on load T -> solvable load T -> exists z z1, steady_under load T z z1.
+(* Existence, for mu = 1 and forces that are finite sums of harmonics, of any frequencies and phases, on all masses; omega k = 0
+   is a constant part. The paper's load is one harmonic on one mass. *)
+Definition harmonic_forces (n : nat) (omega : nat -> R) (p q : nat -> nat -> R) (a : nat) (t : R) :=
+  Sum n (fun k => p a k * cos (omega k * t) + q a k * sin (omega k * t)).
+(* With or without damping, from every start there is a motion for all times, which in any finite time has a finite number of
+   events, *)
+Definition contact_has_a_motion : Prop := is_scene -> 0 <= beta -> forall n omega p q (u v : nat -> R),
+  exists y y1, (forall T, motion_under (harmonic_forces n omega p q) T y y1) /\
+    forall k, (k < N)%nat -> y k 0 = u k /\ y1 k 0 = v k.
+(* and under any forces two motions with the same start are the same. *)
+Definition contact_has_one_motion : Prop := is_scene -> 0 <= beta -> forall load T y y1 z z1,
+  motion_under load T y y1 -> motion_under load T z z1 ->
+  (forall k, (k < N)%nat -> y k 0 = z k 0 /\ y1 k 0 = z1 k 0) ->
+  forall k t, (k < N)%nat -> 0 <= t <= T -> y k t = z k t /\ y1 k t = z1 k t.
+(* (74) need not be asked for: every motion under the paper's load has it. *)
+Definition eq_74_follows : Prop := is_scene -> forall phi T y y1,
+  motion_under (fun a t => delta a l * cos (t + phi)) T y y1 -> contact_motion 1 phi T y y1.
+(* With damping in all modes one of the motions over the time from 0 to T ends where it starts: it is steady, for forces of
+   period T. *)
+Definition steady_motion_exists : Prop := is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta ->
+  forall n omega p q T, 0 < T -> exists z z1, steady_under (harmonic_forces n omega p q) T z z1.
 (* For forces of period 2 pi the velocities of every motion tend to those of this one. *)
 Definition steady_motion_exists_and_attracts : Prop := is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta ->
-  forall load, (forall a t, load a (t + 2 * PI) = load a t) -> bounded_on load (2 * PI) -> solvable load (2 * PI) ->
+  forall n omega p q, let load := harmonic_forces n omega p q in (forall a t, load a (t + 2 * PI) = load a t) ->
   exists z z1, steady_under load (2 * PI) z z1 /\
   forall y y1, (forall T, 0 < T -> motion_under load T y y1) ->
   forall eps, 0 < eps -> exists n0 : nat, forall n k t, (n0 <= n)%nat -> (k < N)%nat -> 0 <= t <= 2 * PI ->
   Rabs (y1 k (t + 2 * PI * INR n) - z1 k t) < eps.
-(* The same for the paper's load, with (74): if the contact has a motion over one period, with a finite number of exceptions, from
-   every start, it has a steady one. *)
+(* The same for the paper's load, with (74) *)
 Definition steady_contact_motion_exists : Prop := is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta -> forall phi,
-  (forall u v : nat -> R, exists y y1, contact_motion 1 phi (2 * PI) y y1 /\
-    forall k, (k < N)%nat -> y k 0 = u k /\ y1 k 0 = v k) ->
   exists z z1, steady_contact_motion 1 phi (2 * PI) z z1.
 (* For forces that change their sign after half a period, as the paper's load does, there is a steady motion that mirrors itself,
-   (25), in its displacements too. Motions over half a period suffice. *)
+   (25), in its displacements too. *)
 Definition mirrored_steady_motion_exists : Prop := is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta ->
-  forall load, (forall a t, load a (t + PI) = - load a t) -> bounded_on load PI -> solvable load PI ->
+  forall n omega p q, let load := harmonic_forces n omega p q in (forall a t, load a (t + PI) = - load a t) ->
   exists z z1, steady_under load (2 * PI) z z1 /\
   forall k t, (k < N)%nat -> 0 <= t <= PI -> z k (t + PI) = - z k t /\ z1 k (t + PI) = - z1 k t.
-(* Without friction and under the paper's load the assumption holds. *)
-Definition solvable_without_friction : Prop := is_scene -> beta = 0 -> forall phi T,
-  solvable (fun a t => delta a l * cos (t + phi)) T.
 End All_masses.
 
 (* ---- Forces on all masses, each with a phase of its own ------------------------------------------------------------ *)

@@ -60,6 +60,9 @@ Proof.
   destruct (Nat.eq_dec i k) as [->|]; [rewrite delta_same; ring | rewrite H, delta_other by assumption; ring].
 Qed.
 
+Lemma Sum_two_parts n k f : Sum (n + k) f = Sum n f + Sum k (fun i => f (n + i)%nat).
+Proof. induction k; [rewrite Nat.add_0_r; simpl; ring|]. rewrite Nat.add_succ_r. simpl. rewrite IHk. ring. Qed.
+
 Lemma is_derive_Sum n (f h : nat -> R -> R) t : (forall i, (i < n)%nat -> is_derive (f i) t (h i t)) ->
   is_derive (fun t => Sum n (fun i => f i t)) t (Sum n (fun i => h i t)).
 Proof.
