@@ -184,7 +184,7 @@ std::optional<Value> answer_of_stuck_motion(const ProtocolQuestion& q, const Pla
     if (q.quantity == "stops_per_period") return Value{{0}, ""};
     if (q.quantity == "stop_durations") return Value{};
     const PlainRow row = row_of_mass(q, s);
-    Phasor X = row.cast<Phasor>().dot(held.head(s.size()));
+    Phasor X(row.dot(held.head(s.size()).real()), row.dot(held.head(s.size()).imag()));
     double largest = force * compliance;
     for (const Phasor& x : held.head(s.size())) largest = std::max(largest, modulus(x));
     constexpr double rounding = 1e-14;
@@ -329,8 +329,8 @@ double plain_sticking_limit_by_88(const ProtocolQuestion& q, bool by_modes) {
 double plain_sticking_limit_without_damping(const ProtocolQuestion& q) {
     const PlainSystem s = plain_system(q);
     const Phasors X = held_response(s).head(s.size());
-    const Phasor load = (s.K * s.w).cast<Phasor>().dot(X) - Phasor(s.w.dot(s.p), s.w.dot(s.p_i));
-    return modulus(load) / q.mu;
+    const PlainRow elastic = s.K * s.w;
+    return modulus({elastic.dot(X.real()) - s.w.dot(s.p), elastic.dot(X.imag()) - s.w.dot(s.p_i)}) / q.mu;
 }
 
 double plain_demand(const PlainModes& m, const Choices& c, bool of_paper) {

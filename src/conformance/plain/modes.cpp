@@ -126,15 +126,27 @@ PlainMotion harmonic_part(const PlainModes& m, const Choices& c, Index k) {
             drag * cosine - (c.initial_velocity_as_printed ? 0 : root * sine)};
 }
 
+// Sums of amplitudes with real factors.
+Phasors times(const PlainMatrix& A, const Phasors& x) {
+    Phasors y(A.rows());
+    y.real() = A * x.real();
+    y.imag() = A * x.imag();
+    return y;
+}
+
 void sum_modes(PlainModes& m) {
     const PlainRow squares = m.R.cwiseAbs2();
     const PlainRow of_contact = m.psi.row(m.j).transpose().cwiseProduct(squares);
     const auto response = [&](Index l) -> Phasors {
         const PlainMatrix of_load = m.psi * m.psi.row(l).transpose().cwiseProduct(squares).asDiagonal();
-        return of_load * m.v.real() + Phasor(0, 1) * (of_load * m.v.imag());
+        return times(of_load, m.v);
     };
     m.V = response(m.l);
-    if (m.l_i != m.l) m.V += Phasor(0, 1) * response(m.l_i);
+    if (m.l_i != m.l) {
+        const Phasors ahead = response(m.l_i);
+        m.V.real() -= ahead.imag();
+        m.V.imag() += ahead.real();
+    }
     m.U = m.psi * of_contact.cwiseProduct(m.u);
     m.G = m.psi * of_contact.cwiseProduct(m.g);
     m.Y_jj = response(m.j)[m.j];
@@ -145,14 +157,14 @@ void sum_modes(PlainModes& m) {
 void sum_without_modes(PlainModes& m) {
     m.friction = std::make_shared<FrictionResponse>(m);
     const Phasors X = plain_response(m, m.p, m.p_i), Y = plain_response(m, m.w, PlainRow::Zero(m.size()));
-    m.V = m.psi * X;
+    m.V = times(m.psi, X);
     m.U = m.G = PlainRow(m.psi.rows());
     for (Index k = 0; k < m.psi.rows(); ++k) {
         const PlainMotion start = m.friction->at(m.psi.row(k), 0);
         m.U[k] = -start.v;
         m.G[k] = -start.x;
     }
-    m.Y_jj = m.w.cast<Phasor>().dot(Y);
+    m.Y_jj = times(m.w.transpose(), Y)[0];
     m.H_j = m.friction->acceleration_at_start(m.w) - m.sum_of_squares;
 }
 

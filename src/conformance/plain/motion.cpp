@@ -293,11 +293,13 @@ std::vector<double> PlainContact::samples(const PlainRow& row, int count) const 
 }
 
 std::pair<double, double> PlainContact::largest(const PlainRow& row, double frame) const {
+    const Index N = system.size();
+    // Of places that rounding alone tells apart, such as those of a contact that rests, the first counts.
+    const double rounding = 1e-14 * largest_of(period.front().states.front().second.head(N));
     std::pair<double, double> best{0, 0};
     const auto take = [&](double tau, double x) {
-        if (std::abs(x) > std::abs(best.second) * (1 + 1e-12)) best = {tau, x};
+        if (std::abs(x) > std::abs(best.second) * (1 + 1e-12) + rounding) best = {tau, x};
     };
-    const Index N = system.size();
     const bool of_contact = row == system.w && system.beta > 0 && frame == 0; // it is at its largest where it rests or turns
     PlainRow places = in_state(row, 0), rates = in_state(row, N);
     places[2 * N] = frame;
