@@ -4,7 +4,6 @@
 #include "conformance/diagnose.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 
@@ -57,17 +56,12 @@ struct Evidence {
     [[nodiscard]] Says says(std::size_t n) {
         if (!judged[n].answered || !judged[n].vector->reject.empty()) return Says::nothing;
         const ProtocolQuestion& q = judged[n].vector->question;
-        const Says of_one = kept(alone, n, [&] { return look(n, mistake.answer(q)); });
-        if (with.empty() || of_one == Says::agrees || !is_wrong_value(judged[n].verdict)) return of_one;
-        const Says of_all =
-            kept(together, n, [&] { return mistake.answer.touches(q) ? look(n, answer_with_several(with, q)) : Says::nothing; });
-        return of_all == Says::agrees ? of_all : of_one;
-    }
-
-    template <class Look>
-    static Says kept(std::map<std::size_t, Says>& known, std::size_t n, const Look& look_there) {
-        const auto found = known.find(n);
-        return found != known.end() ? found->second : known[n] = look_there();
+        const auto [of_one, is_new] = alone.try_emplace(n);
+        if (is_new) of_one->second = look(n, mistake.answer(q));
+        if (with.empty() || of_one->second == Says::agrees || !is_wrong_value(judged[n].verdict)) return of_one->second;
+        const auto [of_all, is_new_together] = together.try_emplace(n);
+        if (is_new_together && mistake.answer.touches(q)) of_all->second = look(n, answer_with_several(with, q));
+        return of_all->second == Says::agrees ? Says::agrees : of_one->second;
     }
 
     [[nodiscard]] Says look(std::size_t n, const std::optional<Value>& value) const {

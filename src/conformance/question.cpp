@@ -51,6 +51,9 @@ constexpr std::array<Quantity, 28> table{{
     {"transmissibility", "", Shape::number, true, false, 18, true},
 }};
 
+// JSON as text, whatever bytes its strings hold.
+std::string text_of_json(const nlohmann::json& x) { return x.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); }
+
 // Of a contact between two masses, 0 stands for its own displacement, which is the same in every frame.
 void check_mass(const ProtocolQuestion& q) {
     const Quantity& asked = quantity(q.quantity);
@@ -59,30 +62,33 @@ void check_mass(const ProtocolQuestion& q) {
     if (q.mass != 0 || q.contact_with == 0 || asked.absolute) (void)mass_from(q.mass, masses_of(q), "mass");
 }
 
+// Reads a member of an object, which has to be there if it must.
 template <class T>
-T member(const nlohmann::json& object, const char* key) {
+void read(const nlohmann::json& object, const char* key, T& x, bool must = true) {
     const auto found = object.find(key);
+    if (found == object.end() && !must) return;
     if (found == object.end()) throw InputError(key, "must be given", "");
     try {
-        return found->get<T>();
+        found->get_to(x);
     } catch (const nlohmann::json::exception&) {
         throw InputError(key, "must have the type that the protocol gives", text_of_json(*found));
     }
 }
 
 // The JSON library would cut a number to an int without a word.
-int whole(const nlohmann::json& object, const char* key) {
-    const auto x = member<double>(object, key);
+void read(const nlohmann::json& object, const char* key, int& number, bool must = true) {
+    double x = number;
+    read(object, key, x, must);
     if (!(std::abs(x) < 1e9) || x != std::floor(x))
         throw InputError(key, "must be a whole number of at most nine digits", number_to_text(x));
-    return static_cast<int>(x);
+    number = static_cast<int>(x);
 }
 
 // A square matrix row by row; empty where it is not given.
 std::vector<double> matrix_or_nothing(const nlohmann::json& object, const char* key) {
+    std::vector<std::vector<double>> rows;
+    read(object, key, rows, false);
     std::vector<double> entries;
-    if (!object.contains(key)) return entries;
-    const auto rows = member<std::vector<std::vector<double>>>(object, key);
     for (const std::vector<double>& row : rows) {
         if (row.size() != rows.size()) throw InputError(key, "must be square", text_of_json(object[key]));
         entries.insert(entries.end(), row.begin(), row.end());
@@ -134,22 +140,20 @@ nlohmann::ordered_json scene_json(const ProtocolQuestion& q) {
 }
 
 void read_places(const nlohmann::json& scene, ProtocolQuestion& q) {
-    if (scene.contains("contact") && scene["contact"].is_array()) {
-        const nlohmann::json& two = scene["contact"];
-        if (two.size() != 2) throw InputError("contact", "must be one mass or two", text_of_json(two));
-        q.contact = whole({{"contact", two[0]}}, "contact");
-        q.contact_with = whole({{"contact_with", two[1]}}, "contact_with");
+    const nlohmann::json contact = scene.value("contact", nlohmann::json());
+    if (contact.is_array()) {
+        if (contact.size() != 2) throw InputError("contact", "must be one mass or two", text_of_json(contact));
+        read({{"contact", contact[0]}}, "contact", q.contact);
+        read({{"contact_with", contact[1]}}, "contact_with", q.contact_with);
     } else {
-        q.contact = whole(scene, "contact");
+        read(scene, "contact", q.contact);
     }
     q.load = 0;
-    if (scene.contains("base_motion"))
-        q.base_motion = member<std::string>(scene, "base_motion");
-    else if (scene.contains("load") && scene["load"].is_array())
-        q.loads = member<std::vector<double>>(scene, "load");
-    else
-        q.load = whole(scene, "load");
-    if (scene.contains("load_phases")) q.load_phases = member<std::vector<double>>(scene, "load_phases");
+    const bool several = scene.contains("load") && scene["load"].is_array();
+    read(scene, "base_motion", q.base_motion, false);
+    if (!scene.contains("base_motion") && several) read(scene, "load", q.loads);
+    if (!scene.contains("base_motion") && !several) read(scene, "load", q.load);
+    read(scene, "load_phases", q.load_phases, false);
 }
 
 std::string in_quotes(std::string_view text) { return "'" + legible(text, 60) + "'"; }
@@ -232,12 +236,10 @@ std::map<std::string, Answer> from_csv(std::string_view text, const std::set<std
 
 std::map<std::string, Answer> from_json_lines(std::string_view text, const std::set<std::string>& known) {
     std::map<std::string, Answer> answers;
-    std::size_t line = 1;
-    for (std::size_t start = 0; start < text.size(); ++line) {
-        const std::size_t end = std::min(text.find('\n', start), text.size());
-        const std::string_view one = text.substr(start, end - start);
-        start = end + 1;
-        if (one.find_first_not_of(" \t\r") == std::string_view::npos) continue;
+    std::istringstream lines{std::string(text)};
+    std::string one;
+    for (std::size_t line = 1; std::getline(lines, one); ++line) {
+        if (one.find_first_not_of(" \t\r") == std::string::npos) continue;
         const nlohmann::json object = json_or_nothing(one);
         if (!object.is_object() || !object.contains("id") || !object["id"].is_string())
             throw InputError("answers", "must hold a JSON object with an id in every line", legible(one), place_of(line));
@@ -291,21 +293,7 @@ bool is_overdamped(const ProtocolQuestion& q) {
 }
 
 Scene<double> scene_of(const ProtocolQuestion& q) {
-    Scene<double> scene;
-    if (is_of_the_paper(q)) {
-        const std::size_t N = q.mass_ratios.size();
-        scene.system.mass_ratios = q.mass_ratios;
-        scene.system.stiffness_ratios = q.stiffness_ratios;
-        scene.system.damping_ratios = q.damping_ratios;
-        scene.system.contact = mass_from(q.contact, N, "contact");
-        scene.system.load = mass_from(q.load, N, "load");
-        scene.mu = q.mu;
-        scene.r = q.r;
-        scene.beta = q.beta;
-        check(scene);
-    } else {
-        scene = scene_from_json<double>(nlohmann::json(scene_json(q)));
-    }
+    Scene<double> scene = scene_from_json<double>(nlohmann::json(scene_json(q)));
     check_mass(q);
     return scene;
 }
@@ -343,19 +331,21 @@ std::string question_plain(const ProtocolQuestion& q) {
 
 ProtocolQuestion question_from_json(const nlohmann::json& object) {
     if (!object.is_object()) throw InputError("question", "must be a JSON object", text_of_json(object));
-    const auto scene = member<nlohmann::json>(object, "scene");
+    nlohmann::json scene;
+    read(object, "scene", scene);
     ProtocolQuestion q;
-    q.id = member<std::string>(object, "id");
-    q.quantity = quantity(member<std::string>(object, "quantity")).name;
+    read(object, "id", q.id);
+    read(object, "quantity", q.quantity);
+    static_cast<void>(quantity(q.quantity));
     for (const PartOfSystem& part : parts_of_system) {
-        if (!scene.contains(part.matrix_key)) q.*part.ratios = member<std::vector<double>>(scene, part.ratios_key);
+        if (!scene.contains(part.matrix_key)) read(scene, part.ratios_key, q.*part.ratios);
         q.*part.matrix = matrix_or_nothing(scene, part.matrix_key);
     }
     read_places(scene, q);
-    for (const auto& [key, number] : numbers_of_scene) q.*number = member<double>(scene, key);
-    if (object.contains("mass")) q.mass = whole(object, "mass");
-    if (object.contains("tau")) q.tau = member<double>(object, "tau");
-    if (object.contains("samples")) q.samples = whole(object, "samples");
+    for (const auto& [key, number] : numbers_of_scene) read(scene, key, q.*number);
+    read(object, "mass", q.mass, false);
+    read(object, "tau", q.tau, false);
+    read(object, "samples", q.samples, false);
     return q;
 }
 
@@ -380,8 +370,6 @@ std::string joined(std::span<const double> numbers, std::string_view between) {
     for (const double x : numbers) words.push_back(number_to_text(x));
     return joined(words, between);
 }
-
-std::string text_of_json(const nlohmann::json& x) { return x.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); }
 
 Answer answer_from_json(std::string_view line, std::string_view id) {
     if (nested_too_deeply(line)) return Unusable{in_quotes(line) + " is nested too deeply"};

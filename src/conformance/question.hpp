@@ -150,9 +150,6 @@ using Answer = std::variant<Value, Rejected, Skipped, Unusable>;
 /// @param between what stands between two of them @return the line
 [[nodiscard]] std::string joined(std::span<const double> numbers, std::string_view between = " ");
 
-/// @brief JSON as text, whatever bytes its strings hold. @param x the JSON @return the text
-[[nodiscard]] std::string text_of_json(const nlohmann::json& x);
-
 /// @brief An answer from a line of the `json` dialect, whose id has to be the question's. @param line the line
 /// @param id the question's id @return the answer; `Unusable` with the reason if the line is not an answer
 [[nodiscard]] Answer answer_from_json(std::string_view line, std::string_view id);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -69,6 +68,28 @@ void check_numbers(const Vector& v) {
     if (quantity(v.question.quantity).shape == Shape::samples && static_cast<std::size_t>(v.question.samples) != v.value.size())
         throw InputError("samples", "must be as many as value has numbers (" + count + ")", std::to_string(v.question.samples));
     if (!(v.scale > 0)) throw InputError("scale", "must be positive", number_to_text(v.scale));
+}
+
+std::string csv_row(const Vector& v, bool systems) {
+    const ProtocolQuestion& q = v.question;
+    std::vector<std::string> condition;
+    for (const auto& [input, number] : v.condition) condition.push_back(input + ":" + number_to_text(number));
+    std::vector<std::string> cells{q.id, v.group, v.equation, v.tier, q.quantity};
+    const auto add = [&](const auto&... texts) { (cells.emplace_back(texts), ...); };
+    add(std::to_string(q.contact) + (q.contact_with == 0 ? "" : " " + std::to_string(q.contact_with)));
+    add(q.loads.empty() ? std::to_string(q.load) : joined(q.loads), std::to_string(q.mass), std::to_string(q.samples));
+    for (const double x : {q.tau, q.mu, q.r, q.beta}) add(number_to_text(x));
+    for (const auto* list : {&q.mass_ratios, &q.stiffness_ratios, &q.damping_ratios}) add(joined(*list));
+    const bool answered = v.reject.empty(), numbers = answered && v.word.empty();
+    add(!answered ? "reject" : numbers ? joined(v.value) : v.word, joined(all_hexadecimal(v.nearest)));
+    add(numbers ? hexadecimal_float(v.scale) : "");
+    for (const auto& [key, number] : tolerances) add(numbers ? number_to_text(v.tolerance.*number) : "");
+    add(joined(condition), v.regime, v.margin ? number_to_text(*v.margin) : "", joined(v.flags), joined(v.catches));
+    add(answered ? joined(v.routes, "; ") : "", answered ? std::to_string(v.digits[0]) + " " + std::to_string(v.digits[1]) : "");
+    if (systems) add(q.base_motion);
+    for (const auto* list : {&q.mass_matrix, &q.stiffness_matrix, &q.damping_matrix, &q.load_phases})
+        if (systems) add(joined(*list));
+    return joined(cells, ",");
 }
 
 } // namespace
@@ -149,33 +170,14 @@ Vector vector_from_json(const nlohmann::json& object) {
 
 bool is_of_systems(const Vector& v) { return v.group.starts_with("systems-"); }
 
-std::string vector_csv_heading(bool systems) {
-    return std::string(
-               "id,group,equation,tier,quantity,contact,load,mass,samples,tau,mu,r,beta,mass_ratios,stiffness_ratios,"
-               "damping_ratios,value,hex,scale,pass,loose,inaccurate,condition,regime,margin,flags,catches,routes,digits") +
-           (systems ? ",base_motion,mass_matrix,stiffness_matrix,damping_matrix,load_phases" : "");
-}
-
-std::string vector_csv(const Vector& v, bool systems) {
-    const ProtocolQuestion& q = v.question;
-    std::vector<std::string> condition;
-    for (const auto& [input, number] : v.condition) condition.push_back(input + ":" + number_to_text(number));
-    std::vector<std::string> cells{q.id, v.group, v.equation, v.tier, q.quantity};
-    const auto add = [&](const auto&... texts) { (cells.emplace_back(texts), ...); };
-    add(std::to_string(q.contact) + (q.contact_with == 0 ? "" : " " + std::to_string(q.contact_with)));
-    add(q.loads.empty() ? std::to_string(q.load) : joined(q.loads), std::to_string(q.mass), std::to_string(q.samples));
-    for (const double x : {q.tau, q.mu, q.r, q.beta}) add(number_to_text(x));
-    for (const auto* list : {&q.mass_ratios, &q.stiffness_ratios, &q.damping_ratios}) add(joined(*list));
-    const bool answered = v.reject.empty(), numbers = answered && v.word.empty();
-    add(!answered ? "reject" : numbers ? joined(v.value) : v.word, joined(all_hexadecimal(v.nearest)));
-    add(numbers ? hexadecimal_float(v.scale) : "");
-    for (const auto& [key, number] : tolerances) add(numbers ? number_to_text(v.tolerance.*number) : "");
-    add(joined(condition), v.regime, v.margin ? number_to_text(*v.margin) : "", joined(v.flags), joined(v.catches));
-    add(answered ? joined(v.routes, "; ") : "", answered ? std::to_string(v.digits[0]) + " " + std::to_string(v.digits[1]) : "");
-    if (systems) add(q.base_motion);
-    for (const auto* list : {&q.mass_matrix, &q.stiffness_matrix, &q.damping_matrix, &q.load_phases})
-        if (systems) add(joined(*list));
-    return joined(cells, ",");
+std::string vectors_csv(const std::vector<const Vector*>& vectors) {
+    const bool systems = std::ranges::any_of(vectors, [](const Vector* v) { return is_of_systems(*v); });
+    std::string text = "id,group,equation,tier,quantity,contact,load,mass,samples,tau,mu,r,beta,mass_ratios,stiffness_ratios,"
+                       "damping_ratios,value,"
+                       "hex,scale,pass,loose,inaccurate,condition,regime,margin,flags,catches,routes,digits";
+    text += systems ? ",base_motion,mass_matrix,stiffness_matrix,damping_matrix,load_phases\n" : "\n";
+    for (const Vector* v : vectors) text += csv_row(*v, systems) + "\n";
+    return text;
 }
 
 std::vector<Vector> read_vectors(const std::filesystem::path& folder) {

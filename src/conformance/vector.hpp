@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "conformance/question.hpp"
@@ -65,14 +64,9 @@ struct Vector {
 /// @return whether its group is one of those that start with `systems-`
 [[nodiscard]] bool is_of_systems(const Vector& v);
 
-/// @brief Heading of a table of vectors.
-/// @param systems whether it has the five columns at the end that only systems beyond the paper fill
-/// @return the line, without its end
-[[nodiscard]] std::string vector_csv_heading(bool systems = false);
-
-/// @brief A vector as a line of a table; lists are numbers separated by spaces, matrices such lists row by row.
-/// @param v the vector @param systems as the heading has it @return the line, without its end
-[[nodiscard]] std::string vector_csv(const Vector& v, bool systems = false);
+/// @brief Vectors as a table with a heading; lists are numbers separated by spaces, matrices such lists row by row. If a vector
+/// is about a system beyond the paper, there are five columns more. @param vectors the vectors @return the lines
+[[nodiscard]] std::string vectors_csv(const std::vector<const Vector*>& vectors);
 
 /// @brief All vectors of a folder: its files *.jsonl in the order of their names. @param folder the folder @return the vectors
 /// @throws InputError if a file cannot be read, a line is not a vector, or an id is given twice

@@ -83,8 +83,8 @@ TEST_CASE("instants that go with r or R from scene to scene are found from the a
     for (const Steps& steps :
          {Steps{"", [](const PlainModes&) { return 1.0; }}, Steps{" times r", [](const PlainModes& m) { return m.r; }},
           Steps{" times 1/r", [](const PlainModes& m) { return 1 / m.r; }},
-          Steps{" times R_1", [](const PlainModes& m) { return m.R.front(); }},
-          Steps{" times R_N", [](const PlainModes& m) { return m.R.back(); }}}) {
+          Steps{" times R_1", [](const PlainModes& m) { return m.R[0]; }},
+          Steps{" times R_N", [](const PlainModes& m) { return m.R.tail(1)[0]; }}}) {
         std::vector<Judged> judged = answered({"S_j", "beta_lim_paper", "beta_lim_exact"}, 3, [&](const Vector& v) {
             const PlainModes m = plain_modes(v.question, {});
             const double h = 0.0125 * steps.of(m);

@@ -134,90 +134,65 @@ void add_dropped(std::vector<UnknownMistake>& all, Draw& draw) {
     const auto sums = [&](const char* told, std::function<void(PlainModes&)> change) {
         all.push_back(in_sums(rule, told, std::move(change)));
     };
-    const auto each = [](std::vector<double>& list, double x) { std::fill(list.begin(), list.end(), x); };
-    modes("u_di of every mode", [each](PlainModes& m) { each(m.u, 0); });
-    modes("g_i of every mode", [each](PlainModes& m) { each(m.g, 0); });
-    modes("the imaginary part of v_di", [](PlainModes& m) {
-        for (auto& v : m.v) v.im = 0;
-    });
-    modes("the real part of v_di", [](PlainModes& m) {
-        for (auto& v : m.v) v.re = 0;
-    });
+    modes("u_di of every mode", [](PlainModes& m) { m.u.setZero(); });
+    modes("g_i of every mode", [](PlainModes& m) { m.g.setZero(); });
+    modes("the imaginary part of v_di", [](PlainModes& m) { m.v.imag().setZero(); });
+    modes("the real part of v_di", [](PlainModes& m) { m.v.real().setZero(); });
     modes("the last mode", [](PlainModes& m) {
-        if (m.psi.size() > 1)
-            for (auto& row : m.psi) row.back() = 0;
+        if (m.psi.rows() > 1) m.psi.rightCols(1).setZero();
     });
     modes("the first mode", [](PlainModes& m) {
-        if (m.psi.size() > 1)
-            for (auto& row : m.psi) row.front() = 0;
+        if (m.psi.rows() > 1) m.psi.leftCols(1).setZero();
     });
     modes("the 1 - R^2 of a mode below its resonance", [](PlainModes& m) {
-        for (std::size_t i = 0; i < m.R.size(); ++i)
-            if (m.R[i] < 1) m.v[i].re = 1;
+        for (Eigen::Index i = 0; i < m.R.size(); ++i)
+            if (m.R[i] < 1) m.v[i].real(1);
     });
-    modes("one R_i of R_i^2", [](PlainModes& m) {
-        for (double& R : m.R) R = std::sqrt(R);
-    });
+    modes("one R_i of R_i^2", [](PlainModes& m) { m.R = m.R.cwiseSqrt().eval(); });
     sums("U_dj", [](PlainModes& m) { m.U[m.j] = 0; });
     sums("G_k of all masses but the contact", [](PlainModes& m) {
-        for (std::size_t k = 0; k < m.G.size(); ++k)
+        for (Eigen::Index k = 0; k < m.G.size(); ++k)
             if (k != m.j) m.G[k] = 0;
     });
     sums("H_j", [](PlainModes& m) { m.H_j = 0; });
-    sums("the 2 zeta_i R_i u_di in H_j", [](PlainModes& m) {
-        for (std::size_t i = 0; i < m.R.size(); ++i) m.H_j -= m.psi[m.j][i] * m.psi[m.j][i] * 2 * m.zeta[i] * m.R[i] * m.u[i];
-    });
-    sums("the g_i in H_j", [](PlainModes& m) {
-        for (std::size_t i = 0; i < m.R.size(); ++i) m.H_j -= m.psi[m.j][i] * m.psi[m.j][i] * m.g[i];
-    });
+    sums("the 2 zeta_i R_i u_di in H_j",
+         [](PlainModes& m) { m.H_j -= 2 * m.psi.row(m.j).cwiseAbs2().dot(m.zeta.cwiseProduct(m.R).cwiseProduct(m.u)); });
+    sums("the g_i in H_j", [](PlainModes& m) { m.H_j -= m.psi.row(m.j).cwiseAbs2().dot(m.g); });
     sums("gamma_j in (65)", [](PlainModes& m) { m.sum_of_squares = 1 / (m.r * m.r); });
-    sums("the imaginary part of V_dj", [](PlainModes& m) { m.V[m.j].im = 0; });
+    sums("the imaginary part of V_dj", [](PlainModes& m) { m.V[m.j].imag(0); });
     const double f = draw.factor(), g = draw.factor();
-    all.push_back(in_modes("scale a function", "u_di times " + text_of(f), [f](PlainModes& m) {
-        for (double& u : m.u) u *= f;
-    }));
-    all.push_back(in_modes("scale a function", "g_i times " + text_of(g), [g](PlainModes& m) {
-        for (double& x : m.g) x *= g;
-    }));
+    all.push_back(in_modes("scale a function", "u_di times " + text_of(f), [f](PlainModes& m) { m.u *= f; }));
+    all.push_back(in_modes("scale a function", "g_i times " + text_of(g), [g](PlainModes& m) { m.g *= g; }));
     all.push_back(in_modes("scale a function", "damped natural frequencies in R_i", [](PlainModes& m) {
-        for (std::size_t i = 0; i < m.R.size(); ++i)
+        for (Eigen::Index i = 0; i < m.R.size(); ++i)
             if (m.zeta[i] < 1) m.R[i] /= std::sqrt(1 - m.zeta[i] * m.zeta[i]);
     }));
-    all.push_back(in_modes("scale a function", "v_di with the other sign of its imaginary part", [](PlainModes& m) {
-        for (auto& v : m.v) v.im = -v.im;
-    }));
+    all.push_back(in_modes("scale a function", "v_di with the other sign of its imaginary part",
+                           [](PlainModes& m) { m.v = m.v.conjugate().eval(); }));
 }
 
 // Every mode shape over a norm of its own.
-UnknownMistake norm(std::string told, std::function<double(const PlainModes&, std::size_t i)> size) {
+UnknownMistake norm(std::string told, std::function<double(const PlainModes&, Eigen::Index i)> size) {
     return in_modes("use another norm", std::move(told), [size = std::move(size)](PlainModes& m) {
-        for (std::size_t i = 0; i < m.R.size(); ++i) {
+        for (Eigen::Index i = 0; i < m.R.size(); ++i) {
             const double by = size(m, i);
-            if (std::abs(by) > 1e-12)
-                for (auto& row : m.psi) row[i] /= by;
+            if (std::abs(by) > 1e-12) m.psi.col(i) /= by;
         }
     });
 }
 
 void add_norms(std::vector<UnknownMistake>& all) {
-    all.push_back(norm("the entries add up to 1", [](const PlainModes& m, std::size_t i) {
-        double sum = 0;
-        for (const auto& row : m.psi) sum += row[i];
-        return sum;
-    }));
-    all.push_back(norm("the sizes of the entries add up to 1", [](const PlainModes& m, std::size_t i) {
-        double sum = 0;
-        for (const auto& row : m.psi) sum += std::abs(row[i]);
-        return sum;
-    }));
-    all.push_back(norm("the entry of the first mass is 1", [](const PlainModes& m, std::size_t i) { return m.psi.front()[i]; }));
-    all.push_back(norm("the entry of the last mass is 1", [](const PlainModes& m, std::size_t i) { return m.psi.back()[i]; }));
-    all.push_back(norm("the entry of the contact is 1", [](const PlainModes& m, std::size_t i) { return m.psi[m.j][i]; }));
-    all.push_back(norm("the modal stiffness is 1", [](const PlainModes& m, std::size_t i) { return m.r_n[i]; }));
-    all.push_back(norm("the root mean square of the entries is 1", [](const PlainModes& m, std::size_t i) {
-        double sum = 0;
-        for (const auto& row : m.psi) sum += row[i] * row[i];
-        return std::sqrt(sum / static_cast<double>(m.psi.size()));
+    using Index = Eigen::Index;
+    all.push_back(norm("the entries add up to 1", [](const PlainModes& m, Index i) { return m.psi.col(i).sum(); }));
+    all.push_back(
+        norm("the sizes of the entries add up to 1", [](const PlainModes& m, Index i) { return m.psi.col(i).cwiseAbs().sum(); }));
+    all.push_back(norm("the entry of the first mass is 1", [](const PlainModes& m, Index i) { return m.psi(0, i); }));
+    all.push_back(
+        norm("the entry of the last mass is 1", [](const PlainModes& m, Index i) { return m.psi(m.psi.rows() - 1, i); }));
+    all.push_back(norm("the entry of the contact is 1", [](const PlainModes& m, Index i) { return m.psi(m.j, i); }));
+    all.push_back(norm("the modal stiffness is 1", [](const PlainModes& m, Index i) { return m.r_n[i]; }));
+    all.push_back(norm("the root mean square of the entries is 1", [](const PlainModes& m, Index i) {
+        return std::sqrt(m.psi.col(i).squaredNorm() / static_cast<double>(m.psi.rows()));
     }));
 }
 

@@ -5,7 +5,6 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "conformance/diagnose.hpp"
@@ -36,9 +35,8 @@ inline constexpr std::size_t least_agreeing = 3;
 // Finds the period from rest, up to the 200th, in which a program reads off wrong amplitudes and motions, for `transient`.
 [[nodiscard]] std::optional<Mistake> fitted_transient(std::span<const Judged> judged);
 
-// Where a function changes its sign between neighbours of a grid, each place by a number of halvings.
-[[nodiscard]] std::vector<double> sign_changes(const std::function<double(double)>& f, const std::vector<double>& grid,
-                                               int halvings);
+// Where a function changes its sign between neighbours of a grid.
+[[nodiscard]] std::vector<double> sign_changes(const std::function<double(double)>& f, const std::vector<double>& grid);
 
 [[nodiscard]] inline double share(std::size_t part, std::size_t whole) {
     return static_cast<double>(part) / static_cast<double>(whole);

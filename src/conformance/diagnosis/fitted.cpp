@@ -51,7 +51,7 @@ std::vector<double> steps_at(const std::function<double(double)>& f, double valu
     const double least = elementary::log(1e-9), most = elementary::log(largest_step);
     std::vector<double> grid;
     for (int n = 0; n <= pieces; ++n) grid.push_back(elementary::exp(least + (most - least) * n / pieces));
-    return sign_changes([&](double h) { return f(h) - value; }, grid, 60);
+    return sign_changes([&](double h) { return f(h) - value; }, grid);
 }
 
 // The number that most of some numbers share.
@@ -78,8 +78,8 @@ struct GridMeasure {
 constexpr GridMeasure measures[] = {{"", [](const PlainModes&) { return 1.0; }},
                                     {" times r", [](const PlainModes& m) { return m.r; }},
                                     {" times 1/r", [](const PlainModes& m) { return 1 / m.r; }},
-                                    {" times R_1", [](const PlainModes& m) { return m.R.front(); }},
-                                    {" times R_N", [](const PlainModes& m) { return m.R.back(); }}};
+                                    {" times R_1", [](const PlainModes& m) { return m.R[0]; }},
+                                    {" times R_N", [](const PlainModes& m) { return m.R.tail(1)[0]; }}};
 
 // Equally spaced instants, the numbers in units of the measure.
 struct Grid {
@@ -164,8 +164,8 @@ EndSteps end_steps(const Observed& one) {
     const PlainModes& m = one.modes;
     const auto larger = [&](double h) {
         double S = 0;
-        for (std::size_t i = 0; i < m.R.size(); ++i)
-            S += m.psi[m.j][i] * m.psi[m.j][i] * std::max(demand_of_mode(m, i, h, true), demand_of_mode(m, i, pi - h, true));
+        for (Index i = 0; i < m.R.size(); ++i)
+            S += m.psi(m.j, i) * m.psi(m.j, i) * std::max(demand_of_mode(m, i, h, true), demand_of_mode(m, i, pi - h, true));
         return S;
     };
     return {steps_at([&](double h) { return plain_demand_at(m, h, true); }, one.S),
@@ -213,7 +213,7 @@ std::vector<Grid> coarse_grids() {
 
 Answering answer_of(const WayOfSearch& search) {
     return where_modes_vibrate(
-        by_formulas_of(of_maximum, [search](Choices& c, const ProtocolQuestion& q) { choose(c, search, plain_modes(q, {})); }));
+        by_formulas(of_maximum, [search](Choices& c, const ProtocolQuestion& q) { choose(c, search, plain_modes(q, {})); }));
 }
 
 std::string told(const WayOfSearch& search) {

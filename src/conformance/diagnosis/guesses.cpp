@@ -33,33 +33,26 @@ std::map<std::string, std::vector<const Judged*>> numbers_by_quantity(std::span<
 // not.
 struct ChangeByNumber {
     const char* told;
-    double (*number)(double given, double truth, const ProtocolQuestion& q, bool angle);
-    double (*made)(double x, double number, const ProtocolQuestion& q, bool angle);
+    std::function<double(double given, double truth, const ProtocolQuestion& q, bool angle)> number;
+    std::function<double(double x, double number, const ProtocolQuestion& q, bool angle)> made;
     bool in_halves = false; // whether the number is half of a whole one, and one in two answers may show none
 };
 
 // The power of a number of the scene that a factor is.
-template <double (*of)(const ProtocolQuestion&)>
-constexpr ChangeByNumber power_of(const char* told) {
+ChangeByNumber power_of(const char* told, double (*of)(const ProtocolQuestion&)) {
     return {told,
-            [](double given, double truth, const ProtocolQuestion& q, bool) {
+            [of](double given, double truth, const ProtocolQuestion& q, bool) {
                 const double factor = given / truth, size = of(q);
                 const bool is_power = factor > 0 && std::isfinite(factor) && size > 0 && size != 1;
                 return is_power ? elementary::log(factor) / elementary::log(size) : std::nan("");
             },
-            [](double x, double exponent, const ProtocolQuestion& q, bool) {
+            [of](double x, double exponent, const ProtocolQuestion& q, bool) {
                 return x * elementary::exp(exponent * elementary::log(of(q)));
             },
             true};
 }
 
-double frequency_of(const ProtocolQuestion& q) { return q.r; }
-double static_friction_of(const ProtocolQuestion& q) { return q.mu; }
-double mass_ratio_of(const ProtocolQuestion& q) {
-    return q.mass_ratios.empty() ? 1 : q.mass_ratios[static_cast<std::size_t>(q.contact - 1)];
-}
-
-constexpr ChangeByNumber changes[] = {
+const ChangeByNumber changes[] = {
     {" plus ",
      [](double given, double truth, const ProtocolQuestion&, bool angle) {
          return angle ? wrapped_angle(given - truth) : given - truth;
@@ -68,9 +61,11 @@ constexpr ChangeByNumber changes[] = {
     {" times ",
      [](double given, double truth, const ProtocolQuestion&, bool) { return truth != 0 ? given / truth : std::nan(""); },
      [](double x, double by, const ProtocolQuestion&, bool) { return by * x; }},
-    power_of<frequency_of>(" times r^"),
-    power_of<static_friction_of>(" times mu^"),
-    power_of<mass_ratio_of>(" times gamma_j^")};
+    power_of(" times r^", [](const ProtocolQuestion& q) { return q.r; }),
+    power_of(" times mu^", [](const ProtocolQuestion& q) { return q.mu; }),
+    power_of(" times gamma_j^", [](const ProtocolQuestion& q) {
+        return q.mass_ratios.empty() ? 1 : q.mass_ratios[static_cast<std::size_t>(q.contact - 1)];
+    })};
 
 // The middle one of some numbers, or the half of a whole number next to it, if every second number is that.
 std::optional<double> shared(std::vector<double> numbers, bool in_halves) {
@@ -151,7 +146,7 @@ void add_factors(std::vector<Mistake>& all, const Input& input, std::span<const 
     };
     std::vector<double> grid;
     for (int n = 0; n <= pieces; ++n) grid.push_back(elementary::exp(reach * (2.0 * n / pieces - 1)));
-    std::vector<double> factors = sign_changes(apart, grid, 48);
+    std::vector<double> factors = sign_changes(apart, grid);
     for (const double unit : {100.0, 1000.0, 180 / std::numbers::pi}) factors.insert(factors.end(), {unit, 1 / unit});
     for (const double factor : factors) {
         Mistake guess = read_as(std::string(input.name) + " times " + short_text(factor),
@@ -194,34 +189,23 @@ std::vector<Mistake> others() {
                     }),
             with_modes("the last mode is missing",
                        [](PlainModes& m) {
-                           for (auto& row : m.psi)
-                               if (m.psi.size() > 1) row.back() = 0;
+                           if (m.psi.rows() > 1) m.psi.rightCols(1).setZero();
                        }),
             with_modes("damped natural frequencies in R_i of the response", [](PlainModes& m) {
-                for (std::size_t i = 0; i < m.R.size(); ++i)
+                for (Index i = 0; i < m.R.size(); ++i)
                     if (m.zeta[i] < 1) m.R[i] /= std::sqrt(1 - m.zeta[i] * m.zeta[i]);
             })};
 }
 
 } // namespace
 
-std::vector<double> sign_changes(const std::function<double(double)>& f, const std::vector<double>& grid, int halvings) {
+std::vector<double> sign_changes(const std::function<double(double)>& f, const std::vector<double>& grid) {
     std::vector<double> places;
-    double f_before = f(grid.front());
+    double before = f(grid.front());
     for (std::size_t n = 1; n < grid.size(); ++n) {
-        const double f_at = f(grid[n]);
-        if (f_before * f_at < 0) {
-            double a = grid[n - 1], b = grid[n];
-            for (int halving = 0; halving < halvings; ++halving) {
-                const double middle = (a + b) / 2;
-                if (f_before * f(middle) < 0)
-                    b = middle;
-                else
-                    a = middle;
-            }
-            places.push_back((a + b) / 2);
-        }
-        f_before = f_at;
+        const double at = f(grid[n]);
+        if (before * at < 0) places.push_back(zero_between(f, grid[n - 1], grid[n]));
+        before = at;
     }
     return places;
 }

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "conformance/mistakes/mistake.hpp"
@@ -19,10 +20,21 @@ using Names = std::vector<std::string_view>;
 inline const Names of_load{"beta_lim_approximate", "beta_lim_exact", "beta_lim_paper", "regime"},
     of_boundary{"beta_lim_exact", "beta_lim_paper", "regime"}, of_maximum{"S_j", "beta_lim_exact", "beta_lim_paper", "regime"};
 
-// The plain closed form with other choices. It affects the quantities `touched`; all if there are none.
-[[nodiscard]] Answering by_formulas_of(Names touched, std::function<void(Choices&, const ProtocolQuestion&)> choose);
-[[nodiscard]] Answering by_formulas(Names touched, std::function<void(Choices&)> choose);
-[[nodiscard]] Answering by_formulas(Names touched, bool Choices::*choice);
+// Whether a question is about one of some quantities; about any if there are none.
+[[nodiscard]] std::function<bool(const ProtocolQuestion&)> about(Names touched);
+
+// The plain closed form with other choices: one that is made, or a change of the choices, which may depend on the question.
+template <class Choose>
+[[nodiscard]] Answering by_formulas(Names touched, Choose choose) {
+    return {.touches = about(std::move(touched)), .choose = [choose](Choices& c, const ProtocolQuestion& q) {
+                if constexpr (std::is_member_pointer_v<Choose>)
+                    c.*choose = true;
+                else if constexpr (std::is_invocable_v<Choose, Choices&>)
+                    choose(c);
+                else
+                    choose(c, q);
+            }};
+}
 
 // The answers of a program that makes a mistake, which is not made together with others.
 [[nodiscard]] inline Answering by_itself(std::function<std::optional<Value>(const ProtocolQuestion&)> answer) {
@@ -34,8 +46,16 @@ inline const Names of_load{"beta_lim_approximate", "beta_lim_exact", "beta_lim_p
 
 // The right answer to some quantities, changed; or each of its numbers.
 [[nodiscard]] Answering changed(Names touched, std::function<void(Value& value, const ProtocolQuestion& q)> change);
-[[nodiscard]] Answering each_changed(Names touched, std::function<double(double x, const ProtocolQuestion& q)> change);
-[[nodiscard]] Answering each_changed(Names touched, std::function<double(double x)> change);
+template <class Change>
+[[nodiscard]] Answering each_changed(Names touched, Change change) {
+    return changed(std::move(touched), [change](Value& value, const ProtocolQuestion& q) {
+        for (double& x : value.numbers)
+            if constexpr (std::is_invocable_v<Change, double>)
+                x = change(x);
+            else
+                x = change(x, q);
+    });
+}
 
 // The right answer to another question; none if the change leaves the question as it is.
 [[nodiscard]] Answering reading(std::function<void(ProtocolQuestion&)> change);

@@ -7,16 +7,12 @@
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog::conformance {
-namespace {
 
-// Whether a question is about one of some quantities; about any if there are none.
 std::function<bool(const ProtocolQuestion&)> about(Names touched) {
     return [touched = std::move(touched)](const ProtocolQuestion& q) {
         return touched.empty() || std::ranges::find(touched, q.quantity) != touched.end();
     };
 }
-
-} // namespace
 
 std::optional<Value> Answering::operator()(const ProtocolQuestion& q) const {
     const Answering* const only = this;
@@ -43,31 +39,8 @@ std::optional<Value> answer_with_several(std::span<const Answering* const> sever
     });
 }
 
-Answering by_formulas_of(Names touched, std::function<void(Choices&, const ProtocolQuestion&)> choose) {
-    return {.touches = about(std::move(touched)), .choose = std::move(choose)};
-}
-
-Answering by_formulas(Names touched, std::function<void(Choices&)> choose) {
-    return by_formulas_of(std::move(touched), [choose = std::move(choose)](Choices& c, const ProtocolQuestion&) { choose(c); });
-}
-
-Answering by_formulas(Names touched, bool Choices::*choice) {
-    return by_formulas(std::move(touched), [choice](Choices& c) { c.*choice = true; });
-}
-
 Answering changed(Names touched, std::function<void(Value& value, const ProtocolQuestion& q)> change) {
     return {.touches = about(std::move(touched)), .change = std::move(change)};
-}
-
-Answering each_changed(Names touched, std::function<double(double x, const ProtocolQuestion& q)> change) {
-    return changed(std::move(touched), [change = std::move(change)](Value& value, const ProtocolQuestion& q) {
-        for (double& x : value.numbers) x = change(x, q);
-    });
-}
-
-Answering each_changed(Names touched, std::function<double(double x)> change) {
-    return each_changed(std::move(touched),
-                        [change = std::move(change)](double x, const ProtocolQuestion&) { return change(x); });
 }
 
 Answering where_modes_vibrate(Answering mistake) {

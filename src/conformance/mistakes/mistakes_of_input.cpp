@@ -15,11 +15,34 @@ void invert(std::vector<double>& ratios) {
     for (double& x : ratios) x = 1 / x;
 }
 
-// Whether dampers are a part of the load of what moves.
-bool has_damped_base(const ProtocolQuestion& q) {
-    if (q.base_motion != "alone" && q.base_motion != "wall") return false;
-    const PlainRow dampers = plain_system(q).p_i;
-    return std::ranges::any_of(dampers, [](double x) { return x != 0; });
+void multiply(std::vector<double>& list, double by) {
+    for (double& x : list) x *= by;
+}
+
+void set_all(std::vector<double>& list, double x) { std::ranges::fill(list, x); }
+
+// Viscous damping times a number.
+Answering damping_times(double factor) {
+    return reading([factor](ProtocolQuestion& q) {
+        for (auto* list : {&q.damping_ratios, &q.damping_matrix}) multiply(*list, factor);
+    });
+}
+
+// Another load of a base or wall that moves: a change of the question, made from its system, if what moves is this.
+template <class Change>
+Answering of_base(const char* motion, Change change) {
+    return reading([=](ProtocolQuestion& q) {
+        if (q.base_motion == motion) change(q, plain_system(q));
+    });
+}
+
+// The same where a base or wall moves alone and dampers are a part of the load.
+template <class Change>
+Answering of_damped_base(Change change) {
+    return reading([=](ProtocolQuestion& q) {
+        if (q.base_motion != "alone" && q.base_motion != "wall") return;
+        if (const PlainSystem s = plain_system(q); !s.p_i.isZero(0)) change(q, s);
+    });
 }
 
 // Absolute motions with `times` times the motion of the frame: 1 is right, 0 gives the relative motion, -1 subtracts it.
@@ -28,10 +51,6 @@ Answering adding_frame(double times) {
         const bool moves = quantity(q.quantity).absolute && (q.base_motion == "with_wall" || q.base_motion == "wall");
         return moves ? plain_answer_in_frame(q, times) : std::nullopt;
     }};
-}
-
-void multiply(std::vector<double>& list, double by) {
-    for (double& x : list) x *= by;
 }
 
 const std::vector<std::string> of_limits{"beta_lim_approximate", "beta_lim_exact", "beta_lim_paper",
@@ -43,39 +62,33 @@ std::vector<Mistake> mistakes_of_input() {
     return {
         {"mass-ratios-ignored", "9", "The mass ratios of (9) are taken as 1: all masses are the first one.",
          "where mass_ratios enter the mass matrix; test with masses that differ",
-         reading([](ProtocolQuestion& q) { std::fill(q.mass_ratios.begin(), q.mass_ratios.end(), 1); })},
+         reading([](ProtocolQuestion& q) { set_all(q.mass_ratios, 1); })},
         {"mass-ratios-inverted", "9", "The mass ratios are taken as m_1 / m_i; (9) has m_i / m_1.",
          "where mass_ratios enter the mass matrix: a ratio above 1 is a heavier mass",
          reading([](ProtocolQuestion& q) { invert(q.mass_ratios); })},
         {"stiffness-ratios-ignored", "73", "The stiffness ratios of (73) are taken as 1: all springs are the first one.",
          "where stiffness_ratios enter the stiffness matrix; test with springs that differ",
-         reading([](ProtocolQuestion& q) { std::fill(q.stiffness_ratios.begin(), q.stiffness_ratios.end(), 1); })},
+         reading([](ProtocolQuestion& q) { set_all(q.stiffness_ratios, 1); })},
         {"stiffness-ratios-inverted", "73", "The stiffness ratios are taken as k_1 / k_i; (73) has k_i / k_1.",
          "where stiffness_ratios enter the stiffness matrix: a ratio above 1 is a stiffer spring",
          reading([](ProtocolQuestion& q) { invert(q.stiffness_ratios); })},
         {"damping-of-first-mode", "18", "The damping ratio of the first mode is used for every mode; (18) has one a mode.",
          "the index of the damping ratio in the loops over modes", reading([](ProtocolQuestion& q) {
-             if (!q.damping_ratios.empty()) std::fill(q.damping_ratios.begin(), q.damping_ratios.end(), q.damping_ratios.front());
+             if (!q.damping_ratios.empty()) set_all(q.damping_ratios, q.damping_ratios.front());
          })},
         {"damping-ignored", "18", "Viscous damping is left out: every zeta_i of (18) is taken as 0.",
-         "whether the damping ratios reach (23), (28) and (29)", reading([](ProtocolQuestion& q) {
-             for (auto* list : {&q.damping_ratios, &q.damping_matrix}) std::fill(list->begin(), list->end(), 0);
-         })},
+         "whether the damping ratios reach (23), (28) and (29)", damping_times(0)},
         {"damping-halved", "19", "Viscous damping is half of what it should be: the 2 of 2 zeta_i Omega_i in (19) is missing.",
          "the factor 2 where modal damping is made from damping ratios; a loss factor is twice a damping ratio",
-         reading([](ProtocolQuestion& q) {
-             for (auto* list : {&q.damping_ratios, &q.damping_matrix}) multiply(*list, 0.5);
-         })},
+         damping_times(0.5)},
         {"damping-as-logarithmic-decrement", "18",
          "The damping ratios are taken for logarithmic decrements: zeta_i of (18) is divided by 2 pi.",
          "what is made of damping_ratios: they are zeta_i, not delta_i = 2 pi zeta_i / sqrt(1 - zeta_i^2)",
-         reading([](ProtocolQuestion& q) {
-             for (double& x : q.damping_ratios) x /= 2 * pi;
-         })},
+         reading([](ProtocolQuestion& q) { multiply(q.damping_ratios, 1 / (2 * pi)); })},
         {"damping-ratios-reversed", "18",
          "The damping ratios are given to the modes by descending natural frequency; the list goes by ascending.",
          "the order in which the eigenvalue routine returns the modes; sort them before damping ratios are attached",
-         reading([](ProtocolQuestion& q) { std::reverse(q.damping_ratios.begin(), q.damping_ratios.end()); })},
+         reading([](ProtocolQuestion& q) { std::ranges::reverse(q.damping_ratios); })},
         {"contact-and-load-swapped", "4", "The mass in contact j and the loaded mass l are exchanged.",
          "which row of the modal matrix multiplies the friction force and which one the load",
          reading([](ProtocolQuestion& q) { std::swap(q.contact, q.load); })},
@@ -116,7 +129,7 @@ std::vector<Mistake> mistakes_of_input() {
          reading([](ProtocolQuestion& q) { q.beta *= 4 / pi; })},
         {"r-over-first-natural-frequency", "10",
          "r is taken as omega over the first natural frequency; (10) has omega sqrt(m_1 / k_1).",
-         "the definition of r: no eigenvalue is in it", reading([](ProtocolQuestion& q) { q.r *= plain_system(q).r_n.front(); })},
+         "the definition of r: no eigenvalue is in it", reading([](ProtocolQuestion& q) { q.r *= plain_system(q).r_n[0]; })},
         {"r-not-squared", "8", "The mass matrix has gamma_i r where (8) has gamma_i r^2.",
          "the power of r in the non-dimensional mass matrix", reading([](ProtocolQuestion& q) { q.r = std::sqrt(q.r); })},
         {"r-inverted", "10", "r is taken as the natural frequency over that of the load; (10) has it the other way.",
@@ -138,35 +151,26 @@ std::vector<Mistake> mistakes_of_input() {
              if (q.contact_with != 0) std::swap(q.contact, q.contact_with);
          })},
         {"loads-normalised", "4", "The forces on the masses are scaled to a vector of unit length.",
-         "how load is read where it is a list: its entries are forces in units of P", reading([](ProtocolQuestion& q) {
-             double square = 0;
-             for (const double p : q.loads) square += p * p;
-             for (double& p : q.loads) p /= std::sqrt(square);
-         })},
+         "how load is read where it is a list: its entries are forces in units of P",
+         reading([](ProtocolQuestion& q) { multiply(q.loads, 1 / row_of_list(q.loads).norm()); })},
         {"largest-load-only", "4", "Of the forces on the masses the largest alone is taken.",
          "how load is read where it is a list: every entry is the force on its mass", reading([](ProtocolQuestion& q) {
-             const auto largest =
-                 std::max_element(q.loads.begin(), q.loads.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-             for (auto p = q.loads.begin(); p != q.loads.end(); ++p)
-                 if (p != largest) *p = 0;
+             const auto largest = std::ranges::max_element(q.loads, {}, [](double p) { return std::abs(p); });
+             std::fill(q.loads.begin(), largest, 0);
+             if (largest != q.loads.end()) std::fill(largest + 1, q.loads.end(), 0);
          })},
         {"base-taken-with-wall", "4",
          "A base that moves alone is taken to move together with the wall: the load is M 1 in place of K 1.",
          "which load base_motion makes: \"alone\" moves the ends of the springs, in absolute displacements",
-         reading([](ProtocolQuestion& q) {
-             if (q.base_motion == "alone") q.base_motion = "with_wall";
-         })},
+         of_base("alone", [](ProtocolQuestion& q, const PlainSystem&) { q.base_motion = "with_wall"; })},
         {"base-taken-alone", "4",
          "A base that moves together with the wall is taken to move alone: the load is K 1 in place of M 1.",
          "which load base_motion makes: \"with_wall\" loads every mass by its inertia, in displacements relative to the wall",
-         reading([](ProtocolQuestion& q) {
-             if (q.base_motion == "with_wall") q.loads = times(plain_system(q).K, PlainRow(masses_of(q), 1.0));
-         })},
+         of_base("with_wall", [](ProtocolQuestion& q, const PlainSystem& s) { q.loads = list_of(s.K.rowwise().sum()); })},
         {"base-load-without-masses", "4",
          "A base that moves together with the wall loads every mass by the same force: 1 in place of M 1.",
-         "the load of a base that moves: masses times its acceleration", reading([](ProtocolQuestion& q) {
-             if (q.base_motion == "with_wall") q.loads.assign(masses_of(q), 1);
-         })},
+         "the load of a base that moves: masses times its acceleration",
+         of_base("with_wall", [](ProtocolQuestion& q, const PlainSystem&) { q.loads.assign(masses_of(q), 1); })},
         {"load-phases-reversed", "1", "The phases of the forces are taken as lags; a force leads cos(tau) by its phase.",
          "the sign of load_phases: force k is load_k cos(tau + load_phases_k)",
          reading([](ProtocolQuestion& q) { multiply(q.load_phases, -1); })},
@@ -177,23 +181,17 @@ std::vector<Mistake> mistakes_of_input() {
          "the unit of load_phases", reading([](ProtocolQuestion& q) { multiply(q.load_phases, pi / 180); })},
         {"base-damper-ignored", "4",
          "A base or wall that moves alone loads the masses by springs without their dampers: r C 1 is missing.",
-         "the load of base_motion \"alone\": (K + i r C) 1, and of \"wall\": r^2 M 1 less that", reading([](ProtocolQuestion& q) {
-             if (has_damped_base(q)) q.loads = plain_system(q).p;
-         })},
+         "the load of base_motion \"alone\": (K + i r C) 1, and of \"wall\": r^2 M 1 less that",
+         of_damped_base([](ProtocolQuestion& q, const PlainSystem& s) { q.loads = list_of(s.p); })},
         {"base-load-taken-real", "4", "The load of a base or wall that moves alone has its size, but not its phase.",
          "where the complex load (K + i r C) 1 becomes real: its parts are for cos(tau) and -sin(tau)",
-         reading([](ProtocolQuestion& q) {
-             if (!has_damped_base(q)) return;
-             const PlainSystem s = plain_system(q);
-             for (std::size_t k = 0; k < s.size(); ++k) q.loads.push_back(modulus({s.p[k], s.p_i[k]}));
+         of_damped_base([](ProtocolQuestion& q, const PlainSystem& s) {
+             for (Index k = 0; k < s.size(); ++k) q.loads.push_back(modulus({s.p[k], s.p_i[k]}));
          })},
         {"wall-taken-with-base", "4",
          "A wall that moves alone loads every mass by its inertia alone: the base, which stays, moves in the frame of the wall.",
-         "the load of base_motion \"wall\": r^2 M 1 - (K + i r C) 1", reading([](ProtocolQuestion& q) {
-             if (q.base_motion != "wall") return;
-             const PlainSystem s = plain_system(q);
-             q.loads = times(s.M, PlainRow(s.size(), s.r * s.r));
-         })},
+         "the load of base_motion \"wall\": r^2 M 1 - (K + i r C) 1",
+         of_base("wall", [](ProtocolQuestion& q, const PlainSystem& s) { q.loads = list_of(s.r * s.r * s.M.rowwise().sum()); })},
         {"relative-for-absolute", "4", "Displacements relative to the wall are given for absolute ones.",
          "what is added to the displacements where the wall moves: its own motion, in phase with the cosine of tau",
          adding_frame(0)},
@@ -207,7 +205,7 @@ std::vector<Mistake> mistakes_of_input() {
          "Of the damping matrix the diagonal in the modes alone is taken, as (18) has it where the modes are not coupled.",
          "whether psi^T C psi is taken to be diagonal: it is where K M^-1 C = C M^-1 K", reading([](ProtocolQuestion& q) {
              if (q.damping_matrix.empty()) return;
-             q.damping_ratios = plain_system(q).zeta;
+             q.damping_ratios = list_of(plain_system(q).zeta);
              q.damping_matrix.clear();
          })},
         {"dashpots-between-masses-ignored", "19", "Of the damping matrix the diagonal alone is taken.",

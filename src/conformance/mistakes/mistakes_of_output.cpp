@@ -17,6 +17,7 @@ using std::string_literals::operator""s;
 const std::vector<std::string> no_core, of_displacement{"displacement"};
 const Names angles_of_paper{"phase", "phase_monoharmonic"}, angles{"phase", "phase_monoharmonic", "absolute_phase"};
 const Names amplitudes{"amplitude", "amplitude_monoharmonic", "absolute_amplitude", "transmissibility"};
+const Names of_46{"displacement", "amplitude", "phase", "motion_under_force"};
 
 double phase_of_contact(const ProtocolQuestion& q) {
     const Choices c{.beyond_the_boundary = true};
@@ -38,26 +39,21 @@ double static_deflection(const ProtocolQuestion& q) {
 }
 
 // Displacement of a mass behind the mass before it, the ground before the first.
-std::optional<Value> elongation(const ProtocolQuestion& q) {
-    if (!asks_for(q, {"displacement", "initial_displacement", "initial_velocity", "motion_under_force"})) return std::nullopt;
-    std::optional<Value> value = plain_answer(q);
-    if (!value || q.mass < 2) return value;
-    ProtocolQuestion before = q;
-    --before.mass;
-    const std::optional<Value> of_neighbour = plain_answer(before);
-    if (!of_neighbour) return std::nullopt;
-    for (std::size_t n = 0; n < value->numbers.size(); ++n) value->numbers[n] -= of_neighbour->numbers[n];
-    return value;
+void take_elongation(Value& value, ProtocolQuestion q) {
+    if (--q.mass < 1) return;
+    const std::optional<Value> before = plain_answer(q);
+    if (!before) throw NoPlainAnswer();
+    std::ranges::transform(value.numbers, before->numbers, value.numbers.begin(), std::minus());
 }
 
 // The response to sin(tau) is a quarter of a period late.
-std::optional<Value> under_a_sine(const ProtocolQuestion& q) {
-    std::optional<Value> value = plain_answer(q);
-    if (!value || !asks_for(q, {"phase", "phase_monoharmonic", "absolute_phase", "motion_under_force"})) return std::nullopt;
-    if (q.quantity != "motion_under_force") return Value{{wrapped_angle(value->numbers.front() + pi / 2)}, ""};
-    if (q.samples % 4 != 0) return std::nullopt;
-    std::rotate(value->numbers.begin(), value->numbers.end() - q.samples / 4, value->numbers.end());
-    return value;
+void take_sine(Value& value, const ProtocolQuestion& q) {
+    if (q.quantity != "motion_under_force") {
+        value.numbers.front() = wrapped_angle(value.numbers.front() + pi / 2);
+        return;
+    }
+    if (q.samples % 4 != 0) throw NoPlainAnswer();
+    std::ranges::rotate(value.numbers, value.numbers.end() - q.samples / 4);
 }
 
 std::optional<Value> from_contact(const ProtocolQuestion& q) {
@@ -94,21 +90,16 @@ std::optional<Value> without_stops(const ProtocolQuestion& q) {
     return q.quantity == "regime" ? Value{{}, "continuous"} : Value{{0}, ""};
 }
 
-using std::numbers::pi;
-
 // Cores of mistakes.
 const std::vector<std::string> of_67{"beta_lim_approximate"},
     of_limits{"beta_lim_approximate", "beta_lim_exact", "beta_lim_paper"}, of_maxima{"S_j", "beta_lim_exact", "beta_lim_paper"},
     of_sticking{"beta_lim_sticking"};
 
 // Every mode shape times a factor of its own.
-Answering scaled_shapes(double (*factor)(const PlainModes& m, std::size_t i)) {
+Answering scaled_shapes(double (*factor)(const PlainModes& m, Index i)) {
     return by_formulas({}, [=](Choices& c) {
         c.change_modes = [=](PlainModes& m) {
-            for (std::size_t i = 0; i < m.R.size(); ++i) {
-                const double by = factor(m, i);
-                for (auto& row : m.psi) row[i] *= by;
-            }
+            for (Index i = 0; i < m.R.size(); ++i) m.psi.col(i) *= factor(m, i);
         };
     });
 }
@@ -117,7 +108,7 @@ Answering scaled_shapes(double (*factor)(const PlainModes& m, std::size_t i)) {
 Answering other_responses(Phasor (*response)(double R, double zeta)) {
     return by_formulas({}, [=](Choices& c) {
         c.change_modes = [=](PlainModes& m) {
-            for (std::size_t i = 0; i < m.R.size(); ++i) m.v[i] = response(m.R[i], m.zeta[i]);
+            for (Index i = 0; i < m.R.size(); ++i) m.v[i] = response(m.R[i], m.zeta[i]);
         };
     });
 }
@@ -194,9 +185,11 @@ std::vector<Mistake> mistakes_of_output() {
          })},
         {"elongation-for-displacement", "5",
          "The elongation of the spring before a mass is given for the displacement of the mass.",
-         "the coordinates: x_k is measured from the place of rest of mass k", by_itself(elongation)},
+         "the coordinates: x_k is measured from the place of rest of mass k",
+         by_itself(changed({"displacement", "initial_displacement", "initial_velocity", "motion_under_force"}, take_elongation))},
         {"force-as-sine", "1", "The load is taken as a sine of tau; the protocol has a cosine: the load is largest at tau = 0.",
-         "the origin of tau, and a phase of pi / 2", by_itself(under_a_sine)},
+         "the origin of tau, and a phase of pi / 2",
+         by_itself(changed({"phase", "phase_monoharmonic", "absolute_phase", "motion_under_force"}, take_sine))},
         {"amplitude-at-contact-maximum", "44",
          "The amplitude of a mass is taken as its displacement at the maximum of the contact.",
          "how the maximum of (46) over tau is found", by_itself(at_contact_maximum)},
@@ -242,19 +235,18 @@ std::vector<Mistake> mistakes_of_formulas() {
                 "Sine and cosine stand exchanged in the bracket of (46), as printed there and in (40), (41) and (A.15); it is d "
                 "of (A.8).",
                 "the bracket that multiplies (1 + g_i): cos + zeta / sqrt(1 - zeta^2) sin, which is 1 at tau = 0",
-                by_formulas({"displacement", "amplitude", "phase", "motion_under_force"}, &Choices::motion_as_printed),
-                {"displacement"}),
+                by_formulas(of_46, &Choices::motion_as_printed), {"displacement"}),
         printed("44", "(44) as printed: the real part lacks beta U_dj sin(Delta).",
                 "x_k0: the phase phi_j is not zero in V_dk cos(phi_j), read as Re{V_dk exp(i phi_j)}",
                 by_formulas({"initial_displacement", "displacement", "amplitude", "phase", "motion_under_force",
                              "amplitude_monoharmonic", "phase_monoharmonic"},
-                            [](Choices& c) { c.initial_displacement_as_printed = c.motion_from_start = true; }),
+                            &Choices::initial_displacement_as_printed),
                 {"initial_displacement"}),
         printed("45", "(45) as printed: the real part lacks the root times sin(Delta).",
                 "x'_k0: V_dk sin(phi_j) is read as Im{V_dk exp(i phi_j)}, whose real part alone is not enough",
                 by_formulas({"initial_velocity", "displacement", "amplitude", "phase", "motion_under_force",
                              "amplitude_monoharmonic", "phase_monoharmonic"},
-                            [](Choices& c) { c.initial_velocity_as_printed = c.motion_from_start = true; }),
+                            &Choices::initial_velocity_as_printed),
                 {"initial_velocity"}),
         printed("50", "(50) as printed: the ratio of the moduli multiplies its first term only.",
                 "X_kC: |V_dk| / |V_dj| multiplies the root and beta U_dj sin(Delta)",
@@ -315,23 +307,14 @@ std::vector<Mistake> mistakes_of_formulas() {
         {"r-not-squared-in-65", "65", "The sum of squares in (65) is taken as 1 / (gamma_j r); it is 1 / (gamma_j r^2).",
          "mu / (gamma_j r^2) in (67)", other_sums([](PlainModes& m) { m.sum_of_squares *= m.r; }), of_67},
         {"psi-not-scaled-with-r", "17", "Mode shapes are normalised with diag(m_i / m_1); (17) has r^2 diag(m_i / m_1).",
-         "the normalisation of the mode shapes: they go as 1 / r",
-         scaled_shapes([](const PlainModes& m, std::size_t) { return m.r; })},
+         "the normalisation of the mode shapes: they go as 1 / r", scaled_shapes([](const PlainModes& m, Index) { return m.r; })},
         {"psi-largest-entry-1", "17", "Mode shapes are normalised to a largest entry of 1; (17) uses the mass matrix.",
          "the normalisation of the mode shapes: psi^T M psi = 1 with M of (8)",
-         scaled_shapes([](const PlainModes& m, std::size_t i) {
-             double largest = 0;
-             for (const auto& row : m.psi) largest = std::max(largest, std::abs(row[i]));
-             return 1 / largest;
-         })},
+         scaled_shapes([](const PlainModes& m, Index i) { return 1 / m.psi.col(i).cwiseAbs().maxCoeff(); })},
         {"psi-of-unit-length", "17",
          "Mode shapes have unit length, as eigenvalue routines return them; (17) uses the mass matrix.",
          "the normalisation of the mode shapes: psi^T M psi = 1 with M of (8)",
-         scaled_shapes([](const PlainModes& m, std::size_t i) {
-             double squares = 0;
-             for (const auto& row : m.psi) squares += row[i] * row[i];
-             return 1 / std::sqrt(squares);
-         })},
+         scaled_shapes([](const PlainModes& m, Index i) { return 1 / m.psi.col(i).norm(); })},
         {"modes-descending", "15", "Modes are listed by descending natural frequency; answers list them ascending.",
          "the order in which the eigenvalue routine returns the modes",
          changed({"natural_frequency_ratios", "modal_frequency_ratios", "mode_shape_products"},
@@ -340,9 +323,8 @@ std::vector<Mistake> mistakes_of_formulas() {
          other_responses([](double R, double zeta) { return response_of_mode(R, zeta / 2); })},
         {"hysteretic-damping", "23", "Damping is hysteretic: (23) has 2 zeta_i in place of 2 zeta_i R_i.",
          "the imaginary part of (23): a viscous force grows with the frequency", other_responses([](double R, double zeta) {
-             const double stiffness = (1 - R) * (1 + R), damping = 2 * zeta;
-             const double square = stiffness * stiffness + damping * damping;
-             return Phasor{stiffness / square, -damping / square};
+             const Phasor stiffness((1 - R) * (1 + R), 2 * zeta);
+             return std::conj(stiffness) / std::norm(stiffness);
          })},
         {"argument-by-arctangent", "39",
          "The argument of V_dj is taken as the arcus tangent of a quotient, which loses the half-plane.",

@@ -21,7 +21,7 @@ using std::numbers::pi;
 double largest_over_half_period(const std::function<double(double)>& f, int steps) {
     const double h = pi / steps;
     const auto less = [&](double tau) { return -f(tau); };
-    PlainRow samples;
+    std::vector<double> samples;
     for (int n = 0; n < steps; ++n) samples.push_back(f(n * h)); // at pi it is less than at 0
     double best = *std::ranges::max_element(samples);
     const double reach = 1e-2 * std::abs(best);
@@ -50,19 +50,18 @@ double largest(const PlainModes& m, const Choices& c, const std::function<double
 double sum_of_maxima(const PlainModes& m, const Choices& c) {
     if (m.coupled) throw NoPlainAnswer();
     double S = 0;
-    for (std::size_t i = 0; i < m.R.size(); ++i)
-        S += m.psi[m.j][i] * m.psi[m.j][i] *
+    for (Index i = 0; i < m.R.size(); ++i)
+        S += m.psi(m.j, i) * m.psi(m.j, i) *
              largest(m, c, [&](double tau) { return demand_of_mode(m, i, tau, c.demand_as_printed); });
     return S;
 }
 
 // Whether every mode meets (63) on its own.
-bool every_mode_meets_63(const PlainModes& m, double beta) {
-    PlainModes other = m;
-    other.beta = beta;
-    const double phase = plain_phase(other, {});
-    for (std::size_t i = 0; i < m.R.size(); ++i) {
-        const double psi_j = m.psi[m.j][i], psi_l = m.psi[m.l][i], R = m.R[i];
+bool every_mode_meets_63(PlainModes m, double beta) {
+    m.beta = beta;
+    const double phase = plain_phase(m, {});
+    for (Index i = 0; i < m.R.size(); ++i) {
+        const double psi_j = m.psi(m.j, i), psi_l = m.psi(m.l, i), R = m.R[i];
         const double eta_0 = R * R * (psi_l * times_cosine(m.v[i], phase) - psi_j * m.g[i] * beta);
         const double load = eta_0 - beta * psi_j * ((1 - R * R) * m.g[i] + 2 * m.zeta[i] * R * m.u[i]);
         if (std::abs(load) <= std::abs(psi_j) * m.mu * beta) return false;
@@ -73,18 +72,9 @@ bool every_mode_meets_63(const PlainModes& m, double beta) {
 // The first friction ratio up to a limit at which a mode fails (63).
 double limit_mode_by_mode(const PlainModes& m, double limit) {
     constexpr int steps = 256;
-    for (int n = 1; n <= steps; ++n) {
-        if (every_mode_meets_63(m, limit * n / steps)) continue;
-        double met = limit * (n - 1) / steps, failed = limit * n / steps;
-        for (int halvings = 0; halvings < 50; ++halvings) {
-            const double middle = (met + failed) / 2;
-            if (every_mode_meets_63(m, middle))
-                met = middle;
-            else
-                failed = middle;
-        }
-        return failed;
-    }
+    const auto met = [&](double beta) { return every_mode_meets_63(m, beta) ? 1.0 : -1.0; };
+    for (int n = 1; n <= steps; ++n)
+        if (met(limit * n / steps) < 0) return zero_between(met, limit * (n - 1) / steps, limit * n / steps);
     return limit;
 }
 
@@ -103,37 +93,18 @@ double sticking_limit(const ProtocolQuestion& q, const PlainModes& m, const Choi
     return c.sticking ? c.sticking(q) : modulus(m.V[m.j]) / (m.mu * modulus(m.Y_jj));
 }
 
-// The response of the chain of the masses on the load's side of the contact, next to it, times the spring between them.
-double force_of_spring(const ProtocolQuestion& q, const PlainSystem& s,
-                       Phasor (*response)(PlainPart, std::size_t, std::size_t, double)) {
-    const auto j = static_cast<std::size_t>(q.contact - 1), l = static_cast<std::size_t>(q.load - 1);
-    if (l < j) return q.stiffness_ratios[j] * modulus(response(part_of(q, s, 0, j), l, j - 1, q.r));
-    return q.stiffness_ratios[j + 1] * modulus(response(part_of(q, s, j + 1, s.size()), l - j - 1, 0, q.r));
-}
-
-// The response of one mass to a force on another: by modes, as if damping did not couple them; and by the matrices.
-Phasor response_by_modes(PlainPart part, std::size_t load, std::size_t mass, double r) {
-    const PlainShapes modes = shapes_of(part.springs, part.M);
-    const PlainMatrix damping = times(transposed(modes.phi), times(part.C, modes.phi));
-    Phasor X;
-    for (std::size_t i = 0; i < modes.r_n.size(); ++i) {
-        const double stiffness = (modes.r_n[i] - r) * (modes.r_n[i] + r), viscous = r * damping[i][i];
-        const double over = modes.phi[mass][i] * modes.phi[load][i] / (stiffness * stiffness + viscous * viscous);
-        X.re += over * stiffness;
-        X.im -= over * viscous;
+// The response of one mass to a force on another, of a chain that is cut out of the system between two of its masses, counted
+// from 0, the second left out; by modes as if damping did not couple them.
+Phasor response_of_part(const ProtocolQuestion& q, const PlainSystem& s, Index from, Index to, Index load, Index mass,
+                        bool by_modes) {
+    const Index n = to - from;
+    const auto part = [&](const PlainMatrix& A) -> PlainMatrix { return A.block(from, from, n, n); };
+    PlainMatrix C = part(s.C);
+    if (by_modes) {
+        const PlainMatrix phi = shapes_of(springs_of(q.stiffness_ratios, from, to), part(s.M)).phi;
+        C = damping_in_modes(part(s.M) * phi, (phi.transpose() * C * phi).diagonal());
     }
-    return X;
-}
-
-Phasor response_by_matrices(PlainPart part, std::size_t load, std::size_t mass, double r) {
-    PlainRow force(part.M.size());
-    force[load] = 1;
-    for (std::size_t i = 0; i < force.size(); ++i)
-        for (std::size_t k = 0; k < force.size(); ++k) {
-            part.K[i][k] -= r * r * part.M[i][k];
-            part.C[i][k] *= r;
-        }
-    return solved(part.K, part.C, force, PlainRow(force.size()))[mass];
+    return solved(part(s.dynamic_stiffness()), s.r * C, PlainRow::Unit(n, load), PlainRow::Zero(n))[mass];
 }
 
 struct PlainExtremum {
@@ -142,7 +113,7 @@ struct PlainExtremum {
 };
 
 // Largest displacement of a mass over the half-period: of the contact where it turns, of the others where they do.
-PlainExtremum largest_displacement(const PlainModes& m, const Choices& c, std::size_t k) {
+PlainExtremum largest_displacement(const PlainModes& m, const Choices& c, Index k) {
     if (k == m.j) return {0, turn_of(m, k).root - m.beta * m.G[k], false};
     const int steps = plain_steps(m);
     PlainExtremum best{0, 0, false};
@@ -163,22 +134,22 @@ PlainExtremum largest_displacement(const PlainModes& m, const Choices& c, std::s
     return best;
 }
 
-double phase_of_mass(const PlainModes& m, const Choices& c, std::size_t k) {
+double phase_of_mass(const PlainModes& m, const Choices& c, Index k) {
     if (k == m.j) return plain_phase(m, c);
     const PlainExtremum e = largest_displacement(m, c, k);
     return plain_phase(m, c) + e.tau + (e.minimum && !c.no_half_period_for_minima ? pi : 0);
 }
 
 // (50), (51): the parts of the monoharmonic response; by (49) they are those of the start.
-PlainMotion monoharmonic(const PlainModes& m, const Choices& c, std::size_t k) {
-    PlainMotion parts = plain_start(m, c.motion_from_start ? c : Choices{}, k);
+PlainMotion monoharmonic(const PlainModes& m, const Choices& c, Index k) {
+    PlainMotion parts = plain_start(m, c, k);
     if (!c.cosine_as_printed) return parts;
     const auto [cosine, sine, root, drag] = turn_of(m, k);
     parts.x = root * cosine + drag * sine / elementary::hypot(cosine, sine) - m.beta * m.G[k];
     return parts;
 }
 
-double monoharmonic_amplitude(const PlainModes& m, const Choices& c, std::size_t k) {
+double monoharmonic_amplitude(const PlainModes& m, const Choices& c, Index k) {
     const PlainMotion parts = monoharmonic(m, c, k);
     if (!c.monoharmonic_as_printed) return elementary::hypot(parts.x, parts.v); // (52)
     const auto [cosine, sine, root, drag] = turn_of(m, k);
@@ -207,19 +178,18 @@ std::optional<Value> read_off(const PlainContact& motion, const ProtocolQuestion
 }
 
 // The answer for a contact that rests permanently, under a force that holds it.
-std::optional<Value> answer_of_stuck_motion(const ProtocolQuestion& q, const PlainSystem& s, const std::vector<Phasor>& held,
-                                            double frame) {
-    const double force = modulus(held.back()), compliance = dot(s.w, solved(s.K, s.w));
+std::optional<Value> answer_of_stuck_motion(const ProtocolQuestion& q, const PlainSystem& s, const Phasors& held, double frame) {
+    const double force = modulus(held[s.size()]), compliance = s.w.dot(solved(s.K, s.w));
     if (q.quantity == "rest_interval") return Value{{(s.mu * s.beta - force) * compliance}, ""};
     if (q.quantity == "stops_per_period") return Value{{0}, ""};
     if (q.quantity == "stop_durations") return Value{};
     const PlainRow row = row_of_mass(q, s);
-    Phasor X = dot(row, held);
+    Phasor X(row.dot(held.head(s.size()).real()), row.dot(held.head(s.size()).imag()));
     double largest = force * compliance;
-    for (std::size_t k = 0; k < s.size(); ++k) largest = std::max(largest, modulus(held[k]));
+    for (const Phasor& x : held.head(s.size())) largest = std::max(largest, modulus(x));
     constexpr double rounding = 1e-14;
     if (row == s.w || modulus(X) <= rounding * largest) X = {0, 0};
-    X.re += frame;
+    X += frame;
     if (q.quantity == "amplitude") return Value{{modulus(X)}, ""};
     if (q.quantity != "phase") return sampled(q, [&](double tau) { return times_cosine(X, tau); });
     return modulus(X) > 0 ? std::optional(Value{{-argument(X)}, ""}) : std::nullopt;
@@ -248,8 +218,8 @@ const std::optional<PlainContact>& settled(const ProtocolQuestion& q) {
 // The answer for a contact that rests during a part of every period, or permanently.
 std::optional<Value> answer_of_steady_motion(const ProtocolQuestion& q, double frame) {
     const PlainSystem s = plain_system(q);
-    const std::vector<Phasor> held = held_response(s);
-    const bool may_rest = s.mu * s.beta >= modulus(held.back());
+    const Phasors held = held_response(s);
+    const bool may_rest = s.mu * s.beta >= modulus(held[s.size()]);
     if (may_rest && s.mu <= 1) return answer_of_stuck_motion(q, s, held, frame);
     const std::optional<PlainContact>& motion = settled(q); // from rest the contact may never come to rest for good
     if (may_rest && (!motion || motion->rests())) return answer_of_stuck_motion(q, s, held, frame);
@@ -266,24 +236,19 @@ Value regime(const ProtocolQuestion& q, const PlainModes& m, const Choices& c) {
 // of (86). Throws NoPlainAnswer if the load of a base or wall grows with the frequency.
 double share_at_high_frequency(const ProtocolQuestion& q, const PlainSystem& s) {
     if (is_of_the_paper(q)) return 1;
-    const PlainRow dampers = times(s.C, PlainRow(s.size(), 1));
-    const bool damped = std::ranges::any_of(dampers, [](double c) { return c != 0; });
+    const bool damped = !s.C.rowwise().sum().isZero(0);
     if (q.base_motion == "wall" || (q.base_motion == "alone" && damped)) throw NoPlainAnswer();
     const PlainRow pull = solved(s.M, s.w);
-    return modulus({dot(pull, s.p), dot(pull, s.p_i)}) / dot(pull, s.w);
+    return modulus({pull.dot(s.p), pull.dot(s.p_i)}) / pull.dot(s.w);
 }
 
 // The numbers of the closed form.
-PlainRow numbers_of(const ProtocolQuestion& q, const PlainModes& m, const Choices& c, std::size_t k) {
+std::vector<double> numbers_of(const ProtocolQuestion& q, const PlainModes& m, const Choices& c, Index k) {
     const std::string& name = q.quantity;
-    if (name == "natural_frequency_ratios") return m.r_n;
-    if (name == "modal_frequency_ratios") return m.R;
-    if (name == "mode_shape_products") {
-        PlainRow products;
-        for (std::size_t i = 0; i < m.R.size(); ++i) products.push_back(m.psi[k][i] * m.psi[m.j][i]);
-        return products;
-    }
-    if (name == "complex_response") return {m.V[k].re, m.V[k].im};
+    if (name == "natural_frequency_ratios") return list_of(m.r_n);
+    if (name == "modal_frequency_ratios") return list_of(m.R);
+    if (name == "mode_shape_products") return list_of(m.psi.row(k).cwiseProduct(m.psi.row(m.j)));
+    if (name == "complex_response") return {m.V[k].real(), m.V[k].imag()};
     if (name == "first_damping_function") return {m.U[k]};
     if (name == "second_damping_function") return {m.G[k]};
     if (name == "H_j") return {m.H_j};
@@ -303,20 +268,31 @@ PlainRow numbers_of(const ProtocolQuestion& q, const PlainModes& m, const Choice
     if (name == "displacement") return {plain_motion(m, c, k, q.tau).x};
     if (name == "motion_under_force")
         return sampled(q, [&](double tau) { return plain_motion(m, c, k, tau - plain_phase(m, c)).x; }).numbers;
-    return name == "stops_per_period" ? PlainRow{0} : PlainRow{};
+    return name == "stops_per_period" ? std::vector<double>{0} : std::vector<double>{};
+}
+
+// Adds a row: that of a mass in another frame, where its complex response function is V. The row.
+Index add_row_in_frame(PlainModes& m, Index k, const Phasor& V) {
+    const Index row = m.V.size();
+    m.psi.conservativeResize(row + 1, Eigen::NoChange);
+    m.psi.row(row) = m.psi.row(k);
+    m.V = (Phasors(row + 1) << m.V, V).finished();
+    m.U = (PlainRow(row + 1) << m.U, m.U[k]).finished();
+    m.G = (PlainRow(row + 1) << m.G, m.G[k]).finished();
+    return row;
 }
 
 // The answer to a question; of the motion in a frame that moves by frame cos(tau).
 std::optional<Value> computed(const ProtocolQuestion& q, const Choices& c, double frame = 0) {
     PlainModes m = plain_modes(q, c);
-    std::size_t k = m.j;
+    Index k = m.j;
     if (quantity(q.quantity).of_mass && (q.mass != 0 || q.contact_with == 0)) {
-        if (q.mass < 1 || static_cast<std::size_t>(q.mass) > m.size()) return std::nullopt;
-        k = static_cast<std::size_t>(q.mass - 1);
+        if (q.mass < 1 || q.mass > m.size()) return std::nullopt;
+        k = q.mass - 1;
     }
     if (frame != 0) {
         const bool as_given = frame == m.frame && q.loads.empty(); // else a mistake is made
-        k = add_row_in_frame(m, k, as_given ? plain_response_from_ground(m)[k] : Phasor{m.V[k].re + frame, m.V[k].im});
+        k = add_row_in_frame(m, k, as_given ? plain_response_from_ground(m)[k] : m.V[k] + frame);
     }
     if (m.coupled && asks_for(q, {"modal_frequency_ratios", "mode_shape_products"})) return std::nullopt;
     if (q.quantity == "regime") return regime(q, m, c);
@@ -341,20 +317,20 @@ std::optional<Value> computed_from_ground(ProtocolQuestion q, double times_frame
 } // namespace
 
 double plain_sticking_limit_by_88(const ProtocolQuestion& q, bool by_modes) {
+    if (q.contact == q.load) return 1 / q.mu;
     const PlainSystem s = plain_system(q);
-    return (q.contact == q.load ? 1 : force_of_spring(q, s, by_modes ? response_by_modes : response_by_matrices)) / q.mu;
+    const Index j = q.contact - 1, l = q.load - 1;
+    // The masses on the load's side of the contact, and the spring between them and it.
+    const Phasor x = l < j ? response_of_part(q, s, 0, j, l, j - 1, by_modes)
+                           : response_of_part(q, s, j + 1, s.size(), l - j - 1, 0, by_modes);
+    return q.stiffness_ratios[static_cast<std::size_t>(l < j ? j : j + 1)] * modulus(x) / q.mu;
 }
 
 double plain_sticking_limit_without_damping(const ProtocolQuestion& q) {
     const PlainSystem s = plain_system(q);
-    const std::vector<Phasor> X = held_response(s);
-    Phasor load{-dot(s.w, s.p), -dot(s.w, s.p_i)};
-    for (std::size_t k = 0; k < s.size(); ++k) {
-        const double elastic = dot(s.w, s.K[k]);
-        load.re += elastic * X[k].re;
-        load.im += elastic * X[k].im;
-    }
-    return modulus(load) / q.mu;
+    const Phasors X = held_response(s).head(s.size());
+    const PlainRow elastic = s.K * s.w;
+    return modulus({elastic.dot(X.real()) - s.w.dot(s.p), elastic.dot(X.imag()) - s.w.dot(s.p_i)}) / q.mu;
 }
 
 double plain_demand(const PlainModes& m, const Choices& c, bool of_paper) {
@@ -414,7 +390,7 @@ std::vector<std::optional<Value>> answers_of_transient(const ProtocolQuestion& q
 
 std::optional<Value> answer_of_creep(const ProtocolQuestion& q, double width) {
     if (q.mass != q.contact || !is_of_the_paper(q)) return std::nullopt;
-    const Phasor force = held_response(plain_system(q)).back();
+    const Phasor force = held_response(plain_system(q)).tail(1)[0];
     const double share = modulus(force) / q.beta;
     if (!(share < 1)) return std::nullopt;
     // The integral of the velocity from 0 to s, by the midpoint rule: the integrand is smooth and of period 2 pi.

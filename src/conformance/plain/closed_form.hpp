@@ -24,9 +24,8 @@ struct PlainModes;
 // The points of variation of the plain closed form.
 struct Choices {
     bool motion_as_printed = false;               // the bracket of (46) as printed
-    bool initial_displacement_as_printed = false; // (44) as printed
-    bool initial_velocity_as_printed = false;     // (45) as printed
-    bool motion_from_start = false;               // (41) and (49) in place of (46) and (50) to (52)
+    bool initial_displacement_as_printed = false; // (44) as printed, and the motion from it
+    bool initial_velocity_as_printed = false;     // (45) as printed, and the motion from it
     bool cosine_as_printed = false;               // (50) as printed
     bool monoharmonic_as_printed = false;         // (52) as printed
     bool maximum_of_each_mode = false;            // (56) in place of the maximum of the sum over modes
@@ -50,12 +49,12 @@ struct Choices {
 // A question's system with its modes and sums over modes. Rows are those of the masses, and behind them that of a contact between
 // two masses (the kit asks about no other direction) and that of a load which is not one force on one mass.
 struct PlainModes : PlainSystem {
-    std::size_t j = 0, l = 0, l_i = 0;  // rows of contact, load, and what of it leads by a quarter of a period, else l
+    Index j = 0, l = 0, l_i = 0;        // rows of contact, load, and what of it leads by a quarter of a period, else l
     PlainRow R;                         // modal frequency ratios, (22)
     PlainMatrix psi;                    // mode shapes, by rows
     PlainRow u, g;                      // damping functions of the modes, (28) and (29)
-    std::vector<Phasor> v;              // complex response functions of the modes, (23)
-    std::vector<Phasor> V;              // complex response functions of the rows, (33)
+    Phasors v;                          // complex response functions of the modes, (23)
+    Phasors V;                          // complex response functions of the rows, (33)
     PlainRow U, G;                      // damping functions of the rows, (34) and (35)
     Phasor Y_jj;                        // (33) with the load on the contact
     double H_j = 0, sum_of_squares = 0; // (64), (65)
@@ -65,18 +64,15 @@ struct PlainModes : PlainSystem {
 // Modes and sums of a question. Not finite at a pole of a mode without damping. Throws NoPlainAnswer if there is no such mass.
 [[nodiscard]] PlainModes plain_modes(const ProtocolQuestion& q, const Choices& c);
 
-// Adds a row: that of a mass in another frame, where its complex response function is V. The row, counted from 0.
-std::size_t add_row_in_frame(PlainModes& m, std::size_t k, const Phasor& V);
-
 // (23) of the n-th harmonic.
 [[nodiscard]] Phasor response_of_mode(double R, double zeta, int n = 1);
 
 // The expression of (57) between 0 and pi, of a mode and of the sum over modes; as printed it has no maximum.
-[[nodiscard]] double demand_of_mode(const PlainModes& m, std::size_t i, double tau, bool as_printed);
+[[nodiscard]] double demand_of_mode(const PlainModes& m, Index i, double tau, bool as_printed);
 [[nodiscard]] double plain_demand_at(const PlainModes& m, double tau, bool as_printed);
 
 // Motion of a row in the sliding regime at any instant, (46), or (41) from (44) and (45). After the half-period it is mirrored.
-[[nodiscard]] PlainMotion plain_motion(const PlainModes& m, const Choices& c, std::size_t k, double tau);
+[[nodiscard]] PlainMotion plain_motion(const PlainModes& m, const Choices& c, Index k, double tau);
 
 // Phase of the mass in contact, (39), not wrapped.
 [[nodiscard]] double plain_phase(const PlainModes& m, const Choices& c);
@@ -85,10 +81,10 @@ std::size_t add_row_in_frame(PlainModes& m, std::size_t k, const Phasor& V);
 struct PlainTurn {
     double cosine, sine, root, drag;
 };
-[[nodiscard]] PlainTurn turn_of(const PlainModes& m, std::size_t k);
+[[nodiscard]] PlainTurn turn_of(const PlainModes& m, Index k);
 
 // Displacement and velocity of a row at the maximum of the contact, (44), (45).
-[[nodiscard]] PlainMotion plain_start(const PlainModes& m, const Choices& c, std::size_t k);
+[[nodiscard]] PlainMotion plain_start(const PlainModes& m, const Choices& c, Index k);
 
 // Number of equal steps of the half-period that shows every oscillation of the modes.
 [[nodiscard]] int plain_steps(const PlainModes& m);

@@ -18,9 +18,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <mutex>
 #include <sstream>
 #include <system_error>
+#include <utility>
 
 namespace denhartog::conformance {
 namespace {
@@ -59,27 +59,22 @@ std::string end_of(int status) {
 
 // A pipe that no other program inherits.
 struct Pipe {
-    std::array<int, 2> ends{-1, -1};
+    std::array<int, 2> ends{};
 
     Pipe() {
-        if (::pipe(ends.data()) != 0) fail(errno, "pipe");
-        for (const int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
+        if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail(errno, "pipe");
     }
     ~Pipe() {
-        for (std::size_t end = 0; end < ends.size(); ++end) close(end);
+        for (const int end : ends)
+            if (end >= 0) ::close(end);
     }
     Pipe(const Pipe&) = delete;
     Pipe& operator=(const Pipe&) = delete;
 
-    void close(std::size_t end) {
-        if (ends.at(end) >= 0) ::close(ends[end]);
-        ends[end] = -1;
-    }
+    // An end for the runner, which does not wait there.
     int keep(std::size_t end) {
-        const int kept = ends.at(end);
-        ends[end] = -1;
-        ::fcntl(kept, F_SETFL, ::fcntl(kept, F_GETFL) | O_NONBLOCK);
-        return kept;
+        ::fcntl(ends.at(end), F_SETFL, O_NONBLOCK);
+        return std::exchange(ends.at(end), -1);
     }
 };
 
@@ -126,16 +121,13 @@ std::optional<GroupActivity> group_activity(pid_t group) {
         if (at->path().filename().string().find_first_not_of("0123456789") != std::string::npos) continue;
         std::ifstream file(at->path() / "stat");
         const std::string text(std::istreambuf_iterator<char>(file), {});
-        std::istringstream fields(text.substr(text.rfind(')') + 1)); // behind the name, which may hold anything
-        char state = '?';
-        long skipped = 0, its_group = 0, user = 0, system = 0, user_of_children = 0, system_of_children = 0;
-        fields >> state >> skipped >> its_group;
-        for (int n = 0; n < 8; ++n) fields >> skipped;
-        if (!(fields >> user >> system >> user_of_children >> system_of_children) || its_group != group) continue;
+        std::istringstream behind_name(text.substr(text.rfind(')') + 1)); // the name may hold anything
+        const std::vector<std::string> fields{std::istream_iterator<std::string>(behind_name), {}};
+        constexpr std::size_t state = 0, its_group = 2, times = 11, end_of_times = 15;
+        if (fields.size() < end_of_times || fields[its_group] != std::to_string(group)) continue;
         if (!activity) activity.emplace();
-        activity->processor_seconds +=
-            static_cast<double>(user + system + user_of_children + system_of_children) / ticks_a_second;
-        activity->stopped = activity->stopped || state == 'T';
+        for (std::size_t n = times; n < end_of_times; ++n) activity->processor_seconds += std::stod(fields[n]) / ticks_a_second;
+        activity->stopped = activity->stopped || fields[state] == "T";
     }
     return activity;
 }
@@ -158,9 +150,6 @@ Process::Process(const std::vector<std::string>& command) {
 #ifdef __linux__ // children that a program leaves behind come to this process to be waited for; else to the first one
     ::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);
 #endif
-    // One at a time, or a program could inherit the other's pipe before it is closed to it.
-    static std::mutex starting;
-    const std::lock_guard<std::mutex> lock(starting);
     Pipe in, out, faults;
     const pid_t runner = ::getpid();
     sigset_t all, before; // no signal reaches the child before it is the program: a handler of the runner's would run there
@@ -171,12 +160,12 @@ Process::Process(const std::vector<std::string>& command) {
     const int not_forked = errno;
     ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
     if (child < 0) fail(not_forked, "fork");
-    faults.close(1);
+    ::close(std::exchange(faults.ends[1], -1));
     int fault = 0; // that kept the child from becoming the program; its becoming it closes the pipe
     ssize_t size = 0;
     while ((size = ::read(faults.ends[0], &fault, sizeof fault)) < 0 && errno == EINTR) continue;
     if (size == sizeof fault) {
-        while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) continue;
+        wait_for_all_of(child);
         fail(fault, words.front());
     }
     group = child;

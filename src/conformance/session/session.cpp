@@ -13,7 +13,6 @@
 
 #include "conformance/verdict.hpp"
 #include "denhartog/number/legible.hpp"
-#include "denhartog/number/number_text.hpp"
 #include "denhartog/number/parallel.hpp"
 
 namespace denhartog::conformance {
@@ -23,8 +22,8 @@ constexpr const char* greeting = "denhartog-conform 1";
 
 std::string in_quotes(const std::string& text) { return "'" + legible(text) + "'"; }
 
-// A conversation in the making, by several processes. What is not const is touched under the lock alone; the verdict on an answer
-// belongs to one of them.
+// A conversation in the making, by several processes. What is neither const nor atomic is touched under the lock alone; the
+// verdict on an answer belongs to one of them.
 class Talk {
 public:
     Talk(const RunSettings& run_settings, std::span<const Vector* const> asked, const std::function<void(std::size_t)>& tell)
@@ -36,7 +35,7 @@ public:
     void work(Partner partner) {
         int broken = 0;
         while (broken <= most_restarts && !interruption() && !is_late()) {
-            const std::size_t n = take();
+            const std::size_t n = next++;
             if (n >= vectors.size()) break;
             conversation.judged[n] = judge(*vectors[n], partner, reply_of(partner, *vectors[n]));
             broken = is_broken(conversation.judged[n].verdict) ? broken + 1 : 0;
@@ -76,18 +75,14 @@ private:
     const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
     std::mutex lock;
     Conversation conversation;
-    std::size_t next = 0, done = 0, unasked = 0, given_up = 0;
+    std::atomic<std::size_t> next{0};
+    std::size_t done = 0, unasked = 0, given_up = 0;
     std::string first_unasked;
     std::set<std::string> ends;
 
     [[nodiscard]] bool is_late() const {
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
         return settings.total_seconds > 0 && passed.count() >= settings.total_seconds;
-    }
-
-    std::size_t take() {
-        const std::lock_guard<std::mutex> hold(lock);
-        return next++;
     }
 
     // Starts the program again if it broke before.
@@ -117,20 +112,18 @@ constexpr int samples = 8;
 
 // Two masses that differ in everything; the contact slides throughout, but for the quantities of a contact that stops or rests.
 ProtocolQuestion question_about(const Quantity& asked) {
-    ProtocolQuestion q;
-    q.id = "smoke-" + std::string(asked.name);
+    const bool stops = asked.shape == Shape::durations || asked.name == "stops_per_period";
+    ProtocolQuestion q{.id = "smoke-" + std::string(asked.name),
+                       .quantity = std::string(asked.name),
+                       .mass_ratios = {1, 2.5},
+                       .stiffness_ratios = {1, 0.625},
+                       .damping_ratios = {0.0625, 0.125},
+                       .contact = 2,
+                       .mu = 1.25,
+                       .r = 0.75};
     std::ranges::replace(q.id, '_', '-');
-    q.quantity = asked.name;
-    q.mass_ratios = {1, 2.5};
-    q.stiffness_ratios = {1, 0.625};
-    q.damping_ratios = {0.0625, 0.125};
-    q.contact = 2;
     q.load = asked.name == "beta_lim_high_frequency" ? 2 : 1;
-    q.mu = 1.25;
-    q.r = 0.75;
-    q.beta = asked.name == "rest_interval"                                         ? 8
-             : asked.shape == Shape::durations || asked.name == "stops_per_period" ? 0.5
-                                                                                   : 0.0625;
+    q.beta = asked.name == "rest_interval" ? 8 : stops ? 0.5 : 0.0625;
     q.mass = asked.of_mass ? 1 : 0;
     q.tau = asked.name == "displacement" ? 0.5 : 0;
     q.samples = asked.shape == Shape::samples ? samples : 0;

@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -116,14 +115,6 @@ std::string summary(const std::vector<const Vector*>& chosen) {
     return aligned(rows);
 }
 
-// As docs/vectors.md says it, for those who read no JSON.
-std::string csv(const std::vector<const Vector*>& chosen) {
-    const bool systems = std::ranges::any_of(chosen, [](const Vector* v) { return is_of_systems(*v); });
-    std::string text = vector_csv_heading(systems) + "\n";
-    for (const Vector* v : chosen) text += vector_csv(*v, systems) + "\n";
-    return text;
-}
-
 std::string table_of(const std::vector<const Vector*>& chosen) {
     Rows rows{{"id", "tier", "group", "quantity", "flags"}};
     for (const Vector* v : chosen) rows.push_back({v->question.id, v->tier, v->group, v->question.quantity, joined(v->flags)});
@@ -164,7 +155,7 @@ void add_list(CLI::App& conform) {
         const auto is_asked = [&](const std::string& flag) { return command->count(flag) > 0; };
         if (is_asked("--mistakes")) return write_standard_output(table_of_mistakes());
         if (is_asked("--methods")) return write_standard_output(table_of_methods());
-        const auto& text = is_asked("--summary") ? summary : is_asked("--csv") ? csv : table_of;
+        const auto& text = is_asked("--summary") ? summary : is_asked("--csv") ? vectors_csv : table_of;
         const std::vector<Vector> all = read_vectors(options->vectors);
         write_standard_output(text(selected(*options, all)));
     });

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <sstream>
 #include <string>
 #include <string_view>

@@ -42,12 +42,6 @@ Json counts_json(const Counts& counts) {
 
 Json value_json(const Value& value) { return value.word.empty() ? Json(value.numbers) : Json(value.word); }
 
-Json condition_json(const Vector& v) {
-    Json object = Json::object();
-    for (const auto& [input, number] : v.condition) object[input] = number;
-    return object;
-}
-
 Json result_json(const Judged& one) {
     const Vector& v = *one.vector;
     Json object = {{"id", v.question.id},
@@ -60,15 +54,16 @@ Json result_json(const Judged& one) {
     if (one.answered) object["answer"] = value_json(one.given);
     if (!one.given.numbers.empty()) object["answer_hex"] = list_of(one.given.numbers, hexadecimal_float);
     if (!v.reject.empty()) return object;
-    object["truth"] = v.word.empty() ? Json(v.value) : Json(v.word);
+    const Json known = vector_json(v);
+    object["truth"] = known["value"];
     if (!v.word.empty()) return object;
-    object["truth_hex"] = list_of(v.nearest, hexadecimal_float);
+    object["truth_hex"] = known["hex"];
     if (!one.error) return object;
     object.update({{"error", optional_number(one.error)},
                    {"worst_number", one.worst},
                    {"digits", digits(*one.error)},
                    {"error_over_tolerance", optional_number(error_over_tolerance(one))},
-                   {"condition", condition_json(v)}});
+                   {"condition", known["condition"]}});
     return object;
 }
 
