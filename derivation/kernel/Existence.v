@@ -1,5 +1,6 @@
-(* For mu = 1 and damping in all modes there is a steady motion. The map from the state at the start of a period to the state at
-   its end increases no distance, and damping bounds it. *)
+(* For mu = 1: from every start there is a motion (`EveryStart.v`), and no other; (74) follows under the paper's load; and with
+   damping in all modes there is a steady motion. The map from the state at the start of a period to the state at its end
+   increases no distance, and damping bounds it. *)
 Require Import Reals List Lra Lia Psatz PeanoNat.
 From Coquelicot Require Import Coquelicot.
 From Kernel Require Import Statements Modes SteadyMode Sums Masses Contact OneVelocity ContactMotion Attraction FixedPoint Slopes
@@ -355,8 +356,9 @@ Proof.
   { apply opposite, (continuous_comp (load_at s phi y y1) Rabs); [apply Cl; lra | apply continuous_Rabs]. }
   set (t' := Rmin (t + e / 2) T). pose proof (Rmin_l (t + e / 2) T). pose proof (Rmin_r (t + e / 2) T).
   exists t'. split; [split; [apply Rmin_glb_lt; lra | assumption]|]. intros x Hx. fold t' in H, H0.
-  assert (Rate : often (fun u => exists k, is_derive (y1 j) u k /\ (0 < y1 j u -> k <= 0) /\ (y1 j u < 0 -> 0 <= k)) t x).
-  { apply (often_of_list L). intros u Hu NL. destruct (E u ltac:(lra) NL) as [y2 [sg [[C1 [C2 _]] Q]]]. exists (y2 j).
+  assert (Rate : mostly (fun u =>
+    exists k, is_derive (y1 j) u k /\ (0 < y1 j u -> k <= 0) /\ (y1 j u < 0 -> 0 <= k)) t x).
+  { apply (mostly_of_list L). intros u Hu NL. destruct (E u ltac:(lra) NL) as [y2 [sg [[C1 [C2 _]] Q]]]. exists (y2 j).
     split; [apply Q, (Hj s Hs)|].
     assert (Y2 : y2 j = - mobility s * (friction s * sg + load_at s phi y y1 u)).
     { apply (acceleration_by_load s Hs (cos (u + phi)) (friction s * sg) (fun k => y k u) (fun k => y1 k u) y2).
@@ -371,9 +373,9 @@ Proof.
   apply Rle_antisym.
   - assert (0 <= - y1 j x); [|lra].
     apply (stays_above (fun u => - y1 j u) t x); [lra | intros; apply opposite, Cv; assumption | | lra].
-    apply often_weaker with (2 := Rate). intros u _ [k [D [Up _]]]. exists (- k). split; [apply opposite, D|].
+    apply mostly_weaker with (2 := Rate). intros u _ [k [D [Up _]]]. exists (- k). split; [apply opposite, D|].
     intros V. specialize (Up ltac:(lra)). lra.
-  - apply (stays_above (y1 j) t x); [lra | exact Cv | | lra]. apply often_weaker with (2 := Rate).
+  - apply (stays_above (y1 j) t x); [lra | exact Cv | | lra]. apply mostly_weaker with (2 := Rate).
     intros u _ [k [D [_ Lo]]]. exists k. split; [exact D | exact Lo].
 Qed.
 

@@ -99,7 +99,7 @@ Proof.
   rewrite <- E in P, Q. pose proof (Rle_0_sqr (Rabs (x i) - Rabs (x k))) as S. unfold Rsqr in S. lra.
 Qed.
 Lemma growth (d : nat -> R -> R) a c : a <= c -> continuous_between d a c ->
-  often (fun t => exists e, e * speed d t <= 0 /\
+  mostly (fun t => exists e, e * speed d t <= 0 /\
     forall i, (i < m)%nat -> is_derive (d i) t (mul A (fun k => d k t) i + e * b i)) a c ->
   size m (fun i => d i c) <= size m (fun i => d i a) * exp (2 * norm m A * (c - a)).
 Proof.
@@ -110,7 +110,7 @@ Proof.
       + apply (continuous_Sum m (fun i t => d i t * d i t)). intros i Hi.
         apply (continuous_mult (K := R_AbsRing)); apply Cd; assumption.
       + eapply continuous_of_derive. auto_derive; [exact I | reflexivity].
-    - apply often_weaker with (2 := O). intros t _ [e [He D]].
+    - apply mostly_weaker with (2 := O). intros t _ [e [He D]].
       exists ((2 * (dot (fun i => d i t) (mul A (fun i => d i t)) + e * speed d t) + k * S t) * exp (k * t)). split.
       + evar_last.
         { apply (is_derive_mult (K := R_AbsRing) S (fun t => exp (k * t))); [| |intros; apply Rmult_comm].
@@ -128,7 +128,7 @@ Proof.
   rewrite Rmult_assoc, <- exp_plus. replace (2 * norm m A * (c - a) + k * c) with (k * a) by (unfold k; ring). exact H.
 Qed.
 Lemma no_growth (d : nat -> R -> R) a c : a <= c -> continuous_between d a c ->
-  often (fun t => exists e, e * speed d t <= 0 /\
+  mostly (fun t => exists e, e * speed d t <= 0 /\
     forall i, (i < m)%nat -> is_derive (d i) t (mul A (fun k => d k t) i + e * b i)) a c ->
   (forall i, (i < m)%nat -> d i a = 0) -> forall i, (i < m)%nat -> d i c = 0.
 Proof.
@@ -159,12 +159,12 @@ Proof.
     assert (0 <= (r - r') * (v - v')) by (apply Rmult_le_pos; lra). lra.
 Qed.
 Lemma same_motion X Y a c : a <= c -> continuous_between X a c -> continuous_between Y a c ->
-  often (moves X) a c -> often (moves Y) a c ->
+  mostly (moves X) a c -> mostly (moves Y) a c ->
   (forall i, (i < m)%nat -> X i a = Y i a) -> forall i, (i < m)%nat -> X i c = Y i c.
 Proof.
   intros Hac C C' O O' E i Hi. apply Rminus_diag_uniq.
   apply (no_growth (fun i t => X i t - Y i t) a c Hac); [apply difference_continuous; assumption | | | exact Hi].
-  - apply often_weaker with (2 := often_both _ _ a c O O'). intros t _ [[r [Ar D]] [r' [Ar' D']]]. exists (r' - r).
+  - apply mostly_weaker with (2 := mostly_both _ _ a c O O'). intros t _ [[r [Ar D]] [r' [Ar' D']]]. exists (r' - r).
     split; [|apply difference_rate; assumption]. unfold speed. rewrite dot_minus. apply allowed_monotone; assumption.
   - intros k Hk. rewrite (E k Hk). ring.
 Qed.
@@ -241,7 +241,7 @@ Proof.
     assert (E : forall i, (i < m)%nat -> stick x i c - slip s x i c = 0).
     { apply (no_growth (fun i t => stick x i t - slip s x i t) 0 c); [unfold c; lra | | |].
       - apply difference_continuous; [apply stick_continuous | apply slip_continuous].
-      - apply (often_of_list nil). intros u Hu _. exists (s * beta - hold (stick x) u). split.
+      - apply (mostly_of_list nil). intros u Hu _. exists (s * beta - hold (stick x) u). split.
         + unfold speed. rewrite dot_minus. fold (speed (stick x) u) (speed (slip s x) u). rewrite stick_speed, Z by lra.
           pose proof (N u ltac:(unfold c in Hu; lra)) as Nu. pose proof (P u ltac:(unfold c in Hu; lra)) as Pu. cbv beta in Pu.
           assert (Q : 0 < (s * hold (stick x) u - beta) * - (s * speed (slip s x) u)) by (apply Rmult_lt_0_compat; lra).
@@ -279,11 +279,11 @@ Qed.
 
 (* ---- Backward: before any time the contact slips to one side or sticks for some time. ---- *)
 (* A motion up to the time c, before which events might accumulate *)
-Definition arrives X a c := a < c /\ continuous_between X a c /\ often (moves X) a c.
+Definition arrives X a c := a < c /\ continuous_between X a c /\ mostly (moves X) a c.
 Lemma arrives_later X a c a' : arrives X a c -> a <= a' -> a' < c -> arrives X a' c.
 Proof.
   intros [H [C O]] Ha Hc. split; [exact Hc|]. split; [intros i t Hi Ht; apply C; [exact Hi | lra]|].
-  apply (often_inside _ a c); [exact Ha | lra | exact O].
+  apply (mostly_inside _ a c); [exact Ha | lra | exact O].
 Qed.
 Lemma speed_continuous X a c t : continuous_between X a c -> a <= t <= c -> continuous (speed X) t.
 Proof. intros C Ht. apply dot_continuous. intros i Hi. apply C; assumption. Qed.
@@ -298,7 +298,7 @@ Proof.
   intros [H [C O]] D E F u i Hu Hi. apply Rminus_diag_uniq.
   apply (no_growth (fun i t => X i t - Y i t) a u); [lra | | | | exact Hi].
   - apply difference_continuous; intros k t Hk Ht; [apply C; [exact Hk | lra] | eapply continuous_of_derive, D, Hk].
-  - apply often_weaker with (2 := often_inside _ a c a u (Rle_refl a) ltac:(lra) O). intros t Ht [r' [Ar D']].
+  - apply mostly_weaker with (2 := mostly_inside _ a c a u (Rle_refl a) ltac:(lra) O). intros t Ht [r' [Ar D']].
     exists (r t - r'). split; [unfold speed; rewrite dot_minus; apply F; [lra | exact Ar]|].
     apply difference_rate; [exact D' | intros; apply D; assumption].
   - intros k Hk. rewrite (E k Hk). ring.
@@ -341,7 +341,7 @@ Proof.
     destruct (above_near (fun t => Rabs (hold X t)) beta t) as [e [He P]]; [| exact G |].
     - apply (continuous_comp (hold X) Rabs); [apply hold_continuous; intros; apply C; [assumption | lra] | apply continuous_Rabs].
     - pose proof (Rmin_l (t + e) c). pose proof (Rmin_r (t + e) c). assert (t < Rmin (t + e) c) by (apply Rmin_glb_lt; lra).
-      destruct (often_somewhere _ _ _ t (Rmin (t + e) c) O) as [u [Hu [r [[_ [_ B]] D]]]]; [lra | lra | lra |].
+      destruct (mostly_somewhere _ _ _ t (Rmin (t + e) c) O) as [u [Hu [r [[_ [_ B]] D]]]]; [lra | lra | lra |].
       assert (R0 : size m b * (hold X u - r) = 0).
       { rewrite <- (is_derive_unique _ _ _ (speed_rate X u r D)). apply is_derive_unique.
         apply (near_derive (fun _ => 0) (speed X) u 0 (Rmin (u - a) (c - u))); [apply Rmin_glb_lt; lra | |
@@ -384,7 +384,7 @@ Section Cone.
 Variables (d : nat -> R -> R) (a c : R).
 Hypothesis Cd : continuous_between d a c.
 Hypothesis Zd : forall i, (i < m)%nat -> d i c = 0.
-Hypothesis Dd : often (fun t => exists r, 0 <= r /\
+Hypothesis Dd : mostly (fun t => exists r, 0 <= r /\
   forall i, (i < m)%nat -> is_derive (d i) t (mul A (fun k => d k t) i + r * b i)) a c.
 Let al := Flows.length m b * norm m A + norm m stuck.
 Lemma al_nonneg : 0 <= al.
@@ -439,7 +439,7 @@ Proof.
   assert (Up : forall x y, t <= x -> x <= y -> y <= c -> speed d x <= speed d y + al * M * (y - x)).
   { intros x y Hx Hxy Hy. assert (- speed d y - - speed d x <= al * M * (y - x)); [|lra].
     apply (growth_often (fun t => - speed d t)); [exact Hxy | intros; apply opposite, Cs; lra |].
-    apply often_weaker with (2 := often_inside _ a c x y ltac:(lra) ltac:(lra) Dd). intros z Hz [r [Hr D]].
+    apply mostly_weaker with (2 := mostly_inside _ a c x y ltac:(lra) ltac:(lra) Dd). intros z Hz [r [Hr D]].
     destruct (friction_rate z r D) as [S _]. exists (- (dot b (mul A (fun i => d i z)) + size m b * r)).
     split; [apply opposite, S|]. pose proof (pull_bound (fun i => d i z)) as Q. apply Rabs_le_between in Q.
     assert (0 <= size m b * r) by (apply Rmult_le_pos; lra).
@@ -452,7 +452,7 @@ Proof.
     - intros x Hx. apply (continuous_minus (V := R_NormedModule) (d i)); [apply Cd; [exact Hi | lra]|].
       apply continuous_scaled, (continuous_mult (K := R_AbsRing) (speed d) (fun _ => / size m b));
         [apply Cs; lra | apply continuous_const].
-    - apply often_weaker with (2 := often_inside _ a c u c ltac:(lra) ltac:(lra) Dd). intros z Hz [r [Hr D]].
+    - apply mostly_weaker with (2 := mostly_inside _ a c u c ltac:(lra) ltac:(lra) Dd). intros z Hz [r [Hr D]].
       exists (mul stuck (fun k => d k z) i). split; [apply (friction_rate z r D), Hi|].
       apply Rle_trans with (1 := stuck_bound _ i Hi), Rmult_le_compat_l; [exact Ha | apply Max; lra]. }
   pose proof (Up u c ltac:(lra) ltac:(lra) ltac:(lra)) as F1. rewrite Zs in F1.
@@ -497,7 +497,7 @@ Proof.
   assert (Dot : forall t, speed d t = speed X t - f (t - c)) by (intros; apply (dot_minus b (fun i => X i t))).
   destruct (cone d a c Cd) as [e [k [He [Hk Cone]]]].
   { intros i Hi. unfold d, S. rewrite (Rminus_diag_eq c c), slip_start by reflexivity. unfold x. ring. }
-  { apply often_weaker with (2 := O). intros t _ [r [[_ [_ B]] D]]. exists (beta - r). split; [lra|]. intros i Hi.
+  { apply mostly_weaker with (2 := O). intros t _ [r [[_ [_ B]] D]]. exists (beta - r). split; [lra|]. intros i Hi.
     replace (beta - r) with (1 * beta - r) by ring. apply (difference_rate X S t r (1 * beta) D); [intros; apply DS; assumption|].
     exact Hi. }
   set (al := length b * norm m A + norm m stuck) in *.
@@ -522,8 +522,8 @@ Proof.
   - destruct F as [F|F].
     { exists (c - h). split; [lra|]. left. intros t Ht. pose proof (Below t ltac:(lra)) as Q.
       destruct (Near t ltac:(lra)) as [_ [_ V]]. rewrite Dot, F in Q by lra. lra. }
-    assert (Falls : often (fun t => exists k, is_derive (fun t => - speed X t) t k /\ (- speed X t < 0 -> 0 <= k)) (c - h) c).
-    { apply often_weaker with (2 := often_inside _ a c (c - h) c ltac:(lra) ltac:(lra) O).
+    assert (Falls : mostly (fun t => exists k, is_derive (fun t => - speed X t) t k /\ (- speed X t < 0 -> 0 <= k)) (c - h) c).
+    { apply mostly_weaker with (2 := mostly_inside _ a c (c - h) c ltac:(lra) ltac:(lra) O).
       intros t Ht [r [[A1 _] D]]. exists (- (size m b * (hold X t - r))). split; [apply opposite, speed_rate, D|].
       intros V. rewrite A1 by lra. destruct (Near t ltac:(lra)) as [N1 [N2 N3]]. specialize (F (t - c) ltac:(lra)).
       pose proof (pull_bound (fun i => d i t)) as Q. fold al in Q. apply Rabs_le_between in Q.
@@ -538,7 +538,7 @@ Proof.
     + exists t0. split; [lra|]. left. intros t Ht. apply Rle_antisym; [|apply P; lra].
       assert (0 <= - speed X t); [|lra]. apply (stays_above (fun t => - speed X t) t0 t); [lra | | | lra].
       * intros u Hu. apply opposite, (speed_continuous X a c); [exact C | lra].
-      * apply (often_inside _ (c - h) c); [lra | lra | exact Falls].
+      * apply (mostly_inside _ (c - h) c); [lra | lra | exact Falls].
     + exists (c - h). split; [lra|]. right. left. intros t Ht. apply Rnot_le_lt. intros V. apply None.
       exists t. split; assumption.
 Qed.
@@ -556,7 +556,7 @@ Proof.
     + apply (arrives_later X a); [exact Ar | lra | lra].
     + intros t Ht. apply (stays_above (speed X) t0 t); [lra | | | exact V0].
       * intros u Hu. apply (speed_continuous X a c); [exact C | lra].
-      * apply often_weaker with (2 := often_inside _ a c t0 t ltac:(lra) ltac:(lra) O). intros u Hu [r [[_ [A2 _]] D]].
+      * apply mostly_weaker with (2 := mostly_inside _ a c t0 t ltac:(lra) ltac:(lra) O). intros u Hu [r [[_ [A2 _]] D]].
         exists (size m b * (hold X u - r)). split; [apply speed_rate, D|]. intros V. rewrite A2 by exact V.
         specialize (P u ltac:(rewrite Rabs_left; lra)). apply Rmult_le_pos; lra.
     + exact Zc.
@@ -578,7 +578,7 @@ Proof.
     assert (V : forall t, speed (fun i t => - X i t) t = - speed X t) by (intros; apply (mirrored_dot b (fun i => X i t))).
     destruct (settles_above (fun i t => - X i t) a c) as [a' [Ha S]].
     + split; [exact Hac|]. split; [intros i t Hi Ht; apply opposite, C; assumption|].
-      apply often_weaker with (2 := O). intros t _. apply moves_mirrored.
+      apply mostly_weaker with (2 := O). intros t _. apply moves_mirrored.
     + rewrite V, Z. ring.
     + assert (E : hold (fun i t => - X i t) c = - hold X c); [|rewrite E; lra].
       unfold hold. rewrite !dot_mul, (mirrored_dot _ (fun i => X i c)). field. lra.
@@ -595,8 +595,8 @@ Definition motion X T := (forall i t, (i < m)%nat -> t <= 0 -> X i t = x i) /\
   exists L : list R, forall t, 0 < t < T -> ~ In t L -> moves X t.
 Lemma motion_continuous X T a c : motion X T -> c <= T -> continuous_between X a c.
 Proof. intros [_ [C _]] Hc i t Hi Ht. apply C; [exact Hi | lra]. Qed.
-Lemma motion_often X T a c : motion X T -> 0 <= a -> c <= T -> often (moves X) a c.
-Proof. intros [_ [_ [L M]]] Ha Hc. apply (often_of_list L). intros t Ht. apply M. lra. Qed.
+Lemma motion_often X T a c : motion X T -> 0 <= a -> c <= T -> mostly (moves X) a c.
+Proof. intros [_ [_ [L M]]] Ha Hc. apply (mostly_of_list L). intros t Ht. apply M. lra. Qed.
 Lemma shorter X T T' : motion X T -> T' <= T -> motion X T'.
 Proof.
   intros [S [C [L M]]] H. split; [exact S|]. split; [intros i t Hi Ht; apply C; [exact Hi | lra]|].
@@ -637,7 +637,7 @@ Proof.
   assert (Size : forall z, 0 <= z <= t -> size m (fun i => X i z) <= Q).
   { intros z Hz. apply Rle_trans with (size m (fun i => X i 0) * exp (2 * norm m A * (z - 0))).
     - apply growth; [lra | apply (motion_continuous X t); [exact HX | lra] |].
-      apply often_weaker with (2 := motion_often X t 0 z HX (Rle_refl 0) ltac:(lra)). intros y _ [r [[A1 [A2 _]] D]].
+      apply mostly_weaker with (2 := motion_often X t 0 z HX (Rle_refl 0) ltac:(lra)). intros y _ [r [[A1 [A2 _]] D]].
       exists (- r). split; [|intros k Hk; evar_last; [apply D, Hk | ring]].
       destruct (Rtotal_order (speed X y) 0) as [L|[Z|G]].
       + rewrite A2 by exact L. assert (0 <= beta * - speed X y) by (apply Rmult_le_pos; lra). lra.
@@ -653,7 +653,7 @@ Proof.
     pose proof (Rle_0_sqr (X k z)) as R3. unfold Rsqr in *. apply Rabs_le. lra. }
   apply slope_often; [exact Huv | |].
   - intros z Hz. apply (motion_continuous X t u v); [exact HX | exact Hv | exact Hi | exact Hz].
-  - apply often_weaker with (2 := motion_often X t u v HX Hu Hv). intros z Hz [r [[_ [_ Br]] D]].
+  - apply mostly_weaker with (2 := motion_often X t u v HX Hu Hv). intros z Hz [r [[_ [_ Br]] D]].
     exists (mul A (fun k => X k z) i - r * b i). split; [apply D, Hi|].
     pose proof (Rabs_triang (mul A (fun k => X k z) i) (- (r * b i))) as Tr. rewrite Rabs_Ropp in Tr.
     assert (T1 : Rabs (mul A (fun k => X k z) i) <= norm m A * l).

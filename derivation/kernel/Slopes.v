@@ -12,28 +12,28 @@ Proof.
 Qed.
 
 (* At all times of an open interval, but for a finite number of times before any time that precedes its end *)
-Definition often (P : R -> Prop) a c := forall c', c' < c -> exists L : list R, forall t, a < t < c' -> ~ In t L -> P t.
-Lemma often_weaker (P Q : R -> Prop) a c : (forall t, a < t < c -> P t -> Q t) -> often P a c -> often Q a c.
+Definition mostly (P : R -> Prop) a c := forall c', c' < c -> exists L : list R, forall t, a < t < c' -> ~ In t L -> P t.
+Lemma mostly_weaker (P Q : R -> Prop) a c : (forall t, a < t < c -> P t -> Q t) -> mostly P a c -> mostly Q a c.
 Proof. intros H O c' Hc. destruct (O c' Hc) as [L HL]. exists L. intros t Ht N. apply H; [lra | apply HL; assumption]. Qed.
-Lemma often_both (P Q : R -> Prop) a c : often P a c -> often Q a c -> often (fun t => P t /\ Q t) a c.
+Lemma mostly_both (P Q : R -> Prop) a c : mostly P a c -> mostly Q a c -> mostly (fun t => P t /\ Q t) a c.
 Proof.
   intros O O' c' Hc. destruct (O c' Hc) as [L HL]. destruct (O' c' Hc) as [L' HL']. exists (L ++ L')%list. intros t Ht N.
   split; [apply HL | apply HL']; try exact Ht; intros I; apply N, in_or_app; [left | right]; exact I.
 Qed.
-Lemma often_inside (P : R -> Prop) a c a' c' : a <= a' -> c' <= c -> often P a c -> often P a' c'.
+Lemma mostly_inside (P : R -> Prop) a c a' c' : a <= a' -> c' <= c -> mostly P a c -> mostly P a' c'.
 Proof.
   intros Ha Hc O d Hd. destruct (O d ltac:(lra)) as [L HL]. exists L. intros t Ht N. apply HL; [lra | exact N].
 Qed.
-Lemma often_of_list (L : list R) (P : R -> Prop) a c : (forall t, a < t < c -> ~ In t L -> P t) -> often P a c.
+Lemma mostly_of_list (L : list R) (P : R -> Prop) a c : (forall t, a < t < c -> ~ In t L -> P t) -> mostly P a c.
 Proof. intros H c' Hc. exists L. intros t Ht. apply H. lra. Qed.
-Lemma often_somewhere (P : R -> Prop) a c u v : often P a c -> a <= u -> u < v -> v <= c -> exists t, u < t < v /\ P t.
+Lemma mostly_somewhere (P : R -> Prop) a c u v : mostly P a c -> a <= u -> u < v -> v <= c -> exists t, u < t < v /\ P t.
 Proof.
   intros O Hu Huv Hv. destruct (O ((u + v) / 2) ltac:(lra)) as [L HL].
   destruct (time_left L u ((u + v) / 2) ltac:(lra)) as [t [Ht N]]. exists t. split; [lra|]. apply HL; [lra | exact N].
 Qed.
 
 Lemma not_growing_often f a c : a <= c -> (forall t, a <= t <= c -> continuous f t) ->
-  often (fun t => exists k, is_derive f t k /\ k <= 0) a c -> f c <= f a.
+  mostly (fun t => exists k, is_derive f t k /\ k <= 0) a c -> f c <= f a.
 Proof.
   intros Hac Cf O. destruct (Req_dec a c) as [->|N]; [lra|]. apply Rnot_lt_le. intros G.
   destruct (above_near f (f a) c) as [e [He H]]; [apply Cf; lra | exact G |].
@@ -52,28 +52,28 @@ Proof.
   - intros k D. apply (is_derive_minus (V := R_NormedModule) f); [exact D | auto_derive; [exact I | ring]].
 Qed.
 Lemma growth_often f a c B : a <= c -> (forall t, a <= t <= c -> continuous f t) ->
-  often (fun t => exists k, is_derive f t k /\ k <= B) a c -> f c - f a <= B * (c - a).
+  mostly (fun t => exists k, is_derive f t k /\ k <= B) a c -> f c - f a <= B * (c - a).
 Proof.
   intros Hac Cf O. assert (f c - B * c <= f a - B * a); [|lra].
   apply (not_growing_often (fun t => f t - B * t)); [exact Hac | intros; apply sloped, Cf; assumption |].
-  apply often_weaker with (2 := O). intros t _ [k [D Hk]]. exists (k - B). split; [apply sloped, D | lra].
+  apply mostly_weaker with (2 := O). intros t _ [k [D Hk]]. exists (k - B). split; [apply sloped, D | lra].
 Qed.
 Lemma opposite (f : R -> R) t : (continuous f t -> continuous (fun t => - f t) t) /\
   forall k, is_derive f t k -> is_derive (fun t => - f t) t (- k).
 Proof. split; [apply (continuous_opp (V := R_NormedModule)) | intros k; apply (is_derive_opp (V := R_NormedModule))]. Qed.
 Lemma slope_often f a c B : a <= c -> (forall t, a <= t <= c -> continuous f t) ->
-  often (fun t => exists k, is_derive f t k /\ Rabs k <= B) a c -> Rabs (f c - f a) <= B * (c - a).
+  mostly (fun t => exists k, is_derive f t k /\ Rabs k <= B) a c -> Rabs (f c - f a) <= B * (c - a).
 Proof.
   intros Hac Cf O. apply Rabs_le. split; [|apply (growth_often f); [exact Hac | exact Cf |]].
   - assert (- f c - - f a <= B * (c - a)); [|lra].
     apply (growth_often (fun t => - f t)); [exact Hac | intros; apply opposite, Cf; assumption |].
-    apply often_weaker with (2 := O). intros t _ [k [D Hk]]. apply Rabs_le_between in Hk. exists (- k).
+    apply mostly_weaker with (2 := O). intros t _ [k [D Hk]]. apply Rabs_le_between in Hk. exists (- k).
     split; [apply opposite, D | lra].
-  - apply often_weaker with (2 := O). intros t _ [k [D Hk]]. apply Rabs_le_between in Hk. exists k. split; [exact D | lra].
+  - apply mostly_weaker with (2 := O). intros t _ [k [D Hk]]. apply Rabs_le_between in Hk. exists k. split; [exact D | lra].
 Qed.
 Lemma bounded_slope (L : list R) f a b B : a <= b -> (forall t, a <= t <= b -> continuous f t) ->
   (forall t, a < t < b -> ~ In t L -> exists k, is_derive f t k /\ Rabs k <= B) -> Rabs (f b - f a) <= B * (b - a).
-Proof. intros Hab Cf H. apply slope_often; [exact Hab | exact Cf | apply (often_of_list L), H]. Qed.
+Proof. intros Hab Cf H. apply slope_often; [exact Hab | exact Cf | apply (mostly_of_list L), H]. Qed.
 
 (* A function that rises where it is negative does not become negative. *)
 Lemma square_of_negative x : is_derive (fun x => Rmin x 0 * Rmin x 0) x (2 * Rmin x 0).
@@ -90,14 +90,14 @@ Proof.
     intros z Hz. apply Rabs_lt_between in Hz. rewrite Rmin_right by lra. ring.
 Qed.
 Lemma stays_above f a c : a <= c -> (forall t, a <= t <= c -> continuous f t) ->
-  often (fun t => exists k, is_derive f t k /\ (f t < 0 -> 0 <= k)) a c -> 0 <= f a -> 0 <= f c.
+  mostly (fun t => exists k, is_derive f t k /\ (f t < 0 -> 0 <= k)) a c -> 0 <= f a -> 0 <= f c.
 Proof.
   intros Hac Cf O Fa.
   assert (H : Rmin (f c) 0 * Rmin (f c) 0 <= Rmin (f a) 0 * Rmin (f a) 0).
   { apply (not_growing_often (fun t => Rmin (f t) 0 * Rmin (f t) 0)); [exact Hac | |].
     - intros t Ht. apply (continuous_comp f (fun x => Rmin x 0 * Rmin x 0)); [apply Cf, Ht|].
       eapply continuous_of_derive, square_of_negative.
-    - apply often_weaker with (2 := O). intros t _ [k [D Hk]]. exists (k * (2 * Rmin (f t) 0)). split.
+    - apply mostly_weaker with (2 := O). intros t _ [k [D Hk]]. exists (k * (2 * Rmin (f t) 0)). split.
       + apply (is_derive_comp (fun x => Rmin x 0 * Rmin x 0) f t); [apply square_of_negative | exact D].
       + destruct (Rlt_dec (f t) 0) as [L|G]; [|rewrite Rmin_right by lra; lra].
         rewrite Rmin_left by lra. pose proof (Hk L). assert (0 <= k * (- f t)) by (apply Rmult_le_pos; lra). lra. }

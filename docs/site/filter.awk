@@ -2,7 +2,7 @@
 #
 # @eq{28,A.8}         links to the pages of the equations, label eq_28, eq_A_8; what is no number stays text
 # @erratum{40}        a link to what the page says of the printed form
-# @derivation{name}   a link to derivation/name.cpp, made good by `pages finish`
+# @derivation{name}   a link to derivation/name.cpp, resolved by `pages finish`
 # @domain{...}        a paragraph; commas and all
 # What is documented stands in the headers of the library and the derivation, but for those whose first line is a plain comment;
 # of these and of all other sources nothing is declared, and the site shows them as they are. No line is added or taken away: line

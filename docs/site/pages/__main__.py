@@ -12,7 +12,7 @@ from .text import Fault
 commands = {"write": write, "finish": finish}
 parser = argparse.ArgumentParser(prog="pages", description=__doc__)
 parser.add_argument("command", choices=commands)
-parser.add_argument("paths", nargs=3, type=Path, help="write RUN SOURCE OUTPUT: the pages for Doxygen; "
+parser.add_argument("paths", nargs=3, type=Path, metavar="PATH", help="write RUN SOURCE OUTPUT: the pages for Doxygen; "
                                                       "finish SITE TAGFILE SOURCE: what Doxygen made of them")
 asked = parser.parse_args()
 try:

@@ -52,8 +52,8 @@ def chapter_views(run, files):
             return {"kind": "text", "text": with_links(block.replace("\n", " "), place)}
         kind, _, name = block.removeprefix("{{").removesuffix("}}").partition(" ")
         if name not in known.get(kind, {}):
-            raise Fault(f"a place-holder must stand by itself and name an equation, a claim or a figure of the run, "
-                        f"like {{{{equation 26}}}}, not {block}, in {place}")
+            raise Fault(f"a place-holder must stand by itself, like {{{{equation 26}}}}: one of {', '.join(known)}, and a name that the "
+                        f"run has, not {block}, in {place}")
         shown, claims = known[kind][name], []
         for claim in shown["claims"] if kind == "claims" else []:
             record = record_of(run, claim["id"])

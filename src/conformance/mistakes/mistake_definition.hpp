@@ -23,11 +23,12 @@ inline const Names of_load{"beta_lim_approximate", "beta_lim_exact", "beta_lim_p
 // Whether a question is about one of some quantities; about any if there are none.
 [[nodiscard]] std::function<bool(const ProtocolQuestion&)> about(Names touched);
 
-// The plain closed form with other choices: one that is made, or a change of the choices, which may depend on the question.
+// The plain closed form with other choices: `&Choices::x` makes the choice x; a function of (Choices&), or of (Choices&,
+// question), changes them.
 template <class Choose>
 [[nodiscard]] Answering by_formulas(Names touched, Choose choose) {
     return {.touches = about(std::move(touched)), .choose = [choose](Choices& c, const ProtocolQuestion& q) {
-                if constexpr (std::is_member_pointer_v<Choose>)
+                if constexpr (std::is_same_v<Choose, bool Choices::*>)
                     c.*choose = true;
                 else if constexpr (std::is_invocable_v<Choose, Choices&>)
                     choose(c);
@@ -36,12 +37,12 @@ template <class Choose>
             }};
 }
 
-// The answers of a program that makes a mistake, which is not made together with others.
+// The answers of a program that makes a mistake. It is never combined with other mistakes.
 [[nodiscard]] inline Answering by_itself(std::function<std::optional<Value>(const ProtocolQuestion&)> answer) {
     return {std::move(answer)};
 }
 
-// A mistake that is made only if no mode is overdamped.
+// A mistake that is made only if no mode is overdamped; not one that is `by_itself`.
 [[nodiscard]] Answering where_modes_vibrate(Answering mistake);
 
 // The right answer to some quantities, changed; or each of its numbers.

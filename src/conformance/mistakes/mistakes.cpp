@@ -1,6 +1,7 @@
-// The list of known mistakes, and the makers of their answers: the plain closed form with other choices, another question in the
-// place of the one asked, or a right answer that is changed. Several mistakes made together act in this order. Read
-// `answer_with_several` first; the mistakes themselves are in the two files beside this one.
+// The list of known mistakes, and the makers of their answers: the plain closed form with other choices, another question in
+// the place of the one asked, or a right answer that is changed. Of several mistakes made together those that change the
+// question act first, then those of formulas, then those that change the answer. Read `answer_with_several` first; the
+// mistakes themselves are in `mistakes_of_input.cpp` and `mistakes_of_output.cpp`.
 #include <algorithm>
 
 #include "conformance/mistakes/mistake_definition.hpp"

@@ -104,7 +104,7 @@ Phasor response_of_part(const ProtocolQuestion& q, const PlainSystem& s, Index f
         const PlainMatrix phi = shapes_of(springs_of(q.stiffness_ratios, from, to), part(s.M)).phi;
         C = damping_in_modes(part(s.M) * phi, (phi.transpose() * C * phi).diagonal());
     }
-    return solved(part(s.dynamic_stiffness()), s.r * C, PlainRow::Unit(n, load), PlainRow::Zero(n))[mass];
+    return solved(part(s.dynamic_stiffness()), s.r * C, PlainVector::Unit(n, load), PlainVector::Zero(n))[mass];
 }
 
 struct PlainExtremum {
@@ -164,14 +164,16 @@ bool slides(const PlainModes& m, const Choices& c) {
     return m.beta < plain_limit(m, {}, plain_demand(m, {}, false));
 }
 
-PlainRow row_of_mass(const ProtocolQuestion& q, const PlainSystem& s) { return q.mass == 0 ? s.w : place_of(q.mass, s.size()); }
+PlainVector row_of_mass(const ProtocolQuestion& q, const PlainSystem& s) {
+    return q.mass == 0 ? s.w : place_of(q.mass, s.size());
+}
 
 // The answer that the last period of a motion shows, in a frame that moves by frame cos(tau).
 std::optional<Value> read_off(const PlainContact& motion, const ProtocolQuestion& q, double frame = 0) {
     if (q.quantity == "stops_per_period") return Value{{static_cast<double>(motion.stops().size())}, ""};
     if (q.quantity == "stop_durations") return Value{motion.stops(), ""};
     if (q.quantity == "rest_interval") return std::nullopt;
-    const PlainRow row = row_of_mass(q, motion.system);
+    const PlainVector row = row_of_mass(q, motion.system);
     if (q.quantity == "motion_under_force") return Value{motion.samples(row, q.samples), ""};
     const auto [tau, x] = motion.largest(row, frame);
     return Value{{q.quantity == "amplitude" ? std::abs(x) : std::remainder(tau + (x < 0 ? pi : 0), 2 * pi)}, ""};
@@ -183,7 +185,7 @@ std::optional<Value> answer_of_stuck_motion(const ProtocolQuestion& q, const Pla
     if (q.quantity == "rest_interval") return Value{{(s.mu * s.beta - force) * compliance}, ""};
     if (q.quantity == "stops_per_period") return Value{{0}, ""};
     if (q.quantity == "stop_durations") return Value{};
-    const PlainRow row = row_of_mass(q, s);
+    const PlainVector row = row_of_mass(q, s);
     Phasor X(row.dot(held.head(s.size()).real()), row.dot(held.head(s.size()).imag()));
     double largest = force * compliance;
     for (const Phasor& x : held.head(s.size())) largest = std::max(largest, modulus(x));
@@ -238,7 +240,7 @@ double share_at_high_frequency(const ProtocolQuestion& q, const PlainSystem& s) 
     if (is_of_the_paper(q)) return 1;
     const bool damped = !s.C.rowwise().sum().isZero(0);
     if (q.base_motion == "wall" || (q.base_motion == "alone" && damped)) throw NoPlainAnswer();
-    const PlainRow pull = solved(s.M, s.w);
+    const PlainVector pull = solved(s.M, s.w);
     return modulus({pull.dot(s.p), pull.dot(s.p_i)}) / pull.dot(s.w);
 }
 
@@ -277,8 +279,8 @@ Index add_row_in_frame(PlainModes& m, Index k, const Phasor& V) {
     m.psi.conservativeResize(row + 1, Eigen::NoChange);
     m.psi.row(row) = m.psi.row(k);
     m.V = (Phasors(row + 1) << m.V, V).finished();
-    m.U = (PlainRow(row + 1) << m.U, m.U[k]).finished();
-    m.G = (PlainRow(row + 1) << m.G, m.G[k]).finished();
+    m.U = (PlainVector(row + 1) << m.U, m.U[k]).finished();
+    m.G = (PlainVector(row + 1) << m.G, m.G[k]).finished();
     return row;
 }
 
@@ -329,7 +331,7 @@ double plain_sticking_limit_by_88(const ProtocolQuestion& q, bool by_modes) {
 double plain_sticking_limit_without_damping(const ProtocolQuestion& q) {
     const PlainSystem s = plain_system(q);
     const Phasors X = held_response(s).head(s.size());
-    const PlainRow elastic = s.K * s.w;
+    const PlainVector elastic = s.K * s.w;
     return modulus({elastic.dot(X.real()) - s.w.dot(s.p), elastic.dot(X.imag()) - s.w.dot(s.p_i)}) / q.mu;
 }
 

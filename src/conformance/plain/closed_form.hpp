@@ -1,5 +1,5 @@
 // The plain closed form: modes, sums over modes, motions, and the answers to every quantity of the protocol, with the points at
-// which it may be varied. It shares nothing with the library but the elementary functions.
+// which it may be varied. It shares no code with the library but the elementary functions; matrices are Eigen's, as there.
 //
 // This is the closed form as a reader of the corrected paper would code it: in double, without error bounds, and with samples in
 // the search for a maximum. Implementations are known to differ at every point of variation. Without variation the numbers have
@@ -24,8 +24,8 @@ struct PlainModes;
 // The points of variation of the plain closed form.
 struct Choices {
     bool motion_as_printed = false;               // the bracket of (46) as printed
-    bool initial_displacement_as_printed = false; // (44) as printed, and the motion from it
-    bool initial_velocity_as_printed = false;     // (45) as printed, and the motion from it
+    bool initial_displacement_as_printed = false; // (44) as printed, and all that follows from it
+    bool initial_velocity_as_printed = false;     // (45) as printed, and all that follows from it
     bool cosine_as_printed = false;               // (50) as printed
     bool monoharmonic_as_printed = false;         // (52) as printed
     bool maximum_of_each_mode = false;            // (56) in place of the maximum of the sum over modes
@@ -50,12 +50,12 @@ struct Choices {
 // two masses (the kit asks about no other direction) and that of a load which is not one force on one mass.
 struct PlainModes : PlainSystem {
     Index j = 0, l = 0, l_i = 0;        // rows of contact, load, and what of it leads by a quarter of a period, else l
-    PlainRow R;                         // modal frequency ratios, (22)
+    PlainVector R;                      // modal frequency ratios, (22)
     PlainMatrix psi;                    // mode shapes, by rows
-    PlainRow u, g;                      // damping functions of the modes, (28) and (29)
+    PlainVector u, g;                   // damping functions of the modes, (28) and (29)
     Phasors v;                          // complex response functions of the modes, (23)
     Phasors V;                          // complex response functions of the rows, (33)
-    PlainRow U, G;                      // damping functions of the rows, (34) and (35)
+    PlainVector U, G;                   // damping functions of the rows, (34) and (35)
     Phasor Y_jj;                        // (33) with the load on the contact
     double H_j = 0, sum_of_squares = 0; // (64), (65)
     std::shared_ptr<const FrictionResponse> friction; // the response to friction where damping couples the modes

@@ -135,8 +135,8 @@ Phasors times(const PlainMatrix& A, const Phasors& x) {
 }
 
 void sum_modes(PlainModes& m) {
-    const PlainRow squares = m.R.cwiseAbs2();
-    const PlainRow of_contact = m.psi.row(m.j).transpose().cwiseProduct(squares);
+    const PlainVector squares = m.R.cwiseAbs2();
+    const PlainVector of_contact = m.psi.row(m.j).transpose().cwiseProduct(squares);
     const auto response = [&](Index l) -> Phasors {
         const PlainMatrix of_load = m.psi * m.psi.row(l).transpose().cwiseProduct(squares).asDiagonal();
         return times(of_load, m.v);
@@ -156,9 +156,9 @@ void sum_modes(PlainModes& m) {
 // The sums for damping that couples the modes: rows are then those of the masses, without modes.
 void sum_without_modes(PlainModes& m) {
     m.friction = std::make_shared<FrictionResponse>(m);
-    const Phasors X = plain_response(m, m.p, m.p_i), Y = plain_response(m, m.w, PlainRow::Zero(m.size()));
+    const Phasors X = plain_response(m, m.p, m.p_i), Y = plain_response(m, m.w, PlainVector::Zero(m.size()));
     m.V = times(m.psi, X);
-    m.U = m.G = PlainRow(m.psi.rows());
+    m.U = m.G = PlainVector(m.psi.rows());
     for (Index k = 0; k < m.psi.rows(); ++k) {
         const PlainMotion start = m.friction->at(m.psi.row(k), 0);
         m.U[k] = -start.v;
@@ -169,7 +169,7 @@ void sum_without_modes(PlainModes& m) {
 }
 
 // The row of weights of some masses, a mass's own or a new one behind them.
-Index row_of(PlainMatrix& rows, const PlainRow& weights) {
+Index row_of(PlainMatrix& rows, const PlainVector& weights) {
     Index k = 0;
     while (k < rows.rows() && rows.row(k) != weights.transpose()) ++k;
     if (k == rows.rows()) {
@@ -196,7 +196,7 @@ PlainModes plain_modes(const ProtocolQuestion& q, const Choices& c) {
         return m;
     }
     m.psi = m.psi * m.phi / m.r;
-    m.u = m.g = PlainRow(N);
+    m.u = m.g = PlainVector(N);
     m.v = Phasors(N);
     for (Index i = 0; i < N; ++i) {
         std::tie(m.u[i], m.g[i]) = damping_functions(m.R[i], m.zeta[i]);

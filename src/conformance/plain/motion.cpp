@@ -34,7 +34,7 @@ T increment(const PlainMatrix& A, const T& z, double dt) {
     return sum;
 }
 
-PlainRow moved(const PlainMatrix& A, const PlainRow& z, double dt) { return z + increment(A, z, dt); }
+PlainVector moved(const PlainMatrix& A, const PlainVector& z, double dt) { return z + increment(A, z, dt); }
 
 PlainMatrix propagator(const PlainMatrix& A, double dt) {
     const PlainMatrix unit = PlainMatrix::Identity(A.rows(), A.rows());
@@ -47,7 +47,7 @@ PlainMatrix equations_of(const PlainSystem& s, bool held) {
     PlainMatrix forces(N, 2 * N + 3);
     forces << -s.K, -s.r * s.C, s.p, -s.p_i, -s.w;
     const Eigen::PartialPivLU<PlainMatrix> inertia(s.r * s.r * s.M);
-    const PlainRow of_contact = inertia.solve(s.w);
+    const PlainVector of_contact = inertia.solve(s.w);
     PlainMatrix A = PlainMatrix::Zero(2 * N + 3, 2 * N + 3);
     A.block(0, N, N, N).setIdentity();
     auto rates = A.middleRows(N, N);
@@ -59,8 +59,8 @@ PlainMatrix equations_of(const PlainSystem& s, bool held) {
 }
 
 // The weights of a row as weights of a state: of its displacements, from 0 on, or of its rates, from N on.
-PlainRow in_state(const PlainRow& row, Index from) {
-    PlainRow all = PlainRow::Zero(2 * row.size() + 3);
+PlainVector in_state(const PlainVector& row, Index from) {
+    PlainVector all = PlainVector::Zero(2 * row.size() + 3);
     all.segment(from, row.size()) = row;
     return all;
 }
@@ -72,7 +72,7 @@ int steps_of(const PlainSystem& s) {
 }
 
 // Weights of a state as a polynomial of the share of dt that has passed, the series of the exponential.
-std::vector<double> series_of(const PlainMatrix& A, PlainRow z, double dt, const PlainRow& weights) {
+std::vector<double> series_of(const PlainMatrix& A, PlainVector z, double dt, const PlainVector& weights) {
     std::vector<double> series{weights.dot(z)};
     double all = largest_of(z);
     for (int k = 1; k < most_terms && largest_of(z) > 1e-18 * all; ++k) {
@@ -95,8 +95,8 @@ double zero_of(const std::vector<double>& series) {
 
 // The first time up to dt at which weights of a state, not negative at first, are below zero; none if they stay above. A state
 // falls below zero and rises again at most once in a step.
-std::optional<double> first_fall(const PlainMatrix& A, const PlainRow& z, const PlainRow& next, double dt,
-                                 const PlainRow& weights, const PlainRow& rates) {
+std::optional<double> first_fall(const PlainMatrix& A, const PlainVector& z, const PlainVector& next, double dt,
+                                 const PlainVector& weights, const PlainVector& rates) {
     const bool above_after = weights.dot(next) > 0, rises_again = rates.dot(z) < 0 && rates.dot(next) > 0;
     if (above_after && !rises_again) return std::nullopt;
     const std::vector<double> series = series_of(A, z, dt, weights);
@@ -126,30 +126,30 @@ FrictionResponse::FrictionResponse(const PlainSystem& s) : A(equations_of(s, fal
         power = power * power;
     }
     // (I + E) y = -E f with the force f = -1 of a contact that moves backwards
-    PlainRow z = PlainRow::Zero(n + 3);
+    PlainVector z = PlainVector::Zero(n + 3);
     z.head(n) = solved(PlainMatrix::Identity(n, n) + half.topLeftCorner(n, n), half.col(n + 2).head(n));
     z[n + 2] = -1;
     for (int left = steps_of(s) / 2; left > 0; --left, z = of_step * z) nodes.push_back(z);
 }
 
-PlainMotion FrictionResponse::at(const PlainRow& row, double tau) const {
+PlainMotion FrictionResponse::at(const PlainVector& row, double tau) const {
     const auto n = std::min(static_cast<std::size_t>(tau / step), nodes.size() - 1);
-    const PlainRow z = moved(A, nodes[n], tau - static_cast<double>(n) * step);
+    const PlainVector z = moved(A, nodes[n], tau - static_cast<double>(n) * step);
     return {row.dot(z.head(row.size())), row.dot(z.segment(row.size(), row.size()))};
 }
 
-double FrictionResponse::rate_gained(const PlainRow& row, double tau) const {
+double FrictionResponse::rate_gained(const PlainVector& row, double tau) const {
     if (tau > step) return at(row, tau).v - at(row, 0).v;
     return in_state(row, row.size()).dot(increment(A, nodes.front(), tau)); // so that no digits are lost next to the start
 }
 
-double FrictionResponse::acceleration_at_start(const PlainRow& row) const {
+double FrictionResponse::acceleration_at_start(const PlainVector& row) const {
     return in_state(row, row.size()).dot(A * nodes.front());
 }
 
 PlainContact::PlainContact(const ProtocolQuestion& q)
     : system(plain_system(q)), slipping(equations_of(system, false)), resting(equations_of(system, true)),
-      step(whole_period / steps_of(system)), now(PlainRow::Unit(2 * system.size() + 3, 2 * system.size())) {
+      step(whole_period / steps_of(system)), now(PlainVector::Unit(2 * system.size() + 3, 2 * system.size())) {
     const Index N = system.size();
     of_slipping = propagator(slipping, step);
     of_resting = propagator(resting, step);
@@ -160,7 +160,7 @@ PlainContact::PlainContact(const ProtocolQuestion& q)
 }
 
 // The contact has no velocity: it rests, or the load moves it.
-void PlainContact::start_again(PlainRow& z, bool may_rest) {
+void PlainContact::start_again(PlainVector& z, bool may_rest) {
     auto rates = z.segment(system.size(), system.size());
     const double force = load.dot(z);
     rates -= system.w.dot(rates) / system.w.dot(pull) * pull;
@@ -169,14 +169,14 @@ void PlainContact::start_again(PlainRow& z, bool may_rest) {
     direction = rests ? 0 : pushed;
 }
 
-PlainStretch PlainContact::stretch(double from, PlainRow z) const {
+PlainStretch PlainContact::stretch(double from, PlainVector z) const {
     const Index N = system.size(), of_friction = 2 * N + 2;
     const PlainMatrix &A = equations(direction), &of_step = direction == 0 ? of_resting : of_slipping;
     z[of_friction] = direction == 0 ? system.beta : direction * system.beta;
-    std::vector<std::pair<PlainRow, PlainRow>> kept; // what is positive as long as the stretch lasts, with its rate
+    std::vector<std::pair<PlainVector, PlainVector>> kept; // what is positive as long as the stretch lasts, with its rate
     for (const int sign : {1, -1}) {
         if (direction == -sign || system.beta == 0) continue;
-        PlainRow weights = direction == 0 ? PlainRow(-sign * load) : PlainRow(sign * in_state(system.w, N));
+        PlainVector weights = direction == 0 ? PlainVector(-sign * load) : PlainVector(sign * in_state(system.w, N));
         if (direction == 0) weights[of_friction] = system.mu;
         kept.emplace_back(weights, A.transpose() * weights);
     }
@@ -184,7 +184,7 @@ PlainStretch PlainContact::stretch(double from, PlainRow z) const {
     while (from < whole_period) {
         const bool last = whole_period - from <= step * (1 + 1e-12);
         const double dt = last ? whole_period - from : step;
-        PlainRow next = last ? moved(A, z, dt) : PlainRow(of_step * z);
+        PlainVector next = last ? moved(A, z, dt) : PlainVector(of_step * z);
         std::optional<double> fall;
         for (const auto& [weights, rates] : kept)
             if (const auto t = first_fall(A, z, next, dt, weights, rates)) fall = std::min(*t, fall.value_or(dt));
@@ -200,7 +200,7 @@ PlainStretch PlainContact::stretch(double from, PlainRow z) const {
 void PlainContact::run() {
     constexpr std::size_t most_stretches = 2000;
     const Index N = system.size();
-    PlainRow z = now;
+    PlainVector z = now;
     z[2 * N] = 1;
     z[2 * N + 1] = 0;
     period.clear();
@@ -217,30 +217,30 @@ void PlainContact::run() {
 
 // Newton's method for the state that a period leaves as it is, with differences for the derivatives. If static friction is
 // larger, or nothing is damped, there may be more than one, and the one reached from rest is near; else there is one.
-std::optional<PlainRow> PlainContact::by_newton() const {
+std::optional<PlainVector> PlainContact::by_newton() const {
     const Index N = system.size(), n = 2 * N;
     const double reach = system.mu > 1 ? 1e-2 : largest_of(system.zeta) == 0 ? 0.5 : INFINITY;
-    const auto after = [&](const PlainRow& from) {
+    const auto after = [&](const PlainVector& from) {
         PlainContact other = *this;
         other.now = from;
         other.run();
         return other.now;
     };
-    PlainRow z = now;
+    PlainVector z = now;
     PlainMatrix J; // kept as long as it brings the state ten times nearer
     double last = INFINITY;
     for (int steps = 0; steps < 24; ++steps) {
-        const PlainRow end = after(z), gained = (end - z).head(n);
+        const PlainVector end = after(z), gained = (end - z).head(n);
         const double size = largest_of(z.head(n)), apart = largest_of(gained), change = 1e-7 * size;
         const bool found = apart <= (steps < 12 ? 1e-13 : 1e-11) * size;
         if (J.size() == 0 || (!found && apart > 0.1 * last)) {
             J.resize(n, n);
             for (Index k = 0; k < n; ++k) {
-                PlainRow other = z;
+                PlainVector other = z;
                 other[k] += change;
                 if (direction == 0 && k >= N) // a contact at rest stays at rest
                     other.segment(N, N) -= change * system.w[k - N] / system.w.dot(pull) * pull;
-                J.col(k) = PlainRow::Unit(n, k) - (after(other) - end).head(n) / change;
+                J.col(k) = PlainVector::Unit(n, k) - (after(other) - end).head(n) / change;
             }
         }
         last = apart;
@@ -255,7 +255,7 @@ void PlainContact::settle() {
     constexpr int most_periods = 700;
     constexpr std::size_t most_repeating = 16;
     const Index n = 2 * system.size();
-    std::deque<PlainRow> before; // ends of periods, the last one first
+    std::deque<PlainVector> before; // ends of periods, the last one first
     int resting_periods = 0;
     for (int periods = 0, more = 12; periods < most_periods; periods += more, more *= 2) {
         for (int left = more; left > 0; --left) {
@@ -264,13 +264,13 @@ void PlainContact::settle() {
             run();
             resting_periods = rests() ? resting_periods + 1 : 0;
             if (resting_periods == 10) return;
-            const auto distance = [&](const PlainRow& one) { return largest_of((one - now).head(n)); };
+            const auto distance = [&](const PlainVector& one) { return largest_of((one - now).head(n)); };
             const double size = largest_of(now.head(n)), apart = distance(before.front());
             if (apart <= 1e-14 * size) return;
-            for (const PlainRow& one : before) // a motion of several periods
+            for (const PlainVector& one : before) // a motion of several periods
                 if (distance(one) <= 1e-10 * size && apart > 1e-6 * size) throw NoPlainAnswer();
         }
-        if (std::optional<PlainRow> found = by_newton()) {
+        if (std::optional<PlainVector> found = by_newton()) {
             now = std::move(*found);
             run(); // after which it is known whether the contact rests at the end of a period
             run();
@@ -280,19 +280,19 @@ void PlainContact::settle() {
     throw NoPlainAnswer();
 }
 
-std::vector<double> PlainContact::samples(const PlainRow& row, int count) const {
+std::vector<double> PlainContact::samples(const PlainVector& row, int count) const {
     std::vector<double> x;
     for (int n = 0; n < count; ++n) {
         const double tau = whole_period * n / count;
         const auto of = std::ranges::find_if(period, [&](const PlainStretch& s) { return s.end() > tau; });
-        auto state = std::ranges::upper_bound(of->states, tau, {}, &std::pair<double, PlainRow>::first);
+        auto state = std::ranges::upper_bound(of->states, tau, {}, &std::pair<double, PlainVector>::first);
         if (state != of->states.begin()) --state;
         x.push_back(in_state(row, 0).dot(moved(equations(of->direction), state->second, tau - state->first)));
     }
     return x;
 }
 
-std::pair<double, double> PlainContact::largest(const PlainRow& row, double frame) const {
+std::pair<double, double> PlainContact::largest(const PlainVector& row, double frame) const {
     const Index N = system.size();
     // Of places that rounding alone tells apart, such as those of a contact that rests, the first counts.
     const double rounding = 1e-14 * largest_of(period.front().states.front().second.head(N));
@@ -301,7 +301,7 @@ std::pair<double, double> PlainContact::largest(const PlainRow& row, double fram
         if (std::abs(x) > std::abs(best.second) * (1 + 1e-12) + rounding) best = {tau, x};
     };
     const bool of_contact = row == system.w && system.beta > 0 && frame == 0; // it is at its largest where it rests or turns
-    PlainRow places = in_state(row, 0), rates = in_state(row, N);
+    PlainVector places = in_state(row, 0), rates = in_state(row, N);
     places[2 * N] = frame;
     rates[2 * N + 1] = -frame;
     for (std::size_t m = 0; m < period.size(); ++m) {

@@ -45,7 +45,7 @@ void read_damping(PlainSystem& s) {
 void read_load(PlainSystem& s, const ProtocolQuestion& q) {
     const Index N = s.size();
     const bool with_wall = q.base_motion == "with_wall", wall = q.base_motion == "wall";
-    s.p_i = PlainRow::Zero(N);
+    s.p_i = PlainVector::Zero(N);
     if (!q.base_motion.empty()) {
         s.base = with_wall ? 1 / (s.r * s.r) : 1; // P is m_1 omega^2 X, or k_1 X
         s.frame = with_wall || wall ? s.base : 0;
@@ -59,7 +59,7 @@ void read_load(PlainSystem& s, const ProtocolQuestion& q) {
         }
         return;
     }
-    const PlainRow masses = s.M.rowwise().sum(), springs = s.K.rowwise().sum();
+    const PlainVector masses = s.M.rowwise().sum(), springs = s.K.rowwise().sum();
     s.p = with_wall ? masses : springs;
     if (wall) s.p = s.r * s.r * masses - springs;
     if (!with_wall) s.p_i = (wall ? -s.r : s.r) * s.C.rowwise().sum();
@@ -71,15 +71,15 @@ double modulus(const Phasor& a) { return elementary::hypot(a.real(), a.imag()); 
 double argument(const Phasor& a) { return elementary::atan2(a.imag(), a.real()); }
 double times_cosine(const Phasor& a, double tau) { return a.real() * elementary::cos(tau) - a.imag() * elementary::sin(tau); }
 
-PlainRow solved(const PlainMatrix& A, const PlainRow& b) { return A.partialPivLu().solve(b); }
+PlainVector solved(const PlainMatrix& A, const PlainVector& b) { return A.partialPivLu().solve(b); }
 
-Phasors solved(const PlainMatrix& A, const PlainMatrix& B, const PlainRow& b, const PlainRow& b_i) {
+Phasors solved(const PlainMatrix& A, const PlainMatrix& B, const PlainVector& b, const PlainVector& b_i) {
     const Index n = b.size();
     PlainMatrix both(2 * n, 2 * n); // of real and imaginary parts
-    PlainRow right(2 * n);
+    PlainVector right(2 * n);
     both << A, -B, B, A;
     right << b, b_i;
-    const PlainRow parts = solved(both, right);
+    const PlainVector parts = solved(both, right);
     Phasors X(n);
     for (Index i = 0; i < n; ++i) X[i] = {parts[i], parts[n + i]};
     return X;
@@ -90,7 +90,7 @@ PlainShapes shapes_of(const PlainMatrix& B, const PlainMatrix& M) {
     const Eigen::LLT<PlainMatrix> triangle(M);
     // One column at a time, and without Eigen's own rotations: both would round once more, which shows where modes nearly cancel.
     PlainMatrix columns(B.rows(), n), turns = PlainMatrix::Identity(n, n), phi(n, n);
-    for (Index i = 0; i < B.rows(); ++i) columns.row(i) = triangle.matrixL().solve(PlainRow(B.row(i)));
+    for (Index i = 0; i < B.rows(); ++i) columns.row(i) = triangle.matrixL().solve(PlainVector(B.row(i)));
     constexpr int most_sweeps = 60;
     bool turned = true;
     for (int sweep = 0; turned && sweep < most_sweeps; ++sweep) {
@@ -108,8 +108,8 @@ PlainShapes shapes_of(const PlainMatrix& B, const PlainMatrix& M) {
                 turned = true;
             }
     }
-    const PlainRow r_n = columns.colwise().norm();
-    for (Index i = 0; i < n; ++i) phi.col(i) = triangle.matrixU().solve(PlainRow(turns.col(i)));
+    const PlainVector r_n = columns.colwise().norm();
+    for (Index i = 0; i < n; ++i) phi.col(i) = triangle.matrixU().solve(PlainVector(turns.col(i)));
     std::vector<Index> order(static_cast<std::size_t>(n));
     std::iota(order.begin(), order.end(), 0);
     std::ranges::sort(order, {}, [&](Index i) { return r_n[i]; });
@@ -126,11 +126,11 @@ double zero_between(const std::function<double(double)>& f, double from, double 
     return (a + b) / 2;
 }
 
-PlainRow row_of_list(const std::vector<double>& list) { return Eigen::Map<const PlainRow>(list.data(), std::ssize(list)); }
+PlainVector row_of_list(const std::vector<double>& list) { return Eigen::Map<const PlainVector>(list.data(), std::ssize(list)); }
 
-PlainRow place_of(int mass, Index N) {
+PlainVector place_of(int mass, Index N) {
     if (mass < 1 || mass > N) throw NoPlainAnswer();
-    return PlainRow::Unit(N, mass - 1);
+    return PlainVector::Unit(N, mass - 1);
 }
 
 PlainSystem plain_system(const ProtocolQuestion& q) {
@@ -162,11 +162,11 @@ PlainSystem plain_system(const ProtocolQuestion& q) {
     return s;
 }
 
-PlainMatrix damping_in_modes(const PlainMatrix& momenta, const PlainRow& of_modes) {
+PlainMatrix damping_in_modes(const PlainMatrix& momenta, const PlainVector& of_modes) {
     return momenta * of_modes.asDiagonal() * momenta.transpose();
 }
 
-Phasors plain_response(const PlainSystem& s, const PlainRow& b, const PlainRow& b_i) {
+Phasors plain_response(const PlainSystem& s, const PlainVector& b, const PlainVector& b_i) {
     return solved(s.dynamic_stiffness(), s.r * s.C, b, b_i);
 }
 
@@ -180,7 +180,7 @@ Phasors held_response(const PlainSystem& s) {
     PlainMatrix D(N + 1, N + 1), C = PlainMatrix::Zero(N + 1, N + 1);
     D << s.dynamic_stiffness(), s.w, s.w.transpose(), 0;
     C.topLeftCorner(N, N) = s.r * s.C;
-    PlainRow load(N + 1), load_i(N + 1);
+    PlainVector load(N + 1), load_i(N + 1);
     load << s.p, 0;
     load_i << s.p_i, 0;
     return solved(D, C, load, load_i);
