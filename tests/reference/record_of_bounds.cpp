@@ -39,6 +39,7 @@ namespace {
 std::vector<NamedNumber> all_numbers_of(const Solution& s) {
     std::vector<NamedNumber> all = numbers_of(s);
     all.push_back({"largest relative error", 0, {0, s.relative_error, {}}});
+    for (const SolvedMass& mass : s.masses) all.push_back({"displacements", 0, {0, error_of_displacements(mass), {}}});
     if (s.between) all.push_back({"between", 0, s.between->amplitude});
     if (s.slides_below) all.push_back({"slides below", 0, *s.slides_below});
     if (s.kept_mode) all.push_back({"kept mode", s.kept_mode->mode, s.kept_mode->contact_at_most});

@@ -157,7 +157,10 @@ TEST_CASE("where double does not tell whether near modes are coupled the referen
     s.damping_matrix = Matrix<double>{{0.125, 0x1p-12}, {0x1p-12, 0.25}};
     CHECK(modal_basis(s).coupled()); // the matrix counts, whatever it does to the modes
     CHECK_FALSE(modal_basis(s).couples);
-    CHECK(coupled_damping(scene_source(scene)));
+    const std::optional<CoupledDamping> damping = coupled_damping(scene_source(scene));
+    REQUIRE(damping);
+    const double commutator = std::sqrt(2.0) * 0x1p-12 * 0x1p-40, of_K = std::sqrt(2.0), of_C = std::sqrt(5.0 / 64 + 0x1p-23);
+    CHECK(damping->distance_from_classical == Approx(commutator / (of_K * of_C)).epsilon(1e-11));
     s.damping_matrix = Matrix<double>{{0.125, 0x1p-11}, {0x1p-11, 0.125}}; // whatever turns these modes leaves the coupling
     CHECK(modal_basis(s).couples);
 }

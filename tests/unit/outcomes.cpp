@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "denhartog/answer/certify.hpp"
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/tried.hpp"
@@ -52,6 +53,16 @@ void same_as_thrown(const std::string& scene, std::optional<int> digits, const T
 }
 
 } // namespace
+
+TEST_CASE("an error leaves the digits whose tolerance it keeps, and no more", "[outcomes]") {
+    for (int digits = 1; digits <= 16; ++digits) {
+        INFO(digits);
+        CHECK(digits_of(tolerance_of(digits)) == digits);
+        CHECK(digits_of(1.001 * tolerance_of(digits)) == digits - 1);
+    }
+    CHECK(digits_of(0) == 17);
+    CHECK(digits_of(1) == 0);
+}
 
 TEST_CASE("each outcome of a question is met by a scene, and its twin has an answer", "[solve][errors]") {
     struct Case {

@@ -20,7 +20,7 @@ using Number = Bounded<double>;
 // True of a number that may be an even integer.
 bool may_be_even(const Number& n) {
     const double nearest = 2 * std::round(n.x / 2);
-    return std::abs(n.x - nearest) <= n.e + unit_of<double>() * std::abs(n.x);
+    return std::abs(n.x - nearest) <= n.e;
 }
 
 // The modes that nothing but friction damps.
