@@ -562,8 +562,8 @@ Definition displacements_are_attracted : Prop := is_scene -> (forall i, (i < N)%
    is a constant part. The paper's load is one harmonic on one mass. *)
 Definition harmonic_forces (n : nat) (omega : nat -> R) (p q : nat -> nat -> R) (a : nat) (t : R) :=
   Sum n (fun k => p a k * cos (omega k * t) + q a k * sin (omega k * t)).
-(* With or without damping, from every start there is a motion for all times, which in any finite time has a finite number of
-   events, *)
+(* With or without damping, but with no undamped mode at a pole, as in `is_scene`, from every start there is a motion for all
+   times, which in any finite time obeys the law at all instants but a finite number, *)
 Definition contact_has_a_motion : Prop := is_scene -> 0 <= beta -> forall n omega p q (u v : nat -> R),
   exists y y1, (forall T, motion_under (harmonic_forces n omega p q) T y y1) /\
     forall k, (k < N)%nat -> y k 0 = u k /\ y1 k 0 = v k.

@@ -23,6 +23,7 @@
 #include "denhartog/denhartog.hpp"
 #include "denhartog/reference/orbit.hpp"
 #include "denhartog/sliding/bounded_modes.hpp"
+#include "denhartog/sliding/contact_alone.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/solve/quantities.hpp"
 #include "denhartog/solve/solve.hpp"
@@ -71,6 +72,26 @@ std::vector<NamedNumber> unsettled_maxima(const SceneSource& source) {
     std::vector<NamedNumber> all;
     for (const MassResponse<Bounded<double>>& mass : with_maxima(sums, start, near).masses)
         for (const Bounded<double>& number : {mass.amplitude, mass.phase}) all.push_back({"maximum", 0, {0, number.e, {}}});
+    return all;
+}
+
+// What the contact alone is asked for: sizes of the terms in sums over arrays of r, and a bound of the demand.
+std::vector<NamedNumber> contact_alone(const SceneSource& source) {
+    const Scene<double>& scene = source->in_double();
+    const auto basis = modes_with_errors(scene.system, source->effort);
+    if (basis->coupled()) throw DomainError(Why::nothing_holds);
+    const std::vector<double> r{*scene.r, 2 * *scene.r};
+    ContactSums sums;
+    contact_sums(*basis, scene.system.contact, load_row(scene.system), r, 1, sums);
+    std::vector<NamedNumber> all;
+    const auto add = [&all](double bound) { all.push_back({"contact", 0, {0, std::abs(bound), {}}}); };
+    for (const auto* sizes : {&sums.size_of_V, &sums.size_of_Y, &sums.size_of_U, &sums.size_of_H, &sums.certainty})
+        for (const double size : *sizes) add(size);
+    const ContactModes modes = contact_modes(basis, scene.system.contact, load_row(scene.system));
+    if (const auto motion = contact_solution(modes, as_input(*scene.r), as_input(*scene.beta))) {
+        for (const Bounded<double>& number : {motion->amplitude, motion->phase}) add(number.e);
+        add(motion->slides_below.x);
+    }
     return all;
 }
 
@@ -146,6 +167,7 @@ const std::vector<std::pair<std::string, Numbers>>& questions() {
          }},
         {"samples", digits_of_samples},
         {"maxima", unsettled_maxima},
+        {"contact alone", contact_alone},
         {"balls", radii_of_balls}};
     return all;
 }

@@ -86,6 +86,19 @@ TEST_CASE("the largest amplitude over the frequency is the textbook's, and so is
     CHECK(least.places[0].at == 3);
 }
 
+TEST_CASE("a peak far narrower than the samples is found beside its natural frequency, in radians and in hertz", "[find]") {
+    const std::string scene =
+        R"({"masses": [10], "stiffnesses": [1000], "damping_ratios": 1e-5, "contact": 1, "load": 1, "force": 1,
+        "friction": 0})";
+    const Wanted wanted = wanted_from("amplitude of mass 1 is largest");
+    for (const auto& [key, natural] : {std::pair("frequency", 10.0), std::pair("frequency_hz", 5 / pi<double>())}) {
+        INFO(key);
+        const FoundPlaces peak = find_places(scene, {key, 0.3 * natural, 4 * natural}, wanted, 16);
+        REQUIRE(kinds_of(peak) == Kinds{"extreme"});
+        CHECK(std::abs(peak.places[0].at / natural - 1) < 1e-9);
+    }
+}
+
 TEST_CASE("a frequency is found for a scene that has none, and whose load depends on it", "[find]") {
     const std::string unbalance = R"({"masses": [10], "stiffnesses": [1000], "damping_ratios": 0.05, "contact": 1, "load": 1,
         "unbalance": 0.1, "friction": 1)";

@@ -405,8 +405,10 @@ TEST_CASE("where the paper's condition and the exact one disagree both regimes a
     CHECK(s.regime.regime == Regime::continuous);
     REQUIRE(s.regime_by_56);
     CHECK(*s.regime_by_56 == Regime::stick_slip);
+    CHECK(solve(scene_source(scene), {Asked::regime, 30}).regime_by_56 == Regime::stick_slip); // by the reference
     scene.beta = b.paper / 2;
     CHECK_FALSE(asking(scene, Asked::regime).regime_by_56);
+    CHECK_FALSE(solve(scene_source(scene), {Asked::regime, 30}).regime_by_56);
 }
 
 TEST_CASE("a pole of the closed form leaves the exact solver, or an error", "[solve][domain]") {

@@ -51,7 +51,7 @@ def chapter_views(run, files):
         if not block.startswith("{{"):
             return {"kind": "text", "text": with_links(block.replace("\n", " "), place)}
         kind, _, name = block.removeprefix("{{").removesuffix("}}").partition(" ")
-        if name not in known.get(kind, {}):
+        if not block.endswith("}}") or name not in known.get(kind, {}):
             raise Fault(f"a place-holder must stand by itself, like {{{{equation 26}}}}: one of {', '.join(known)}, and a name that the "
                         f"run has, not {block}, in {place}")
         shown, claims = known[kind][name], []
