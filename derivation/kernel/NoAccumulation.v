@@ -105,7 +105,7 @@ Lemma growth (d : nat -> R -> R) a c : a <= c -> continuous_between d a c ->
 Proof.
   intros Hac Cd O. set (k := - (2 * norm m A)). set (S := fun t => size m (fun i => d i t)).
   assert (H : S c * exp (k * c) <= S a * exp (k * a)).
-  { apply (not_growing_often (fun t => S t * exp (k * t))); [exact Hac | |].
+  { apply (not_growing_mostly (fun t => S t * exp (k * t))); [exact Hac | |].
     - intros t Ht. apply (continuous_mult (K := R_AbsRing) S).
       + apply (continuous_Sum m (fun i t => d i t * d i t)). intros i Hi.
         apply (continuous_mult (K := R_AbsRing)); apply Cd; assumption.
@@ -438,7 +438,7 @@ Proof.
   assert (Cs : forall x, t <= x <= c -> continuous (speed d) x) by (intros; apply (speed_continuous d a c); [exact Cd | lra]).
   assert (Up : forall x y, t <= x -> x <= y -> y <= c -> speed d x <= speed d y + al * M * (y - x)).
   { intros x y Hx Hxy Hy. assert (- speed d y - - speed d x <= al * M * (y - x)); [|lra].
-    apply (growth_often (fun t => - speed d t)); [exact Hxy | intros; apply opposite, Cs; lra |].
+    apply (growth_mostly (fun t => - speed d t)); [exact Hxy | intros; apply opposite, Cs; lra |].
     apply mostly_weaker with (2 := mostly_inside _ a c x y ltac:(lra) ltac:(lra) Dd). intros z Hz [r [Hr D]].
     destruct (friction_rate z r D) as [S _]. exists (- (dot b (mul A (fun i => d i z)) + size m b * r)).
     split; [apply opposite, S|]. pose proof (pull_bound (fun i => d i z)) as Q. apply Rabs_le_between in Q.
@@ -448,7 +448,7 @@ Proof.
   assert (Across : forall i, (i < m)%nat -> Rabs (across i u) <= al * M * (c - u)).
   { intros i Hi.
     replace (across i u) with (- (across i c - across i u)) by (unfold across; rewrite Zs, (Zd i Hi); unfold Rdiv; ring).
-    rewrite Rabs_Ropp. apply slope_often; [lra | |].
+    rewrite Rabs_Ropp. apply slope_mostly; [lra | |].
     - intros x Hx. apply (continuous_minus (V := R_NormedModule) (d i)); [apply Cd; [exact Hi | lra]|].
       apply continuous_scaled, (continuous_mult (K := R_AbsRing) (speed d) (fun _ => / size m b));
         [apply Cs; lra | apply continuous_const].
@@ -595,7 +595,7 @@ Definition motion X T := (forall i t, (i < m)%nat -> t <= 0 -> X i t = x i) /\
   exists L : list R, forall t, 0 < t < T -> ~ In t L -> moves X t.
 Lemma motion_continuous X T a c : motion X T -> c <= T -> continuous_between X a c.
 Proof. intros [_ [C _]] Hc i t Hi Ht. apply C; [exact Hi | lra]. Qed.
-Lemma motion_often X T a c : motion X T -> 0 <= a -> c <= T -> mostly (moves X) a c.
+Lemma motion_mostly X T a c : motion X T -> 0 <= a -> c <= T -> mostly (moves X) a c.
 Proof. intros [_ [_ [L M]]] Ha Hc. apply (mostly_of_list L). intros t Ht. apply M. lra. Qed.
 Lemma shorter X T T' : motion X T -> T' <= T -> motion X T'.
 Proof.
@@ -609,8 +609,8 @@ Proof.
   apply (same_motion X Y 0 t); [lra | | | | | | exact Hi].
   - apply (motion_continuous X T); assumption.
   - apply (motion_continuous Y T'); assumption.
-  - apply (motion_often X T); [exact HX | lra | exact Ht].
-  - apply (motion_often Y T'); [exact HY | lra | exact Ht'].
+  - apply (motion_mostly X T); [exact HX | lra | exact Ht].
+  - apply (motion_mostly Y T'); [exact HY | lra | exact Ht'].
   - intros k Hk. rewrite SX, SY by (assumption || lra). reflexivity.
 Qed.
 
@@ -637,7 +637,7 @@ Proof.
   assert (Size : forall z, 0 <= z <= t -> size m (fun i => X i z) <= Q).
   { intros z Hz. apply Rle_trans with (size m (fun i => X i 0) * exp (2 * norm m A * (z - 0))).
     - apply growth; [lra | apply (motion_continuous X t); [exact HX | lra] |].
-      apply mostly_weaker with (2 := motion_often X t 0 z HX (Rle_refl 0) ltac:(lra)). intros y _ [r [[A1 [A2 _]] D]].
+      apply mostly_weaker with (2 := motion_mostly X t 0 z HX (Rle_refl 0) ltac:(lra)). intros y _ [r [[A1 [A2 _]] D]].
       exists (- r). split; [|intros k Hk; evar_last; [apply D, Hk | ring]].
       destruct (Rtotal_order (speed X y) 0) as [L|[Z|G]].
       + rewrite A2 by exact L. assert (0 <= beta * - speed X y) by (apply Rmult_le_pos; lra). lra.
@@ -651,9 +651,9 @@ Proof.
   { intros z Hz. apply Sum_le. intros k Hk. pose proof (Size z Hz) as S. pose proof (size_part m (fun i => X i z) k Hk) as P.
     cbv beta in P. pose proof (Rle_0_sqr (X k z - 1)) as R1. pose proof (Rle_0_sqr (X k z + 1)) as R2.
     pose proof (Rle_0_sqr (X k z)) as R3. unfold Rsqr in *. apply Rabs_le. lra. }
-  apply slope_often; [exact Huv | |].
+  apply slope_mostly; [exact Huv | |].
   - intros z Hz. apply (motion_continuous X t u v); [exact HX | exact Hv | exact Hi | exact Hz].
-  - apply mostly_weaker with (2 := motion_often X t u v HX Hu Hv). intros z Hz [r [[_ [_ Br]] D]].
+  - apply mostly_weaker with (2 := motion_mostly X t u v HX Hu Hv). intros z Hz [r [[_ [_ Br]] D]].
     exists (mul A (fun k => X k z) i - r * b i). split; [apply D, Hi|].
     pose proof (Rabs_triang (mul A (fun k => X k z) i) (- (r * b i))) as Tr. rewrite Rabs_Ropp in Tr.
     assert (T1 : Rabs (mul A (fun k => X k z) i) <= norm m A * l).

@@ -32,7 +32,7 @@ Proof.
   destruct (time_left L u ((u + v) / 2) ltac:(lra)) as [t [Ht N]]. exists t. split; [lra|]. apply HL; [lra | exact N].
 Qed.
 
-Lemma not_growing_often f a c : a <= c -> (forall t, a <= t <= c -> continuous f t) ->
+Lemma not_growing_mostly f a c : a <= c -> (forall t, a <= t <= c -> continuous f t) ->
   mostly (fun t => exists k, is_derive f t k /\ k <= 0) a c -> f c <= f a.
 Proof.
   intros Hac Cf O. destruct (Req_dec a c) as [->|N]; [lra|]. apply Rnot_lt_le. intros G.
@@ -51,29 +51,29 @@ Proof.
   - intros Cf. apply (continuous_minus (V := R_NormedModule) f); [exact Cf | apply continuous_scaled, continuous_id].
   - intros k D. apply (is_derive_minus (V := R_NormedModule) f); [exact D | auto_derive; [exact I | ring]].
 Qed.
-Lemma growth_often f a c B : a <= c -> (forall t, a <= t <= c -> continuous f t) ->
+Lemma growth_mostly f a c B : a <= c -> (forall t, a <= t <= c -> continuous f t) ->
   mostly (fun t => exists k, is_derive f t k /\ k <= B) a c -> f c - f a <= B * (c - a).
 Proof.
   intros Hac Cf O. assert (f c - B * c <= f a - B * a); [|lra].
-  apply (not_growing_often (fun t => f t - B * t)); [exact Hac | intros; apply sloped, Cf; assumption |].
+  apply (not_growing_mostly (fun t => f t - B * t)); [exact Hac | intros; apply sloped, Cf; assumption |].
   apply mostly_weaker with (2 := O). intros t _ [k [D Hk]]. exists (k - B). split; [apply sloped, D | lra].
 Qed.
 Lemma opposite (f : R -> R) t : (continuous f t -> continuous (fun t => - f t) t) /\
   forall k, is_derive f t k -> is_derive (fun t => - f t) t (- k).
 Proof. split; [apply (continuous_opp (V := R_NormedModule)) | intros k; apply (is_derive_opp (V := R_NormedModule))]. Qed.
-Lemma slope_often f a c B : a <= c -> (forall t, a <= t <= c -> continuous f t) ->
+Lemma slope_mostly f a c B : a <= c -> (forall t, a <= t <= c -> continuous f t) ->
   mostly (fun t => exists k, is_derive f t k /\ Rabs k <= B) a c -> Rabs (f c - f a) <= B * (c - a).
 Proof.
-  intros Hac Cf O. apply Rabs_le. split; [|apply (growth_often f); [exact Hac | exact Cf |]].
+  intros Hac Cf O. apply Rabs_le. split; [|apply (growth_mostly f); [exact Hac | exact Cf |]].
   - assert (- f c - - f a <= B * (c - a)); [|lra].
-    apply (growth_often (fun t => - f t)); [exact Hac | intros; apply opposite, Cf; assumption |].
+    apply (growth_mostly (fun t => - f t)); [exact Hac | intros; apply opposite, Cf; assumption |].
     apply mostly_weaker with (2 := O). intros t _ [k [D Hk]]. apply Rabs_le_between in Hk. exists (- k).
     split; [apply opposite, D | lra].
   - apply mostly_weaker with (2 := O). intros t _ [k [D Hk]]. apply Rabs_le_between in Hk. exists k. split; [exact D | lra].
 Qed.
 Lemma bounded_slope (L : list R) f a b B : a <= b -> (forall t, a <= t <= b -> continuous f t) ->
   (forall t, a < t < b -> ~ In t L -> exists k, is_derive f t k /\ Rabs k <= B) -> Rabs (f b - f a) <= B * (b - a).
-Proof. intros Hab Cf H. apply slope_often; [exact Hab | exact Cf | apply (mostly_of_list L), H]. Qed.
+Proof. intros Hab Cf H. apply slope_mostly; [exact Hab | exact Cf | apply (mostly_of_list L), H]. Qed.
 
 (* A function that rises where it is negative does not become negative. *)
 Lemma square_of_negative x : is_derive (fun x => Rmin x 0 * Rmin x 0) x (2 * Rmin x 0).
@@ -94,7 +94,7 @@ Lemma stays_above f a c : a <= c -> (forall t, a <= t <= c -> continuous f t) ->
 Proof.
   intros Hac Cf O Fa.
   assert (H : Rmin (f c) 0 * Rmin (f c) 0 <= Rmin (f a) 0 * Rmin (f a) 0).
-  { apply (not_growing_often (fun t => Rmin (f t) 0 * Rmin (f t) 0)); [exact Hac | |].
+  { apply (not_growing_mostly (fun t => Rmin (f t) 0 * Rmin (f t) 0)); [exact Hac | |].
     - intros t Ht. apply (continuous_comp f (fun x => Rmin x 0 * Rmin x 0)); [apply Cf, Ht|].
       eapply continuous_of_derive, square_of_negative.
     - apply mostly_weaker with (2 := O). intros t _ [k [D Hk]]. exists (k * (2 * Rmin (f t) 0)). split.

@@ -52,8 +52,9 @@ def chapter_views(run, files):
             return {"kind": "text", "text": with_links(block.replace("\n", " "), place)}
         kind, _, name = block.removeprefix("{{").removesuffix("}}").partition(" ")
         if not block.endswith("}}") or name not in known.get(kind, {}):
-            raise Fault(f"a place-holder must stand by itself, like {{{{equation 26}}}}: one of {', '.join(known)}, and a name that the "
-                        f"run has, not {block}, in {place}")
+            kinds = ", ".join(known)
+            raise Fault(f"a place-holder must stand by itself, like {{{{equation 26}}}}: one of {kinds}, and a name of the run, "
+                        f"not {block}, in {place}")
         shown, claims = known[kind][name], []
         for claim in shown["claims"] if kind == "claims" else []:
             record = record_of(run, claim["id"])

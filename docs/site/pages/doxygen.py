@@ -5,9 +5,9 @@ from collections import defaultdict
 from copy import deepcopy
 from itertools import takewhile
 
-from lxml import html
+from lxml import html as lxml_html
 
-from .text import html as escape
+from .text import html
 
 OF_TYPE = ("struct", "class", "union")
 LEFT_OUT = ("dir_", "functions", "globals", "namespacemembers", "classes.html", "hierarchy.html")
@@ -104,8 +104,8 @@ def declared_in(trees):
             for place in tree.xpath(rows)}
 
 
-def part(name, tree, declared):
-    """Parts the page of a namespace: a list of names by header stays, what is said of them goes to a page for each header.
+def split_by_header(name, tree, declared):
+    """Splits the page of a namespace: a list of names by header stays, what is said of them goes to a page for each header.
     Returns these pages, and the places that moved."""
     description_first(tree)
     items, pages, moved = defaultdict(list), {}, {}
@@ -125,14 +125,14 @@ def part(name, tree, declared):
         page, header = f"{name.removesuffix('.html')}_in_{file}.html", header_name(file)
         by_name = {text_of(shown, "@class='permalink'").partition(" [")[0]: anchor.get("id")
                    for anchor, shown, _ in reversed(of_file)}  # of overloads the first
-        names = ", ".join(f'<a class="el" href="{page}#{anchor}">{escape(shown)}</a>'
+        names = ", ".join(f'<a class="el" href="{page}#{anchor}">{html(shown)}</a>'
                           for shown, anchor in reversed(by_name.items()))
         listed += f'<dt><a class="el" href="{page}">{header}</a></dt>\n<dd>{names}</dd>\n'
         pages[page] = deepcopy(frame)
         first(pages[page], '//h1[@class="title"]').text = f"{title} in {header}"
         first(pages[page], "//title").text = f"{title} in {header} - denhartog"
         of_page = first(pages[page], '//div[@class="contents"]')
-        of_page.append(html.fragment_fromstring(
+        of_page.append(lxml_html.fragment_fromstring(
             f'<p>The source: <a class="el" href="{file}_source.html">{header}</a>. All of the namespace: '
             f'<a class="el" href="{name}">{title}</a>.</p>'))
         for element in sum(of_file, ()):
@@ -142,14 +142,15 @@ def part(name, tree, declared):
     if types is not None:
         drop(first(types, './tr[@class="heading"]|./tbody/tr[@class="heading"]'))
         count = len(types.xpath('.//tr[starts-with(@class, "memitem:")]'))
-        folded = html.fragment_fromstring(f"<details><summary>Types: {count}</summary></details>")
+        folded = lxml_html.fragment_fromstring(f"<details><summary>Types: {count}</summary></details>")
         types.addprevious(folded)
         folded.append(types)
     places = set(tree.xpath("//tr//@id"))
     for table in tree.xpath('//table[.//a/@id[. = "func-members" or . = "enum-members" or . = "var-members" or '
                             '. = "typedef-members"]]'):  # names that have a box have no row
         drop(*(row for row in table.xpath('.//tr[contains(@class, ":")]') if row.get("class").partition(":")[2] not in places))
-    for element in html.fragments_fromstring(f'<h2 class="groupheader">By header</h2>\n<dl class="by-header">\n{listed}</dl>'):
+    by_header = f'<h2 class="groupheader">By header</h2>\n<dl class="by-header">\n{listed}</dl>'
+    for element in lxml_html.fragments_fromstring(by_header):
         documentation.addprevious(element)
     drop_empty_sections(tree)
     return pages, moved
@@ -186,7 +187,7 @@ def class_page(tree, name):
 
 def trim(texts):
     """The pages of the site by the names of their files, as trees: what is left out is not there, and links follow."""
-    trees = {name: html.document_fromstring(text) for name, text in texts.items()}
+    trees = {name: lxml_html.document_fromstring(text) for name, text in texts.items()}
     out_of_site = {name for name, tree in trees.items() if is_left_out(name, tree)}
     for name in out_of_site:
         del trees[name]
@@ -196,7 +197,7 @@ def trim(texts):
         if name.startswith(OF_TYPE):
             class_page(tree, name)
         elif name.startswith("namespacedenhartog"):
-            pages, places = part(name, tree, declared)
+            pages, places = split_by_header(name, tree, declared)
             trees |= pages
             moved |= places
     for name, tree in trees.items():

@@ -5,7 +5,7 @@ import os
 import re
 from xml.etree import ElementTree
 
-from lxml import html
+from lxml import html as lxml_html
 
 from .doxygen import boxes, first, text_of, trim
 
@@ -101,7 +101,7 @@ def finish(site, tagfile, source):
     for file in files:
         file.unlink()
     for name, tree in trees.items():
-        (site / name).write_text(html.tostring(tree, encoding="unicode", doctype="<!DOCTYPE html>"))
+        (site / name).write_text(lxml_html.tostring(tree, encoding="unicode", doctype="<!DOCTYPE html>"))
     documents = sum((search_documents(tree, name) for name, tree in trees.items() if not name.endswith("_source.html")), [])
     (site / "sitemap.txt").write_text("".join(f"{name}\n" for name in trees if kind_of_page(name) < 4))
     listed = json.dumps(documents, indent=0, ensure_ascii=False)
