@@ -79,7 +79,7 @@ void set_coupling(StuckConfiguration& stuck, FrequencyErrors errors, double tole
 /// Modes of the system with the contact held, and their damping.
 void set_modes(const System<double>& s, StuckConfiguration& stuck, Effort* effort) {
     NaturalModes modes = stuck_modes(s, stuck, effort);
-    const double tolerance = rounding_of_modes(stuck.masses.size() + 1);
+    const double tolerance = rounding_of_modes(number_of_masses(s));
     turn_coinciding_modes(stuck.C, tolerance, modes.r_n, modes.phi);
     fix_signs(modes.phi);
     stuck.r_n = std::move(modes.r_n);

@@ -243,8 +243,9 @@ BallMatrix OrbitUnknowns::start() const {
 ExponentialSeries::ExponentialSeries(const BallMatrix& B, const BallMatrix& y, Effort* effort) {
     const slong n = B.rows();
     const double theta = norm(B) * (1 + 1e-9);
-    slong last = 0; // the terms beyond fall by half each, from below the last bit
-    for (double left = static_cast<double>(ball_bits); left > 0 || static_cast<double>(last) < 2 * theta || last < 4;)
+    // The terms beyond the last fall by half each, from below the last bit: theta^last < last! <= ((last + 1) / 2)^last.
+    slong last = 0;
+    for (double left = static_cast<double>(ball_bits); left > 0 || last < 4;)
         left += binary_logarithm(std::max(theta, 1e-300) / static_cast<double>(++last));
     const SparseBalls sparse(B);
     pay(effort, cost_of_ball_products(static_cast<double>((sparse.count() + n) * last)));

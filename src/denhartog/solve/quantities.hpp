@@ -9,6 +9,7 @@
 #include <span>
 
 #include "denhartog/answer/models_in_double.hpp"
+#include "denhartog/evaluation/even_samples.hpp"
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/sliding/bounded_modes.hpp"
 #include "denhartog/sliding/coupled_sums.hpp"
@@ -121,7 +122,8 @@ void add_motion(Quantities<T>& q, const ModeSums<T>& s, const T& beta, const std
 
 /// @brief The closed form over a period.
 struct SampledClosedForm {
-    SampledSolution motion; ///< none outside the sliding regime
+    SampledSolution motion;                         ///< none outside the sliding regime
+    std::vector<evaluation::ErrorOfSamples> errors; ///< bounds for each mass, of a motion that is in double
     QuantitiesAnswer found; ///< the numbers of the point, as far as they were needed, and how they were computed
 };
 

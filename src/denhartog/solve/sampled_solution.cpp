@@ -90,7 +90,7 @@ std::optional<SampledClosedForm> in_double(const Scene<double>& scene, double ph
     if (basis->coupled()) return std::nullopt;
     const Number beta = as_input(*scene.beta);
     const ModeSums<Number> sums = bounded_sums(scene.system, *basis, as_input(*scene.r));
-    SampledClosedForm all{{}, {{}, {"closed form", "double", {}}}};
+    SampledClosedForm all{{}, {}, {{}, {"closed form", "double", {}}}};
     Quantities<Number>& q = all.found.numbers;
     if (!known_to_slide) {
         q = quantities_in_double(scene, sums, {});
@@ -104,9 +104,12 @@ std::optional<SampledClosedForm> in_double(const Scene<double>& scene, double ph
     const std::vector<ErrorOfSamples> lost =
         evaluation::loss_of_samples(motion, {0, 2 * pi<double>() / static_cast<double>(samples), samples / 2 + 1});
     for (std::size_t k = 0; k < errors.size(); ++k) {
+        errors[k].x += lost[k].x;
+        errors[k].x_prime += lost[k].x_prime;
         const double most = tolerance * state.masses[k].amplitude_monoharmonic.x;
-        if (!(errors[k].x + lost[k].x <= most && errors[k].x_prime + lost[k].x_prime <= most)) return std::nullopt;
+        if (!(errors[k].x <= most && errors[k].x_prime <= most)) return std::nullopt;
     }
+    all.errors = std::move(errors);
     all.motion = over_period(std::move(motion), phi_j, samples);
     return all;
 }
@@ -229,7 +232,7 @@ SampledClosedForm sampled_closed_form(const SceneSource& source, double phi_j, s
     }
     std::vector<double> tau = SampledSolution(samples, 1, 0).tau;
     for (double& instant : tau) instant -= phi_j;
-    SampledClosedForm all{{}, quantities(source, tau, digits, PointNumbers::motion)};
+    SampledClosedForm all{{}, {}, quantities(source, tau, digits, PointNumbers::motion)};
     const Quantities<Number>& q = all.found.numbers;
     if (!q.X_j) return all;
     all.motion = SampledSolution(samples, 1, q.x_size.size());

@@ -1,0 +1,63 @@
+// Bounds and tolerances that no answer shows by itself, each at the number where it decides.
+#include <cmath>
+#include <limits>
+
+#include "denhartog/model/modal_basis.hpp"
+#include "denhartog/number/effort.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
+#include "tests/catch.hpp"
+#include "tests/support/scene_builder.hpp"
+
+using namespace denhartog;
+
+TEST_CASE("an instant that is moved into the half-period has the way as part of its bound", "[sliding][bounds]") {
+    const double beyond = 0x1p-20, error = 0x1p-40;
+    const Bounded<double> before = in_half_period(Bounded<double>(-beyond, error)), inside = in_half_period({1.0, error}),
+                          after = in_half_period(Bounded<double>(pi<double>() + beyond, error));
+    CHECK(before.x == 0);
+    CHECK(before.e == error + beyond);
+    CHECK(inside.x == 1);
+    CHECK(inside.e == error);
+    CHECK(after.x == pi<double>());
+    CHECK(after.e == Approx(error + beyond).epsilon(1e-9));
+}
+
+TEST_CASE("a coupling of a mode without damping is measured beside the rounding of damping", "[model][bounds]") {
+    const double rounding = rounding_of_modes(2) * 8;
+    const auto coupled_by = [](double d) { return Matrix<double>{{0, d}, {d, 8}}; };
+    CHECK(largest_coupling(coupled_by(rounding / 2)) == 0.5);
+    CHECK(largest_coupling(coupled_by(rounding / 2), 2 * rounding) == 0.25);
+    CHECK(largest_coupling(Matrix<double>{{2, 1}, {1, 8}}) == 0.25);
+}
+
+TEST_CASE("a damping matrix with eigenvalues of zero damps, however many masses there are", "[model][bounds]") {
+    for (const int N : {2, 12, 24, 48}) {
+        System<double> s =
+            chain_of(std::vector<double>(static_cast<std::size_t>(N), 1), std::vector<double>(static_cast<std::size_t>(N), 1));
+        s.damping_ratios.clear();
+        s.damping_matrix = Matrix<double>::Ones(N, N); // dashpots act on the sum of all velocities alone
+        INFO(N << " masses");
+        CHECK_NOTHROW(modal_basis(s));
+        s.damping_matrix(0, 0) = 1 - 1e-9;
+        CHECK_THROWS_WITH(modal_basis(s), Catch::Contains("no negative eigenvalue"));
+    }
+}
+
+TEST_CASE("where the work for a maximum is spent it is told by how much more a mass may move", "[exact-solver][bounds]") {
+    const ContactSystem system = contact_system(chain_of({1, 2.5, 0.75}, {1, 0.625, 1.875}, {0.03, 0.06, 0.09}, 2, 1));
+    ExactSolver solver(system, {0.05, 0.4, 1.25});
+    (void)solver.run(at_rest(3), 0.0, 2 * pi<double>());
+    const std::vector<Extremum> settled = solver.largest_displacements();
+    Effort little;
+    little.allowed = 1;
+    (void)solver.allow(&little);
+    const std::vector<Extremum> found = solver.largest_displacements();
+    for (const std::size_t k : {0U, 2U}) {
+        INFO("mass " << k + 1);
+        CHECK(settled[k].unsure == 0);
+        CHECK(found[k].unsure > 0);
+        CHECK(std::abs(found[k].x) + found[k].unsure >= std::abs(settled[k].x));
+    }
+}
