@@ -32,7 +32,7 @@ std::string sampled(const SceneText& part, const MotionOptions& options, Effort*
     const auto samples = static_cast<std::size_t>(options.samples);
     check_samples("samples", samples, number_of_masses(scene.system));
     const std::optional<MotionUnits> units = motion_units(scene, options.units);
-    const auto [motion, found] =
+    const auto [motion, errors, found] =
         off_poles([&] { return sampled_closed_form(source, 0, samples, options.digits_of_motion, false); });
     if (!found.numbers.X_j)
         throw InputError(
