@@ -98,6 +98,11 @@ TEST_CASE("a scene made in code breaks the rules that one in JSON breaks, withou
     check_broken(
         good<double>(),
         {{[](auto& s, auto&) { s.stiffness_ratios.clear(); }, "stiffness_ratios", "", ""},
+         {[](auto& s, auto&) { s.damping_ratios.clear(); }, "damping_ratios", "", ""},
+         {[](auto& s, auto&) { s.mass_matrix = Matrix<double>::Identity(3, 3); }, "mass_matrix",
+          "must not be given together with mass_ratios", ""},
+         {[](auto& s, auto&) { s.damping_matrix = Matrix<double>::Identity(3, 3); }, "damping_matrix",
+          "must not be given together with damping_ratios", ""},
          {[](auto& s, auto&) { s.mass_ratios[1] = -2; }, "mass_ratios", "of mass 2 must be positive", "-2"},
          {[](auto& s, auto&) { s.mass_ratios[2] = not_a_number; }, "mass_ratios", "of mass 3 must be finite", "nan"},
          {[](auto& s, auto&) { s.mass_ratios[2] = infinity; }, "mass_ratios", "of mass 3 must be finite", "inf"},
