@@ -143,7 +143,7 @@ int main(int argc, char** argv) {
         ->add_option("--points", points, "How many points")
         ->check(CLI::PositiveNumber);
     add("cycles", "Where 200 cycles from rest are not the steady state", [] { return cycles(); });
-    add("stick-slip", "Exact solver against the paper's algorithm and against proofs", [&] { return stick_slip(scenes); })
+    add("stick-slip", "Exact solver against the paper's algorithm, in stick-slip", [&] { return stick_slip(scenes); })
         ->add_option("--scenes", scenes, "How many scenes")
         ->check(CLI::PositiveNumber);
     add("mode-functions", "v, u, g, d, q, their rates, (57), (79), (83)-(85) against up to 1100 digits, zone by zone",
