@@ -7,14 +7,14 @@
 #include "tests/catch.hpp"
 #include "tests/speed_accuracy/cycles_survey.hpp"
 #include "tests/speed_accuracy/stick_slip_survey.hpp"
-#include "tests/speed_accuracy/tolerance_survey.hpp"
 #include "tests/support/paper_systems.hpp"
 #include "tests/support/plain_response.hpp"
+#include "tests/support/sample_scenes.hpp"
 
 using namespace denhartog::tests;
 using namespace denhartog;
 
-// The exact solver against the paper's algorithm at tolerance 1e-12 in stick-slip, and against the proved motion.
+// The exact solver against the paper's algorithm at tolerance 1e-12 in stick-slip.
 // Two comparisons, neither of which needs a motion to be steady. From rest both follow the same motion over ten periods. On the
 // periodic orbit that the exact solver found, the paper's algorithm must stay. An amplitude can be tiny where the contact
 // nearly rests for ever; as tolerances are, its error is gated over 1 plus the amplitude.
@@ -65,18 +65,6 @@ TEST_CASE("in stick-slip the paper's algorithm at 1e-12 stays on the orbits of t
     CHECK(tight.event.error <= 1e-8);
     CHECK(tight.mixed.error <= loose.mixed.error / 30);
     CHECK(tight.event.error <= loose.event.error / 30);
-}
-
-TEST_CASE("in stick-slip the exact solver in double agrees with the proved motion, within its error bound",
-          "[exact-solver][error_bound]") {
-    const StickSlipSurvey survey = against_proved(stick_slip_scenes(60, 23));
-    print("against 50 digits", survey);
-    std::printf("  error over error bound: %.2g\n", survey.over_bound.error);
-    INFO(list(survey.differently) << survey.amplitude.where << "\n" << survey.over_bound.where);
-    CHECK(survey.differently.empty());
-    CHECK(survey.mixed.error <= 1e-13);
-    CHECK(survey.event.error <= 1e-11);
-    CHECK(survey.over_bound.error <= 1);
 }
 
 // The exact solver against the closed form in the sliding regime: shooting on the motion from event to event on one side, the
@@ -191,28 +179,7 @@ TEST_CASE("where the contact slides the exact solver agrees with the closed form
     CHECK(survey.beside >= 400);
 }
 
-// The paper's algorithm against the closed form, and its 200 cycles against the periodic orbit: samples of the surveys
-// `speed-accuracy tolerance` and `speed-accuracy cycles`.
-
-TEST_CASE("on the paper's scenes the paper's algorithm tends to the closed form as its tolerance is tightened",
-          "[eq:38][eq:39][eq:47][paper-algorithm]") {
-    for (const auto& [group, scenes] : paper_scene_groups()) {
-        std::vector<NamedScene<double>> sample;
-        for (std::size_t n = 0; n < scenes.size(); n += 5) sample.push_back(scenes[n]);
-        const ToleranceErrors rough = tolerance_errors(sample, {1e-6, 1e-3}, 40, false);
-        const ToleranceErrors own = tolerance_errors(sample, {1e-6, 1e-6}, 40, false);
-        const ToleranceErrors tight = tolerance_errors(sample, {1e-10, 1e-10}, 40, false);
-        std::printf("%s: %d amplitudes; 1e-6 with 1e-3: %.1e, 1e-6: %.1e, 1e-10: %.1e; phases at 1e-10: %.1e\n", group.c_str(),
-                    own.on_closed.count, rough.on_closed.error, own.on_closed.error, tight.on_closed.error, tight.phase.error);
-        INFO(group << ": " << tight.on_closed.where);
-        CHECK(tight.on_closed.count > 0);
-        CHECK(rough.failed + own.failed + tight.failed == 0);
-        CHECK(own.on_closed.error <= 1e-3);
-        CHECK(tight.on_closed.error <= 1e-7);
-        CHECK(tight.phase.error <= 1e-7);
-        CHECK(tight.on_closed.error <= own.on_closed.error / 300);
-    }
-}
+// 200 cycles against the periodic orbit: a sample of the survey `speed-accuracy cycles`.
 
 TEST_CASE("near a resonance with zeta = 0.001 the amplitude after 200 cycles is far from that of the steady state",
           "[exact-solver][cycles]") {

@@ -28,11 +28,10 @@ const Json& scenes() {
 TEST_CASE("scenes of the benchmark's pack come out the same to the last byte when both routes compute them anew",
           "[eq:6][eq:69]") {
     std::vector<benchmark::CertifiedScene> some; // one in six; the case below computes all
-    const auto designs = benchmark::designs();
-    for (std::size_t n = 3; n < designs.size(); n += 6) some.push_back(benchmark::certified(designs[n]));
+    for (std::size_t n = 3; n < scenes().size(); n += 6) some.push_back(benchmark::certified(benchmark::pack_scene(scenes()[n])));
     const std::string objects = pack_file("scenes.json");
     for (const benchmark::CertifiedScene& s : some) {
-        INFO(s.design.id);
+        INFO(s.scene.id);
         CHECK(objects.find(json_of(s)) != std::string::npos);
     }
     const auto files = benchmark::files_of(some);
@@ -50,7 +49,7 @@ TEST_CASE("scenes of the benchmark's pack come out the same to the last byte whe
 }
 
 TEST_CASE("the benchmark's pack comes out the same to the last byte when both routes compute it anew", "[.][sweep]") {
-    const auto files = benchmark::files_of(benchmark::certify_all(false));
+    const auto files = benchmark::files_of(benchmark::certify_all(source_file("tests/benchmark/pack"), false));
     for (const auto& [name, bytes] : files) {
         INFO(name);
         CHECK(bytes == pack_file(name));
@@ -63,36 +62,34 @@ TEST_CASE("the benchmark's pack comes out the same to the last byte when both ro
 
 TEST_CASE("the two routes to a motion of the benchmark tell a friction from one that is 1e-12 larger", "[eq:6]") {
     for (const std::size_t n : {0, 5, 17, 30, 43}) {
-        const benchmark::Design d = benchmark::designs()[n];
-        const double F = scenes()[n].at("F");
-        INFO(d.id);
-        const benchmark::Motion motion = benchmark::library_motion(benchmark::scene_of(d, F));
-        CHECK(benchmark::agreement(motion, benchmark::physical_motion(benchmark::scene_of(d, F), motion)) > 30);
-        const int digits =
-            benchmark::agreement(motion, benchmark::physical_motion(benchmark::scene_of(d, F * (1 + 1e-12)), motion));
+        Scene<double> scene = benchmark::scene_of(benchmark::pack_scene(scenes()[n]));
+        INFO(scenes()[n].at("scene"));
+        const benchmark::Motion motion = benchmark::library_motion(scene);
+        CHECK(benchmark::agreement(motion, benchmark::physical_motion(scene, motion)) > 30);
+        *scene.beta *= 1 + 1e-12;
+        const int digits = benchmark::agreement(motion, benchmark::physical_motion(scene, motion));
         CHECK(digits >= 6); // next to the onset of stops their instants go with the root of the distance
         CHECK(digits <= 13);
     }
 }
 
 TEST_CASE("the paper's Runge-Kutta from rest comes to the motions of the benchmark", "[eq:6][eq:74][eq:75]") {
-    const auto designs = benchmark::designs();
-    REQUIRE(designs.size() == scenes().size());
     int compared = 0;
-    for (std::size_t n = 0; n < designs.size(); n += 2) {
+    for (std::size_t n = 0; n < scenes().size(); n += 2) {
         const Json& s = scenes()[n];
+        const benchmark::PackScene scene = benchmark::pack_scene(s);
         INFO(s.at("scene"));
         if (s.at("periods_to_settle").at("1e-06") > 400) continue;
         PaperSettings settings;
         settings.absolute_tolerance = 1e-9;
         settings.cycles = s.at("periods_to_settle").at("1e-06").get<int>() + 1;
         settings.samples = benchmark::instants;
-        const PaperMotion motion = paper_algorithm(benchmark::scene_of(designs[n], s.at("F")), settings);
+        const PaperMotion motion = paper_algorithm(benchmark::scene_of(scene), settings);
         REQUIRE(motion.status == IntegrationStatus::complete);
         double largest = 0, apart = 0;
-        for (std::size_t k = 0; k < designs[n].m.size(); ++k)
+        for (std::size_t k = 0; k < scene.m.size(); ++k)
             for (std::size_t i = 0; i < motion.samples.size(); ++i) {
-                const double x = s.at("x")[k][i], v = s.at("v")[k][i].get<double>() / designs[n].omega;
+                const double x = s.at("x")[k][i], v = s.at("v")[k][i].get<double>() / scene.omega;
                 largest = std::max({largest, std::abs(x), std::abs(v)});
                 apart = std::max({apart, std::abs(motion.samples[i].x[k] - x), std::abs(motion.samples[i].x_prime[k] - v)});
             }

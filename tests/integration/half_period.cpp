@@ -1,7 +1,7 @@
-// The second witness by itself: its exponential, its boundary-value problem, its judgement of the regime.
+// The second witness by itself: that an integration which knows neither exponentials nor matrices lands where it does, and what it
+// refuses. That it agrees with the closed form to 45 digits, with which it shares nothing, is for the suites accuracy and properties.
 #include "tests/support/half_period.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 
 #include "denhartog/number/errors.hpp"
@@ -12,11 +12,6 @@ using namespace denhartog;
 using namespace denhartog::tests;
 
 namespace {
-
-template <class T>
-T largest_difference(const Matrix<T>& A, const Matrix<T>& B) {
-    return (A - B).cwiseAbs().maxCoeff();
-}
 
 template <class T>
 HalfPeriodProblem<T> one_mass(const T& r, const T& zeta, const T& beta) {
@@ -43,10 +38,6 @@ HalfPeriodProblem<double> three_masses(double beta) {
     return p;
 }
 
-HalfPeriodProblem<Real50> in_50_digits(const HalfPeriodProblem<double>& p) {
-    return {p.M.cast<Real50>(), p.C.cast<Real50>(), p.K.cast<Real50>(), p.contact, p.load, Real50(p.beta)};
-}
-
 /// One classical Runge-Kutta step of (6) with the sign of the velocity fixed to minus one.
 Vector<double> runge_kutta_step(const HalfPeriodProblem<double>& p, const Vector<double>& z, double tau, double h, double phi) {
     const auto rate = [&](const Vector<double>& y, double t) {
@@ -67,55 +58,9 @@ Vector<double> runge_kutta_step(const HalfPeriodProblem<double>& p, const Vector
 
 } // namespace
 
-TEST_CASE("the exponential of a nilpotent matrix ends after its last power", "[witness]") {
-    Matrix<double> A = Matrix<double>::Zero(3, 3);
-    A(0, 1) = 2;
-    A(1, 2) = 3;
-    Matrix<double> expected = Matrix<double>::Identity(3, 3) + A;
-    expected(0, 2) = 3;
-    CHECK(largest_difference(matrix_exponential(A), expected) == 0);
-}
-
-TEST_CASE("the exponential of a damped oscillator is its free motion, to all the digits of 50 and of 100", "[witness]") {
-    const auto error = [](auto zero) {
-        using T = decltype(zero);
-        const T zeta = T(3) / 16, Omega = T(37) / 4, tau = T(5) / 2, w = sqrt(T(1 - zeta * zeta));
-        Matrix<T> A(2, 2);
-        A << T(0), T(1), T(-Omega * Omega), T(-2 * zeta * Omega);
-        const T e = exp(T(-zeta * Omega * tau)), c = cos(T(w * Omega * tau)), s = sin(T(w * Omega * tau));
-        Matrix<T> expected(2, 2);
-        expected << T(e * (c + zeta / w * s)), T(e * s / (w * Omega)), T(-e * Omega / w * s), T(e * (c - zeta / w * s));
-        return static_cast<double>(largest_difference(matrix_exponential(Matrix<T>(A * tau)), expected));
-    };
-    CHECK(error(double()) < 1e-12);
-    CHECK(error(Real50()) < 1e-46);
-    CHECK(error(Real100()) < 1e-96);
-}
-
-TEST_CASE("the exponential has the semigroup property", "[witness]") {
-    const Matrix<Real50> A = augmented_system(in_50_digits(three_masses(0.125)));
-    const Matrix<Real50> whole = matrix_exponential(A);
-    const Matrix<Real50> parts =
-        matrix_exponential(Matrix<Real50>(A * (Real50(3) / 8))) * matrix_exponential(Matrix<Real50>(A * (Real50(5) / 8)));
-    CHECK(static_cast<double>(largest_difference(whole, parts)) < 1e-47);
-    CHECK(static_cast<double>(largest_difference(Matrix<Real50>(whole * matrix_exponential(Matrix<Real50>(-A))),
-                                                 Matrix<Real50>(Matrix<Real50>::Identity(9, 9)))) < 1e-46);
-}
-
 TEST_CASE("an exponential that overflows or is asked of a matrix that is not finite is an error", "[witness]") {
     CHECK_THROWS_AS(matrix_exponential(Matrix<double>(Matrix<double>::Constant(1, 1, 1000))), DomainError);
     CHECK_THROWS_AS(matrix_exponential(Matrix<double>(Matrix<double>::Constant(1, 1, std::nan("")))), DomainError);
-}
-
-TEST_CASE("the boundary-value problem meets its conditions", "[eq:12][eq:25][eq:30][witness]") {
-    const HalfPeriodProblem<double> p = three_masses(0.0625);
-    const HalfPeriodMotion<double> m = half_period_motion(p, 64);
-    CHECK((m.x.col(64) + m.x_0).cwiseAbs().maxCoeff() < 1e-13);
-    CHECK((m.x_prime.col(64) + m.x_prime_0).cwiseAbs().maxCoeff() < 1e-13);
-    CHECK(m.mirror_defect < 1e-13);
-    CHECK(m.x_prime_0(1) == 0);
-    CHECK(m.x_0(1) > 0);
-    CHECK(m.x.col(0) == m.x_0);
 }
 
 TEST_CASE("a Runge-Kutta integration from the witness's start lands on the mirrored state", "[eq:6][eq:12][witness]") {
@@ -137,48 +82,6 @@ TEST_CASE("a Runge-Kutta integration from the witness's start lands on the mirro
     CHECK((z.tail(3) + m.x_prime_0).cwiseAbs().maxCoeff() < 1e-12);
 }
 
-TEST_CASE("without friction one mass responds as the linear oscillator does", "[eq:23][witness][limit]") {
-    const double r = 0.75, zeta = 0.125;
-    const HalfPeriodMotion<double> m = half_period_motion(one_mass(r, zeta, 0.0), 16);
-    const double modulus = 1 / std::hypot(1 - r * r, 2 * zeta * r);
-    CHECK(m.amplitude(0) == Approx(modulus).epsilon(1e-13));
-    CHECK(m.phi_j == Approx(std::atan2(2 * zeta * r, 1 - r * r)).epsilon(1e-13));
-    CHECK(m.phase(0) == Approx(m.phi_j).epsilon(1e-13));
-}
-
-TEST_CASE("amplitudes do not depend on the sample, and no sample exceeds them", "[witness]") {
-    const HalfPeriodProblem<Real50> p = in_50_digits(three_masses(0.0625));
-    const HalfPeriodMotion<Real50> coarse = half_period_motion(p, 24), fine = half_period_motion(p, 512);
-    for (Eigen::Index k = 0; k < 3; ++k) {
-        INFO("mass " << k + 1 << ": " << coarse.amplitude(k) << " and " << fine.amplitude(k));
-        CHECK(static_cast<double>(abs(Real50(coarse.amplitude(k) / fine.amplitude(k) - 1))) < 1e-45);
-        CHECK(static_cast<double>(abs(Real50(coarse.phase(k) - fine.phase(k)))) < 1e-45);
-        const Real50 largest_sample = fine.x.row(k).cwiseAbs().maxCoeff();
-        CHECK(largest_sample <= fine.amplitude(k) * (1 + Real50("1e-45")));
-        CHECK(largest_sample >= fine.amplitude(k) * (1 - Real50("1e-4")));
-    }
-}
-
-TEST_CASE("of the two phases that bring the contact to rest the one with the larger displacement is taken", "[witness]") {
-    const HalfPeriodProblem<double> p = one_mass(0.5, 0.0625, 0.125);
-    const HalfPeriodMotion<double> m = half_period_motion(p, 64);
-    CHECK(m.x_0(0) > 0);
-    CHECK(slides(m, 1.0, p.beta));
-    CHECK(m.x(0, 1) < m.x_0(0));
-}
-
-TEST_CASE("a contact that friction holds or that turns back does not slide", "[eq:54][witness]") {
-    const HalfPeriodProblem<double> held = one_mass(0.5, 0.0625, 0.125);
-    const HalfPeriodMotion<double> m = half_period_motion(held, 64);
-    CHECK(slides(m, 1.0, held.beta));
-    CHECK_FALSE(slides(m, 1.001 * m.contact_load / held.beta, held.beta));
-
-    const HalfPeriodProblem<double> turning = one_mass(0.125, 0.0009765625, 0.0625);
-    const HalfPeriodMotion<double> back = half_period_motion(turning, 256);
-    CHECK(back.largest_contact_velocity > 0);
-    CHECK_FALSE(slides(back, 1.0, turning.beta));
-}
-
 TEST_CASE("friction that no phase can overcome is outside the domain", "[eq:38][witness]") {
     CHECK_THROWS_AS(half_period_motion(one_mass(0.75, 0.0625, 16.0), 16), DomainError);
 }
@@ -187,20 +90,6 @@ TEST_CASE("an undamped mode that fits the half-period an odd number of times has
     CHECK_THROWS_AS(half_period_motion(one_mass<double>(1.0, 0.0, 0.125), 16), DomainError);
     CHECK_THROWS_AS(half_period_motion(one_mass<double>(1.0 / 3, 0.0, 0.125), 16), DomainError);
     CHECK_THROWS_AS(half_period_motion(one_mass<Real50>(Real50(1) / 3, Real50(0), Real50(1) / 8), 16), DomainError);
-}
-
-TEST_CASE("the load on the contact counts what coupled masses hand on", "[eq:54][witness]") {
-    HalfPeriodProblem<double> p = three_masses(0.0625);
-    p.M(0, 1) = p.M(1, 0) = 0.25;
-    p.M(1, 2) = p.M(2, 1) = 0.125;
-    const HalfPeriodMotion<double> m = half_period_motion(p, 16);
-    Vector<double> force = -p.K * m.x_0 - p.C * m.x_prime_0;
-    force(0) += std::cos(m.phi_j);
-    Vector<double> held = force;
-    held(1) += m.contact_load;
-    const Vector<double> acceleration = p.M.inverse() * held;
-    CHECK(std::abs(acceleration(1)) < 1e-14);
-    CHECK(std::abs((p.M.inverse() * force)(1)) > 1e-3);
 }
 
 TEST_CASE("a problem that breaks a rule is refused by name", "[witness][input]") {

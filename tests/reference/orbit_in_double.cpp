@@ -67,10 +67,11 @@ TEST_CASE("in stick-slip double agrees with the proved motion, within the bound 
                     std::max({error, apart(exact.amplitude[k], orbit.masses[k].amplitude), apart(exact.x[k], orbit.start.x[k])});
             }
             for (std::size_t n = 0; n < orbit.stops.size(); ++n) {
-                CHECK(apart(exact.stops[n].start, orbit.stops[n].start) < 1e-9);
-                CHECK(apart(exact.stops[n].end, orbit.stops[n].end) < 1e-9);
+                CHECK(apart(exact.stops[n].start, orbit.stops[n].start) < 1e-11);
+                CHECK(apart(exact.stops[n].end, orbit.stops[n].end) < 1e-11);
                 error = std::max(error, apart(exact.stops[n].x, orbit.stops[n].x));
             }
+            CHECK(error < 1e-13 * (1 + largest));
             const double size = std::max(largest, 1e-3);
             if (error / size > worst) {
                 worst = error / size;

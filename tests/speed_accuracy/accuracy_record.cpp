@@ -24,29 +24,19 @@ const std::map<std::string, std::vector<std::string>> equations_of = {
 
 Json number(double x) { return std::isfinite(x) ? Json(x) : Json(); }
 
-Json row(const std::string& function, const std::string& zone, int points, const Worst& printed, const Worst& shipped) {
-    return {{"function", function},       {"equations", equations_of.at(function)}, {"zone", zone},
-            {"points", points},           {"printed", number(printed.error)},       {"shipped", number(shipped.error)},
-            {"shipped_at", shipped.where}};
-}
-
-std::string record(const std::string& type, const Json& rows) { return Json{{"type", type}, {"functions", rows}}.dump(1) + "\n"; }
-
 } // namespace
-
-std::string accuracy_record(const std::string& type, const std::vector<ZoneErrors>& zones) {
-    const std::array<std::string, 4> functions{"Re v", "Im v", "u", "g"};
-    Json rows = Json::array();
-    for (std::size_t i = 0; i < functions.size(); ++i)
-        for (const ZoneErrors& zone : zones)
-            rows.push_back(row(functions[i], zone.zone, zone.points, zone.functions[i].printed, zone.functions[i].by_both));
-    return record(type, rows);
-}
 
 std::string accuracy_record(const std::string& type, const std::vector<FunctionInZone>& all) {
     Json rows = Json::array();
-    for (const FunctionInZone& f : all) rows.push_back(row(f.function, f.zone, f.points, f.printed, f.shipped));
-    return record(type, rows);
+    for (const FunctionInZone& f : all)
+        rows.push_back({{"function", f.function},
+                        {"equations", equations_of.at(f.function)},
+                        {"zone", f.zone},
+                        {"points", f.points},
+                        {"printed", number(f.printed.error)},
+                        {"shipped", number(f.shipped.error)},
+                        {"shipped_at", f.shipped.where}});
+    return Json{{"type", type}, {"functions", rows}}.dump(1) + "\n";
 }
 
 bool keep_record(const std::string& name, const std::string& text) {

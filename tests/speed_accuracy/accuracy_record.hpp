@@ -5,20 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "tests/speed_accuracy/motion_survey.hpp"
+#include "tests/speed_accuracy/functions_survey.hpp"
 
 namespace denhartog::tests {
 
-/// @brief The worst errors of the mode functions as JSON.
-/// @param type   the number type, e.g. `double`
-/// @param zones  what the survey found
-/// @return       an object with `type` and `functions`: function, equations, zone, points, printed, shipped, shipped_at; an error
-/// that is
-///               no number is null
-[[nodiscard]] std::string accuracy_record(const std::string& type, const std::vector<ZoneErrors>& zones);
-
-/// @brief The same for the functions of motion and of resonance. @param type the number type @param all what the survey found
-/// @return JSON as above
+/// @brief The worst errors of a survey as JSON.
+/// @param type  the number type, e.g. `double`
+/// @param all   what the survey found
+/// @return      an object with `type` and `functions`: function, equations, zone, points, printed, shipped, shipped_at; an error
+///              that is no number is null
 [[nodiscard]] std::string accuracy_record(const std::string& type, const std::vector<FunctionInZone>& all);
 
 /// @brief Writes a record into the folder that the environment names in DENHARTOG_RECORDS; does nothing where it names none.

@@ -4,11 +4,9 @@
 #include <cmath>
 #include <random>
 
-#include "denhartog/answer/reference_point.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
-#include "denhartog/reference/orbit.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/support/plain_response.hpp"
 #include "tests/support/sample_scenes.hpp"
@@ -175,39 +173,9 @@ StickSlipSurvey on_orbits(const std::vector<StickSlipScene>& scenes, double tole
     return survey;
 }
 
-StickSlipSurvey against_proved(const std::vector<StickSlipScene>& scenes) {
-    StickSlipSurvey survey;
-    each_with_solver(scenes, [&](const StickSlipScene& named, ExactSolver& solver) {
-        const PeriodicOrbit orbit = orbit_of(solver);
-        if (orbit.status != OrbitStatus::periodic) {
-            survey.differently.push_back(named.name + ": " + in_words(orbit.reason));
-            return;
-        }
-        const SceneSource source = scene_source(named.scene);
-        const reference::OrbitInBalls exact =
-            reference::proved_orbit([&] { return damped_scene_in_balls(source); }, guess_of(solver, orbit), 192, {}, false);
-        const auto number = [](const Ball& x) { return static_cast<double>(x); };
-        std::vector<Stop> stops;
-        for (const reference::StopInBalls& s : exact.stops) stops.push_back({number(s.start), number(s.end), 0});
-        compare_stops(orbit.stops, stops, named.name, survey);
-        State rounded;
-        for (const Ball& x : exact.x) rounded.x.push_back(number(x));
-        for (const Ball& x : exact.x_prime) rounded.x_prime.push_back(number(x));
-        compare_states(orbit.start, rounded, named.name, survey);
-        for (std::size_t k = 0; k < orbit.masses.size(); ++k) {
-            const Ball& X = exact.amplitude[k];
-            const Ball error = abs(Ball(orbit.masses[k].amplitude) - X);
-            survey.amplitude.note(number(error / X), named.name);
-            survey.mixed.note(number(error / (1 + X)), named.name);
-            survey.over_bound.note(number(error / Ball(orbit.error_bound)), named.name);
-        }
-    });
-    return survey;
-}
-
 std::vector<std::string> stick_slip_head() {
     return {"what",          "amplitudes",  "relative error", "over 1 + X", "stops",
-            "most a period", "their times", "state",          "over bound", "differently"};
+            "most a period", "their times", "state",          "differently"};
 }
 
 std::vector<std::string> row_of(const std::string& what, const StickSlipSurvey& s) {
@@ -219,7 +187,6 @@ std::vector<std::string> row_of(const std::string& what, const StickSlipSurvey& 
             std::to_string(s.most_stops),
             digits(s.event.error, "%.1e"),
             digits(s.state.error, "%.1e"),
-            s.over_bound.count > 0 ? digits(s.over_bound.error) : "",
             std::to_string(s.differently.size())};
 }
 

@@ -1,5 +1,5 @@
 /// @file
-/// @brief The exact solver against the paper's algorithm and against the proved motion, in stick-slip.
+/// @brief The exact solver against the paper's algorithm, in stick-slip.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,6 @@ struct StickSlipSurvey {
     Worst mixed;                          ///< amplitudes, over 1 plus the amplitude, as tolerances are: an amplitude can be tiny
     Worst event;                          ///< starts and ends of stops, radians
     Worst state;                          ///< the state at the end, over the largest displacement or velocity
-    Worst over_bound;                     ///< amplitudes over the orbit's error bound; orbits against the proved ones alone
     int stops = 0;                        ///< stops compared
     int most_stops = 0;                   ///< most stops in a period
     std::vector<std::string> differently; ///< scenes with another number of stops, or without an answer
@@ -48,11 +47,6 @@ struct StickSlipSurvey {
 /// @param tolerance  absolute and relative tolerance of the paper's algorithm
 /// @return           the differences after two of the orbit's periods
 [[nodiscard]] StickSlipSurvey on_orbits(const std::vector<StickSlipScene>& scenes, double tolerance);
-
-/// @brief Periodic orbits in double against the proved ones.
-/// @param scenes  scenes
-/// @return        the differences
-[[nodiscard]] StickSlipSurvey against_proved(const std::vector<StickSlipScene>& scenes);
 
 /// @brief A survey as a row of a table. @param what what was compared @param s the survey @return the row
 [[nodiscard]] std::vector<std::string> row_of(const std::string& what, const StickSlipSurvey& s);

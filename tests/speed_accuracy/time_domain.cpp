@@ -12,12 +12,10 @@
 #include "tests/speed_accuracy/batch_speed.hpp"
 #include "tests/speed_accuracy/bounds_survey.hpp"
 #include "tests/speed_accuracy/cycles_survey.hpp"
-#include "tests/speed_accuracy/mode_functions_survey.hpp"
-#include "tests/speed_accuracy/motion_survey.hpp"
+#include "tests/speed_accuracy/functions_survey.hpp"
 #include "tests/speed_accuracy/regime_survey.hpp"
 #include "tests/speed_accuracy/speed.hpp"
 #include "tests/speed_accuracy/stick_slip_survey.hpp"
-#include "tests/speed_accuracy/tolerance_survey.hpp"
 #include "tests/support/paper_systems.hpp"
 
 using namespace denhartog;
@@ -50,35 +48,6 @@ RunOutcome cycles() {
     return {{table_of(all, 200)}, unanswered == 0};
 }
 
-RunOutcome tolerance() {
-    Table rest{"Paper's algorithm, 200 cycles from rest, against the closed form: largest error of an amplitude, relative",
-               {"system", "amplitudes"},
-               {},
-               "What is left at tight tolerances are transients that 200 cycles do not damp away."};
-    Table closed = rest, phase = rest;
-    closed.title = "The same, started on the closed form";
-    closed.note = "";
-    phase.title = "The same, started on the closed form: largest error of a phase, radians";
-    phase.note = "";
-    for (const Tolerance& t : tolerances())
-        for (Table* each : {&rest, &closed, &phase}) each->head.push_back(name(t));
-    RunOutcome outcome;
-    for (const auto& [group, scenes] : paper_scene_groups()) {
-        for (Table* each : {&rest, &closed, &phase}) each->rows.push_back({group, ""});
-        for (const Tolerance& t : tolerances()) {
-            const ToleranceErrors errors = tolerance_errors(scenes, t, 200, true);
-            rest.rows.back().push_back(digits(errors.from_rest.error, "%.1e"));
-            closed.rows.back().push_back(digits(errors.on_closed.error, "%.1e"));
-            phase.rows.back().push_back(digits(errors.phase.error, "%.1e"));
-            for (Table* each : {&rest, &closed, &phase}) each->rows.back()[1] = std::to_string(errors.on_closed.count);
-            outcome.good = outcome.good && errors.failed == 0 && errors.on_closed.count > 0;
-            if (t.relative <= 1e-12) outcome.good = outcome.good && errors.on_closed.error <= 1e-8;
-        }
-    }
-    outcome.tables = {rest, closed, phase};
-    return outcome;
-}
-
 RunOutcome stick_slip(int scenes) {
     const std::vector<StickSlipScene> sample = stick_slip_scenes(scenes, 24);
     Table table{"Stick-slip: the exact solver against the paper's algorithm, " + std::to_string(scenes) + " scenes",
@@ -102,33 +71,24 @@ RunOutcome stick_slip(int scenes) {
             add("on the orbits" + at, orbits);
         }
     }
-    const StickSlipSurvey proved = against_proved(sample);
-    add("orbits, double against the proved ones", proved);
-    return {{table}, good && proved.over_bound.error <= 1};
-}
-
-bool within_bounds(const std::vector<ZoneErrors>& zones) {
-    return worst_of(zones, &FunctionErrors::by_both).error <= most_allowed &&
-           worst_of(zones, &FunctionErrors::light).error <= most_allowed_with_exact_R;
+    return {{table}, good};
 }
 
 RunOutcome mode_functions(int points) {
     RunOutcome outcome;
+    const auto add = [&outcome](const std::string& title, const std::vector<FunctionInZone>& all) {
+        outcome.tables.push_back(table_of(title, all));
+        outcome.good = outcome.good && worst_of(all, &FunctionInZone::shipped).error <= most_allowed &&
+                       worst_of(all, &FunctionInZone::light).error <= most_allowed_with_exact_R;
+    };
     for (const auto& [precision, count] :
          {std::pair{Precision::in_float, points}, std::pair{Precision::in_double, points},
           std::pair{Precision::in_long_double, points / 4}, std::pair{Precision::in_50_digits, points / 50}}) {
-        const std::vector<ZoneErrors> zones = survey_mode_functions(precision, count);
-        outcome.tables.push_back(table_of("in " + name(precision), zones));
-        outcome.good = outcome.good && within_bounds(zones);
-        const std::vector<FunctionInZone> motion = survey_motion(precision, count), peak = survey_resonance(precision, count);
-        outcome.tables.push_back(table_of("Free motion and the expression of (57) in " + name(precision), motion));
-        outcome.tables.push_back(table_of("Resonance in " + name(precision), peak));
-        for (const std::vector<FunctionInZone>& all : {motion, peak})
-            outcome.good = outcome.good && worst_of(all, &FunctionInZone::shipped).error <= most_allowed;
+        add("Mode functions in " + name(precision), survey_mode_functions(precision, count));
+        add("Free motion and the expression of (57) in " + name(precision), survey_motion(precision, count));
+        add("Resonance in " + name(precision), survey_resonance(precision, count));
     }
-    const std::vector<ZoneErrors> zones = survey_array_mode_functions(points);
-    outcome.tables.push_back(table_of("in double over arrays", zones));
-    outcome.good = outcome.good && within_bounds(zones);
+    add("Mode functions in double over arrays", survey_array_mode_functions(points));
     return outcome;
 }
 
@@ -183,8 +143,7 @@ int main(int argc, char** argv) {
         ->add_option("--points", points, "How many points")
         ->check(CLI::PositiveNumber);
     add("cycles", "Where 200 cycles from rest are not the steady state", [] { return cycles(); });
-    add("tolerance", "Paper's algorithm against the closed form: error against tolerance", [] { return tolerance(); });
-    add("stick-slip", "Exact solver against the paper's algorithm and against proofs", [&] { return stick_slip(scenes); })
+    add("stick-slip", "Exact solver against the paper's algorithm, in stick-slip", [&] { return stick_slip(scenes); })
         ->add_option("--scenes", scenes, "How many scenes")
         ->check(CLI::PositiveNumber);
     add("mode-functions", "v, u, g, d, q, their rates, (57), (79), (83)-(85) against up to 1100 digits, zone by zone",

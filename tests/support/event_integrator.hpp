@@ -16,7 +16,7 @@ template <class T>
 struct FollowedMotion {
     Vector<T> x;                         ///< displacements at the end
     Vector<T> x_prime;                   ///< velocities at the end
-    Vector<T> amplitude;                 ///< largest displacement of each mass
+    Vector<T> amplitude;                 ///< largest displacement of each mass, where it is asked for
     std::vector<std::array<T, 2>> stops; ///< start and end of each rest that ends within the motion
 };
 
@@ -39,13 +39,23 @@ public:
 
     /// @brief The motion over so many steps from a state. @param x displacements @param x_prime velocities @param steps how many
     FollowedMotion<T> follow(const Vector<T>& x, const Vector<T>& x_prime, int steps) {
+        start(x, x_prime);
+        motion_.amplitude = x.cwiseAbs();
+        return go_on(steps);
+    }
+
+    /// @brief Starts a motion whose amplitudes are not asked for. @param x displacements @param x_prime velocities
+    void start(const Vector<T>& x, const Vector<T>& x_prime) {
         z_.resize(2 * N_ + 3);
         z_ << x, x_prime, T(1), T(0), T(1);
         motion_ = {};
-        motion_.amplitude = x.cwiseAbs();
         tau_ = rest_from_ = T(0);
         const T v = w_.dot(x_prime);
         direction_ = v > tiny() ? 1 : v < -tiny() ? -1 : beyond(z_);
+    }
+
+    /// @brief The motion from its start on, so many steps later than before. @param steps how many
+    const FollowedMotion<T>& go_on(int steps) {
         for (int n = 0; n < steps; ++n)
             for (T left = h_; left > T(0);) left -= advance(left, left == h_);
         motion_.x = z_.head(N_);
@@ -92,7 +102,7 @@ private:
 
     void take_extrema(const Vector<T>& from, const Vector<T>& to, const T& length) {
         using std::abs;
-        for (Eigen::Index k = 0; k < N_; ++k) {
+        for (Eigen::Index k = 0; k < motion_.amplitude.size(); ++k) {
             motion_.amplitude(k) = std::max<T>(motion_.amplitude(k), abs(to(k)));
             const T v = from(N_ + k);
             if (!(v * to(N_ + k) < T(0))) continue;

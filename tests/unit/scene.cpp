@@ -93,90 +93,37 @@ TEST_CASE("a scene that keeps every rule is accepted in every number type", "[sc
     REQUIRE_NOTHROW(check(edge));
 }
 
-TEST_CASE("a scene has masses, springs and damping, each given once", "[scene][bad-input]") {
-    check_broken(good<double>(), {{[](auto& s, auto&) { s.stiffness_ratios.clear(); }, "stiffness_ratios", "", ""},
-                                  {[](auto& s, auto&) { s.damping_ratios.clear(); }, "damping_ratios", "", ""},
-                                  {[](auto& s, auto&) { s.mass_matrix = Matrix<double>::Identity(3, 3); }, "mass_matrix",
-                                   "must not be given together with mass_ratios", ""},
-                                  {[](auto& s, auto&) { s.damping_matrix = Matrix<double>::Identity(3, 3); }, "damping_matrix",
-                                   "must not be given together with damping_ratios", ""}});
-    REQUIRE(refusal(Scene<double>{}).quantity == "mass_ratios");
-}
-
-TEST_CASE("mass ratios are positive, finite and in units of the first", "[scene][bad-input]") {
-    check_broken(good<double>(),
-                 {{[](auto& s, auto&) { s.mass_ratios[1] = -2; }, "mass_ratios", "of mass 2 must be positive", "-2"},
-                  {[](auto& s, auto&) { s.mass_ratios[2] = 0; }, "mass_ratios", "of mass 3 must be positive", "0"},
-                  {[](auto& s, auto&) { s.mass_ratios[2] = not_a_number; }, "mass_ratios", "of mass 3 must be finite", "nan"},
-                  {[](auto& s, auto&) { s.mass_ratios[2] = infinity; }, "mass_ratios", "of mass 3 must be finite", "inf"},
-                  {[](auto& s, auto&) { s.mass_ratios[0] = 2; }, "mass_ratios", "of mass 1 must be 1", "2"}});
-}
-
-TEST_CASE("stiffness ratios are positive, finite, in units of the first and as many as the masses", "[scene][bad-input]") {
+TEST_CASE("a scene made in code breaks the rules that one in JSON breaks, without a place, and more", "[scene][bad-input]") {
+    // The other rules, and what is said of them, stand in scene_json.cpp.
     check_broken(
         good<double>(),
-        {{[](auto& s, auto&) { s.stiffness_ratios[1] = 0; }, "stiffness_ratios", "of spring 2 must be positive", "0"},
+        {{[](auto& s, auto&) { s.stiffness_ratios.clear(); }, "stiffness_ratios", "", ""},
+         {[](auto& s, auto&) { s.damping_ratios.clear(); }, "damping_ratios", "", ""},
+         {[](auto& s, auto&) { s.mass_matrix = Matrix<double>::Identity(3, 3); }, "mass_matrix",
+          "must not be given together with mass_ratios", ""},
+         {[](auto& s, auto&) { s.damping_matrix = Matrix<double>::Identity(3, 3); }, "damping_matrix",
+          "must not be given together with damping_ratios", ""},
+         {[](auto& s, auto&) { s.mass_ratios[1] = -2; }, "mass_ratios", "of mass 2 must be positive", "-2"},
+         {[](auto& s, auto&) { s.mass_ratios[2] = not_a_number; }, "mass_ratios", "of mass 3 must be finite", "nan"},
+         {[](auto& s, auto&) { s.mass_ratios[2] = infinity; }, "mass_ratios", "of mass 3 must be finite", "inf"},
          {[](auto& s, auto&) { s.stiffness_ratios[1] = not_a_number; }, "stiffness_ratios", "of spring 2 must be finite", "nan"},
-         {[](auto& s, auto&) { s.stiffness_ratios[0] = 0.5; }, "stiffness_ratios", "of spring 1 must be 1", "0.5"},
-         {[](auto& s, auto&) { s.stiffness_ratios.pop_back(); }, "stiffness_ratios", "as many values", "2"}});
-}
-
-TEST_CASE("damping ratios are at least 0, and may be 1 and more", "[scene][bad-input]") {
-    check_broken(
-        good<double>(),
-        {{[](auto& s, auto&) { s.damping_ratios[2] = -0.125; }, "damping_ratios", "of mode 3 must not be negative", "-0.125"},
          {[](auto& s, auto&) { s.damping_ratios[2] = not_a_number; }, "damping_ratios", "of mode 3 must be finite", "nan"},
-         {[](auto& s, auto&) { s.damping_ratios[0] = 1e301; }, "damping_ratios", "of mode 1 must be at most 1e300", "1e+301"},
          {[](auto& s, auto&) { s.damping_ratios[0] = infinity; }, "damping_ratios", "of mode 1 must be finite", "inf"},
-         {[](auto& s, auto&) { s.damping_ratios.push_back(0); }, "damping_ratios", "as many values", "4"}});
-
+         {[](auto&, auto& s) { s.mu = not_a_number; }, "mu", "finite", "nan"},
+         {[](auto&, auto& s) { s.beta = infinity; }, "beta", "finite", "inf"},
+         {[](auto&, auto& s) { s.r = not_a_number; }, "r", "finite", "nan"}});
+    check_broken(
+        by_matrices(),
+        {{[](auto& s, auto&) { s.stiffness_matrix = Matrix<double>::Ones(3, 2); }, "stiffness_matrix",
+          "must have 3 rows and columns", "3 by 2"},
+         {[](auto& s, auto&) { s.mass_matrix(2, 0) = not_a_number; }, "mass_matrix", "in row 3, column 1 must be finite", "nan"},
+         {[](auto& s, auto&) { s.damping_matrix(0, 1) = 0x1p-1000; }, "damping_matrix", "symmetric", "0"}});
+    REQUIRE(refusal(Scene<double>{}).quantity == "mass_ratios");
     for (const double zeta : {1.0, 1.5, 1e300}) {
         Scene<double> scene = good<double>();
         scene.system.damping_ratios[1] = zeta;
         REQUIRE_NOTHROW(check(scene));
     }
-}
-
-TEST_CASE("contact and load are masses of the system and count from 1 in messages", "[scene][bad-input]") {
-    check_broken(good<double>(), {{[](auto& s, auto&) { s.contact.index = 3; }, "contact", "from 1 to 3", "4"},
-                                  {[](auto& s, auto&) { s.load.index = 7; }, "load", "from 1 to 3", "8"}});
-}
-
-TEST_CASE("mu is at least 1, beta at least 0, r positive", "[scene][bad-input]") {
-    check_broken(good<double>(), {{[](auto&, auto& s) { s.mu = 0.5; }, "mu", "at least 1", "0.5"},
-                                  {[](auto&, auto& s) { s.mu = not_a_number; }, "mu", "finite", "nan"},
-                                  {[](auto&, auto& s) { s.beta = -0.25; }, "beta", "not be negative", "-0.25"},
-                                  {[](auto&, auto& s) { s.beta = infinity; }, "beta", "finite", "inf"},
-                                  {[](auto&, auto& s) { s.r = 0; }, "r", "positive", "0"},
-                                  {[](auto&, auto& s) { s.r = -1; }, "r", "positive", "-1"},
-                                  {[](auto&, auto& s) { s.r = not_a_number; }, "r", "finite", "nan"}});
-}
-
-TEST_CASE("matrices are square, finite and symmetric to the last bit", "[scene][bad-input]") {
-    check_broken(
-        by_matrices(),
-        {{[](auto& s, auto&) {
-              s.stiffness_matrix.resize(3, 2);
-              s.stiffness_matrix.setOnes();
-          },
-          "stiffness_matrix", "must have 3 rows and columns", "3 by 2"},
-         {[](auto& s, auto&) { s.damping_matrix = Matrix<double>::Zero(2, 2); }, "damping_matrix", "must have 3 rows and columns",
-          "2 by 2"},
-         {[](auto& s, auto&) { s.mass_matrix(2, 0) = not_a_number; }, "mass_matrix", "in row 3, column 1 must be finite", "nan"},
-         {[](auto& s, auto&) { s.stiffness_matrix(2, 1) = -1.5; }, "stiffness_matrix",
-          "symmetric: in row 3, column 2 must be -1 as in row 2, column 3", "-1.5"},
-         {[](auto& s, auto&) { s.damping_matrix(0, 1) = 0x1p-1000; }, "damping_matrix", "symmetric", "0"}});
-}
-
-TEST_CASE("mass and stiffness matrices are positive definite", "[scene][bad-input]") {
-    check_broken(by_matrices(), {{[](auto& s, auto&) { s.mass_matrix(1, 1) = 0.125; }, "mass_matrix", "positive definite",
-                                  "not: its leading minor of order 2 is negative"},
-                                 {[](auto& s, auto&) { s.mass_matrix(2, 2) = 0; }, "mass_matrix", "positive definite",
-                                  "singular: its leading minor of order 3 is zero to working precision"},
-                                 {[](auto& s, auto&) { s.stiffness_matrix(0, 0) = 1; }, "stiffness_matrix", "positive definite",
-                                  "singular: its leading minor of order 3 is zero to working precision"},
-                                 {[](auto& s, auto&) { s.stiffness_matrix(0, 0) = -1; }, "stiffness_matrix", "positive definite",
-                                  "not: its leading minor of order 1 is negative"}});
 }
 
 TEST_CASE("a matrix that is singular only to fifteen digits is accepted in fifty", "[scene]") {

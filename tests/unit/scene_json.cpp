@@ -305,24 +305,45 @@ TEST_CASE("a matrix is an array of rows of equal length", "[scene][json][bad-inp
         {"stiffness_matrix": [[1, "x"], [0, 1]]} | stiffness_matrix | written as a number      | "x"    | /stiffness_matrix/0/1
         {"stiffness_matrix": [[1, 0], [0, 1]]}   | stiffness_matrix | 3 rows and columns       | 2 by 2 | /stiffness_matrix
         {"stiffness_matrix": [[2, -1, 0], [-1, 2, -1], [0.5, -1, 2]]} | stiffness_matrix | symmetric | 0.5 | /stiffness_matrix/2/0
+        {"stiffness_matrix": [[2, -1, 0], [-1, 2, -1], [0, -1.5, 1]]} | stiffness_matrix
+            | symmetric: in row 3, column 2 must be -1 as in row 2, column 3 | -1.5 | /stiffness_matrix/2/1
+        {"stiffness_matrix": [[1, -1, 0], [-1, 2, -1], [0, -1, 1]]} | stiffness_matrix
+            | positive definite | singular: its leading minor of order 3 is zero to working precision | /stiffness_matrix
+        {"stiffness_matrix": [[-1, -1, 0], [-1, 2, -1], [0, -1, 1]]} | stiffness_matrix
+            | positive definite | not: its leading minor of order 1 is negative | /stiffness_matrix
+        {"damping_ratios": null, "damping_matrix": [[0, 0], [0, 0]], "stiffness_ratios": [1, 1, 1]} | damping_matrix
+            | must have 3 rows and columns | 2 by 2 | /damping_matrix
     )");
-    CHECK(refusal(changed(by_matrix, R"({"stiffness_matrix": [[1, -1, 0], [-1, 2, -1], [0, -1, 1]]})"))
-              .value.starts_with("singular"));
+    refuses(changed(good(), R"({"mass_ratios": null})"), R"(
+        {"mass_matrix": [[1, 0.5, 0], [0.5, 0.125, 0], [0, 0, 0.75]]} | mass_matrix
+            | positive definite | not: its leading minor of order 2 is negative | /mass_matrix
+        {"mass_matrix": [[1, 0.5, 0], [0.5, 2.5, 0], [0, 0, 0]]} | mass_matrix
+            | positive definite | singular: its leading minor of order 3 is zero to working precision | /mass_matrix
+    )");
 }
 
 TEST_CASE("every rule of a scene gives the place in the JSON", "[scene][json][bad-input]") {
     refuses(good(), R"(
-        {"mass_ratios": [1, -2, 1]}         | mass_ratios      | positive                      | -2     | /mass_ratios/1
-        {"stiffness_ratios": [1, 1, 0]}     | stiffness_ratios | positive                      | 0      | /stiffness_ratios/2
-        {"stiffness_ratios": [1]}           | stiffness_ratios | as many                       | 1      | /stiffness_ratios
-        {"damping_ratios": [0.1, 0, 1e301]} | damping_ratios   | mode 3 must be at most 1e300  | 1e+301 | /damping_ratios/2
-        {"damping_ratios": 2e300}           | damping_ratios   | mode 1 must be at most 1e300  | 2e+300 | /damping_ratios
-        {"damping_ratios": -0.5}            | damping_ratios   | not be negative               | -0.5   | /damping_ratios
-        {"contact": 4}                      | contact          | from 1 to 3                   | 4      | /contact
-        {"load": 9}                         | load             | from 1 to 3                   | 9      | /load
-        {"mu": 0.5}                         | mu               | at least 1                    | 0.5    | /mu
-        {"beta": -0.25}                     | beta             | negative                      | -0.25  | /beta
-        {"r": 0}                            | r                | positive                      | 0      | /r
+        {"mass_ratios": [1, -2, 1]}         | mass_ratios      | of mass 2 must be positive     | -2     | /mass_ratios/1
+        {"mass_ratios": [1, 2, 0]}          | mass_ratios      | of mass 3 must be positive     | 0      | /mass_ratios/2
+        {"mass_ratios": [2, 2, 1]}          | mass_ratios      | of mass 1 must be 1            | 2      | /mass_ratios/0
+        {"stiffness_ratios": [1, 0, 1]}     | stiffness_ratios | of spring 2 must be positive   | 0      | /stiffness_ratios/1
+        {"stiffness_ratios": [1, 1, 0]}     | stiffness_ratios | positive                       | 0      | /stiffness_ratios/2
+        {"stiffness_ratios": [0.5, 1, 1]}   | stiffness_ratios | of spring 1 must be 1          | 0.5    | /stiffness_ratios/0
+        {"stiffness_ratios": [1]}           | stiffness_ratios | as many values                 | 1      | /stiffness_ratios
+        {"stiffness_ratios": [1, 1]}        | stiffness_ratios | as many values                 | 2      | /stiffness_ratios
+        {"damping_ratios": [0, 0, -0.125]}  | damping_ratios   | of mode 3 must not be negative | -0.125 | /damping_ratios/2
+        {"damping_ratios": [1e301, 0, 0]}   | damping_ratios   | mode 1 must be at most 1e300   | 1e+301 | /damping_ratios/0
+        {"damping_ratios": [0.1, 0, 1e301]} | damping_ratios   | mode 3 must be at most 1e300   | 1e+301 | /damping_ratios/2
+        {"damping_ratios": [0, 0, 0, 0]}    | damping_ratios   | as many values                 | 4      | /damping_ratios
+        {"damping_ratios": 2e300}           | damping_ratios   | mode 1 must be at most 1e300   | 2e+300 | /damping_ratios
+        {"damping_ratios": -0.5}            | damping_ratios   | not be negative                | -0.5   | /damping_ratios
+        {"contact": 4}                      | contact          | from 1 to 3                    | 4      | /contact
+        {"load": 8}                         | load             | from 1 to 3                    | 8      | /load
+        {"mu": 0.5}                         | mu               | at least 1                     | 0.5    | /mu
+        {"beta": -0.25}                     | beta             | not be negative                | -0.25  | /beta
+        {"r": 0}                            | r                | positive                       | 0      | /r
+        {"r": -1}                           | r                | positive                       | -1     | /r
     )");
 }
 

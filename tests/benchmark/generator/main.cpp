@@ -1,4 +1,4 @@
-// Writes the benchmark's pack: `benchmark-pack FOLDER`.
+// Computes the benchmark's pack anew, for the scenes in its `scenes.json`: `benchmark-pack FOLDER`.
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -12,8 +12,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     try {
-        const auto scenes = denhartog::benchmark::certify_all(true);
-        std::filesystem::create_directories(argv[1]);
+        const auto scenes = denhartog::benchmark::certify_all(argv[1], true);
         for (const auto& [name, bytes] : denhartog::benchmark::files_of(scenes)) {
             std::ofstream file(std::filesystem::path(argv[1]) / name, std::ios::binary);
             file << bytes;

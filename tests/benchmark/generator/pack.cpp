@@ -31,23 +31,17 @@ std::string joined(const std::vector<Each>& all, const char* between, const Text
 std::string quoted(const std::string& text) { return "\"" + text + "\""; }
 std::string list(const std::string& text) { return "[" + text + "]"; }
 
-std::vector<double> times(const std::vector<double>& x, double factor) {
-    std::vector<double> all;
-    for (const double each : x) all.push_back(factor * each);
-    return all;
-}
-
 const char* word(const Event& e) {
     if (e.after == 0) return "stops";
     return e.before == 0 ? (e.after > 0 ? "breaks away up" : "breaks away down") : e.after > 0 ? "turns up" : "turns down";
 }
 
 // Instants are those of the paper over omega, velocities those of the paper times omega.
-Real50 seconds(const CertifiedScene& s, const Real50& tau) { return tau / s.design.omega; }
+Real50 seconds(const CertifiedScene& s, const Real50& tau) { return tau / s.scene.omega; }
 
 std::string of_mass(const CertifiedScene& s, std::size_t k, bool velocity, const char* between) {
     return joined(s.motion.samples, between, [&](const Sample& state) {
-        return digits_17(velocity ? Real50(state.x_prime[k] * s.design.omega) : state.x[k]);
+        return digits_17(velocity ? Real50(state.x_prime[k] * s.scene.omega) : state.x[k]);
     });
 }
 
@@ -67,12 +61,12 @@ std::string scenes_csv(const std::vector<CertifiedScene>& scenes) {
     std::string text = "scene,masses,m,k,c,c_ground,contact,load,P,omega,F,F_static,regime,stops,F_slides_below,F_rests_from,"
                        "amplitude,phase,settles_1e-3,settles_1e-6,settles_1e-9,settles_1e-12,difficulty,exposes,digits\n";
     for (const CertifiedScene& s : scenes) {
-        const Design& d = s.design;
+        const PackScene& d = s.scene;
         const auto numbers = [](const std::vector<double>& x) { return joined(x, " ", exact); };
-        text += d.id + "," + std::to_string(d.m.size()) + "," + numbers(d.m) + "," + numbers(d.k) + "," +
-                numbers(times(d.k, d.b)) + "," + numbers(times(d.m, d.a)) + "," + std::to_string(d.contact) + "," +
-                std::to_string(d.load) + ",1," + exact(d.omega) + "," + exact(s.F) + "," + exact(d.mu * s.F) + "," + s.regime +
-                "," + std::to_string(stops_of(s)) + "," + digits_17(s.onsets.sliding) + "," + digits_17(s.onsets.sticking) + "," +
+        text += d.id + "," + std::to_string(d.m.size()) + "," + numbers(d.m) + "," + numbers(d.k) + "," + numbers(d.c) + "," +
+                numbers(d.c_ground) + "," + std::to_string(d.contact) + "," + std::to_string(d.load) + ",1," + exact(d.omega) +
+                "," + exact(d.F) + "," + exact(d.F_static) + "," + s.regime + "," + std::to_string(stops_of(s)) + "," +
+                digits_17(s.onsets.sliding) + "," + digits_17(s.onsets.sticking) + "," +
                 joined(s.motion.amplitude, " ", digits_17) + "," +
                 joined(s.motion.phase, " ", [](const auto& phase) { return phase_of(phase, "none"); });
         for (std::size_t n = 0; n < s.settles.size(); ++n) text += "," + settles_of(s, n, "");
@@ -87,7 +81,7 @@ std::string events_csv(const std::vector<CertifiedScene>& scenes) {
     for (const CertifiedScene& s : scenes)
         for (std::size_t n = 0; n < s.motion.events.size(); ++n) {
             const Event& e = s.motion.events[n];
-            text += s.design.id + "," + std::to_string(n + 1) + "," + digits_17(seconds(s, e.tau)) + "," + word(e) + "," +
+            text += s.scene.id + "," + std::to_string(n + 1) + "," + digits_17(seconds(s, e.tau)) + "," + word(e) + "," +
                     digits_17(e.x) + "\n";
         }
     return text;
@@ -96,8 +90,8 @@ std::string events_csv(const std::vector<CertifiedScene>& scenes) {
 std::string samples_csv(const std::vector<CertifiedScene>& scenes) {
     std::string text = "scene,mass,x,v\n";
     for (const CertifiedScene& s : scenes)
-        for (std::size_t k = 0; k < s.design.m.size(); ++k)
-            text += s.design.id + "," + std::to_string(k + 1) + "," + of_mass(s, k, false, " ") + "," + of_mass(s, k, true, " ") +
+        for (std::size_t k = 0; k < s.scene.m.size(); ++k)
+            text += s.scene.id + "," + std::to_string(k + 1) + "," + of_mass(s, k, false, " ") + "," + of_mass(s, k, true, " ") +
                     "\n";
     return text;
 }
@@ -146,7 +140,7 @@ std::string manifest(const std::vector<CertifiedScene>& scenes, const std::map<s
 } // namespace
 
 std::string json_of(const CertifiedScene& s) {
-    const Design& d = s.design;
+    const PackScene& d = s.scene;
     const auto numbers = [](const std::vector<double>& x) { return list(joined(x, ",", exact)); };
     std::string text = "{";
     const auto member = [&](const char* name, const std::string& value) {
@@ -155,14 +149,14 @@ std::string json_of(const CertifiedScene& s) {
     member("scene", quoted(d.id));
     member("m", numbers(d.m));
     member("k", numbers(d.k));
-    member("c", numbers(times(d.k, d.b)));
-    member("c_ground", numbers(times(d.m, d.a)));
+    member("c", numbers(d.c));
+    member("c_ground", numbers(d.c_ground));
     member("contact", std::to_string(d.contact));
     member("load", std::to_string(d.load));
     member("P", "1");
     member("omega", exact(d.omega));
-    member("F", exact(s.F));
-    member("F_static", exact(d.mu * s.F));
+    member("F", exact(d.F));
+    member("F_static", exact(d.F_static));
     member("regime", quoted(s.regime));
     member("stops", std::to_string(stops_of(s)));
     member("F_slides_below", digits_17(s.onsets.sliding));

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/benchmark/generator/designs.hpp"
 #include "tests/benchmark/generator/motion.hpp"
+#include "tests/benchmark/pack_scene.hpp"
 
 namespace denhartog::benchmark {
 
@@ -19,10 +19,23 @@ inline constexpr int content_version = 2;
 /// @brief Least digits on which the two routes have to agree.
 inline constexpr int least_digits = 25;
 
+/// @brief The friction that part the regimes at a scene, in N.
+struct Onsets {
+    Real50 sliding;  ///< below it the contact slides throughout, (69)
+    Real50 sticking; ///< from it on the contact may rest for ever, as corrected from (88)
+};
+
+/// @brief Both boundaries by the closed form in 50 digits. @param s a scene @return the boundaries
+[[nodiscard]] Onsets onsets_of(const PackScene& s);
+
+/// @brief The same from the physical coordinates: half a period that mirrors itself, and a dense system with the contact held.
+/// @param s  a scene
+/// @return   the boundaries
+[[nodiscard]] Onsets onsets_of_half_period(const PackScene& s);
+
 /// @brief A scene with its certified motion, and what follows from both.
 struct CertifiedScene {
-    Design design;                    ///< the scene
-    double F = 0;                     ///< kinetic friction, N
+    PackScene scene;                  ///< the scene
     Onsets onsets;                    ///< the friction that parts the regimes
     Motion motion;                    ///< the settled motion
     int digits = 0;                   ///< on which the two routes agree, counted to 40
@@ -36,13 +49,14 @@ struct CertifiedScene {
 [[nodiscard]] const std::vector<double>& settling_tolerances();
 
 /// @brief Computes a scene by both routes.
-/// @param d  the scene
-/// @return   the certified scene
-/// @throws   DomainError where the routes do not agree
-[[nodiscard]] CertifiedScene certified(const Design& d);
+/// @param scene  the scene
+/// @return       the certified scene
+/// @throws       DomainError where the routes do not agree
+[[nodiscard]] CertifiedScene certified(const PackScene& scene);
 
-/// @brief All scenes, certified. @param progress whether to say on standard error which one is done @return the scenes
-[[nodiscard]] std::vector<CertifiedScene> certify_all(bool progress);
+/// @brief The scenes of a pack, certified anew. @param pack its folder @param progress whether to say on standard error which one
+/// is done @return the scenes
+[[nodiscard]] std::vector<CertifiedScene> certify_all(const std::filesystem::path& pack, bool progress);
 
 /// @brief A scene as an object of `scenes.json`. @param s the scene @return its text
 [[nodiscard]] std::string json_of(const CertifiedScene& s);

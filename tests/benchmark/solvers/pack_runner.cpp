@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "denhartog/number/errors.hpp"
+#include "tests/benchmark/pack_scene.hpp"
 #include "tests/conformance/adapters/solvers/steady_motion.hpp"
-#include "tests/support/scene_builder.hpp"
 
 namespace denhartog::tests {
 namespace {
@@ -19,31 +19,11 @@ using Json = nlohmann::ordered_json;
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-// With m_1 = 1 kg, k_1 = 1 N/m and P = 1 N the numbers of a scene are the paper's, and omega is r.
-Scene<double> scene_of(const Json& s) {
-    Scene<double> scene;
-    scene.system.mass_ratios = s.at("m").get<std::vector<double>>();
-    scene.system.stiffness_ratios = s.at("k").get<std::vector<double>>();
-    const auto beside = s.at("c").get<std::vector<double>>(), to_ground = s.at("c_ground").get<std::vector<double>>();
-    const auto N = static_cast<Eigen::Index>(beside.size());
-    Matrix<double>& C = scene.system.damping_matrix = Matrix<double>::Zero(N, N);
-    for (Eigen::Index i = 0; i < N; ++i) {
-        connect(C, i, i - 1, beside[static_cast<std::size_t>(i)]);
-        connect(C, i, -1, to_ground[static_cast<std::size_t>(i)]);
-    }
-    scene.system.contact = Mass{s.at("contact").get<std::size_t>() - 1};
-    scene.system.load = Mass{s.at("load").get<std::size_t>() - 1};
-    scene.r = s.at("omega").get<double>();
-    scene.beta = s.at("F").get<double>();
-    scene.mu = s.at("F_static").get<double>() / *scene.beta;
-    return scene;
-}
-
 Json line_of(const PackSolver& solver, const Json& s) {
     Json line{{"scene", s.at("scene")}};
     const double start = processor_seconds();
     try {
-        const Ran ran = solver.solve(scene_of(s));
+        const Ran ran = solver.solve(benchmark::scene_of(benchmark::pack_scene(s)));
         line["seconds"] = processor_seconds() - start;
         for (const std::vector<double>& x : ran.x) line["x"].push_back(x.empty() ? Json() : Json(x));
         if (ran.stops) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "conformance/mistakes/mistake_definition.hpp"
 #include "denhartog/number/errors.hpp"
@@ -21,23 +20,6 @@ struct Undecided : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-double rounded_to_bits(const Real50& x, int bits) {
-    int exponent = 0;
-    const Real50 mantissa = frexp(x, &exponent);
-    return std::ldexp(static_cast<double>(Real50(round(ldexp(mantissa, bits)))), exponent - bits);
-}
-
-double friction_of(const Case& c, const std::optional<Regimes>& regimes) {
-    if (c.friction == Friction::given) return c.scene.beta;
-    if (!regimes) throw Undecided("an undamped mode resonates");
-    const Real50 part(c.part);
-    if (c.friction == Friction::of_limit) return rounded_to_bits(part * regimes->sliding, c.bits);
-    if (!regimes->sticking) throw Undecided("no friction holds the contact");
-    if (c.friction == Friction::of_sticking) return rounded_to_bits(part * *regimes->sticking, c.bits);
-    if (*regimes->sticking <= regimes->sliding) throw Undecided("there is no stick-slip between the boundaries");
-    return rounded_to_bits(regimes->sliding + part * (*regimes->sticking - regimes->sliding), c.bits);
-}
-
 Regime regime_of_scene(const Regimes& b, const Real50& beta) {
     if (beta < b.sliding) return Regime::continuous;
     return b.sticking && beta >= *b.sticking ? Regime::permanent_sticking : Regime::stick_slip;
@@ -50,10 +32,16 @@ double margin_of(const Regimes& b, const Real50& beta) {
     return two_digits(least);
 }
 
-std::vector<std::string> flags_of(const Case& c) {
-    const ProtocolQuestion& q = c.scene;
+std::vector<std::string> sorted(std::vector<std::string> flags) {
+    std::sort(flags.begin(), flags.end());
+    flags.erase(std::unique(flags.begin(), flags.end()), flags.end());
+    return flags;
+}
+
+std::vector<std::string> flags_of(const Vector& asked) {
+    const ProtocolQuestion& q = asked.question;
     std::vector<std::string> flags = beyond_the_paper(q);
-    flags.insert(flags.end(), c.flags.begin(), c.flags.end());
+    flags.insert(flags.end(), asked.flags.begin(), asked.flags.end());
     const auto unequal = [](const std::vector<double>& x) {
         return std::any_of(x.begin(), x.end(), [&](double y) { return y != x[0]; });
     };
@@ -68,9 +56,7 @@ std::vector<std::string> flags_of(const Case& c) {
         flags.emplace_back(q.contact < q.load    ? "contact-before-load"
                            : q.contact == q.load ? "contact-at-load"
                                                  : "contact-behind-load");
-    std::sort(flags.begin(), flags.end());
-    flags.erase(std::unique(flags.begin(), flags.end()), flags.end());
-    return flags;
+    return sorted(flags);
 }
 
 std::string harder(const std::string& a, const std::string& b) {
@@ -78,10 +64,10 @@ std::string harder(const std::string& a, const std::string& b) {
     return rank(a) >= rank(b) ? a : b;
 }
 
-std::string tier_of(const Case& c, double condition, std::optional<double> margin) {
-    std::string tier = masses_of(c.scene) <= 5 && condition <= 512 ? "must" : condition <= 1e6 ? "should" : "stress";
-    if (margin && *margin < 1e-3) tier = harder(tier, *margin < 1e-9 ? "stress" : "should");
-    return harder(tier, c.tier);
+std::string tier_of(const Vector& v, double condition) {
+    std::string tier = masses_of(v.question) <= 5 && condition <= 512 ? "must" : condition <= 1e6 ? "should" : "stress";
+    if (v.margin && *v.margin < 1e-3) tier = harder(tier, *v.margin < 1e-9 ? "stress" : "should");
+    return harder(tier, v.tier);
 }
 
 Tolerance tolerance_of(const ProtocolQuestion& q, double condition) {
@@ -120,7 +106,7 @@ void certify_regime(Vector& v, SceneRoutes& routes, Certified& all) {
     v.word = v.regime;
 }
 
-void certify_numbers(Vector& v, SceneRoutes& routes, Certified& all, const Case& c) {
+void certify_numbers(Vector& v, SceneRoutes& routes, Certified& all) {
     using std::abs;
     const ProtocolQuestion& q = v.question;
     const bool angle = quantity(q.quantity).angle;
@@ -146,24 +132,18 @@ void certify_numbers(Vector& v, SceneRoutes& routes, Certified& all, const Case&
     std::sort(v.condition.begin(), v.condition.end()); // by name, as JSON objects are read
     if (largest > 1e9) throw Undecided("a condition number is above 1e9");
     v.tolerance = tolerance_of(q, largest);
-    v.tier = harder(tier_of(c, largest, v.margin), v.tier);
+    v.tier = tier_of(v, largest);
     // So small a number is left by modes that cancel each other: double loses digits, whatever the condition numbers.
     if (is_of_systems(v) && v.scale < 0x1p-16) v.tier = "stress";
 }
 
-Vector plain_vector(const Case& c, std::size_t n) {
+Vector plain_vector(const Vector& asked) {
     Vector v;
-    v.question = c.scene;
-    const ProtocolQuestion& asked = c.asked[n];
-    v.question.id = id_of(c, n);
-    v.question.quantity = asked.quantity;
-    v.question.mass = asked.mass;
-    v.question.tau = asked.tau;
-    v.question.samples = asked.samples;
-    v.group = c.group;
-    v.equation = quantity(asked.quantity).equation;
-    v.tier = c.tier;
-    v.flags = flags_of(c);
+    v.question = asked.question;
+    v.group = asked.group;
+    v.equation = quantity(v.question.quantity).equation;
+    v.tier = asked.tier;
+    v.flags = flags_of(asked);
     return v;
 }
 
@@ -187,15 +167,15 @@ void look_at_motion(Vector& v, const OrbitSeen& seen) {
     if (!mirrored && asks_for(v.question, {"phase", "motion_under_force"})) throw Undecided("the motion does not mirror itself");
     if (!mirrored) v.flags.emplace_back("unsymmetric");
     if (several) v.flags.emplace_back("several-periods");
-    std::sort(v.flags.begin(), v.flags.end());
+    v.flags = sorted(v.flags);
     if (several) v.tier = "should"; // who looks for one period of the force does not find it
 }
 
 // A question that has to be rejected: the rules of the library have to find it.
-Vector rejected(const Case& c, std::size_t n) {
-    Vector v = plain_vector(c, n);
-    v.reject = c.reject;
-    if (is_of_the_paper(c.scene)) v.flags = c.flags;
+Vector rejected(const Vector& asked) {
+    Vector v = plain_vector(asked);
+    v.reject = asked.reject;
+    if (is_of_the_paper(v.question)) v.flags = asked.flags;
     try {
         static_cast<void>(scene_of(v.question));
     } catch (const InputError&) {
@@ -206,46 +186,33 @@ Vector rejected(const Case& c, std::size_t n) {
 
 } // namespace
 
-std::string id_of(const Case& c, std::size_t n) {
-    std::array<char, 16> number{};
-    std::snprintf(number.data(), number.size(), "-%04d", c.first_number + static_cast<int>(n));
-    return c.group + number.data();
-}
-
-Certified certify(const Case& with_part, const std::set<std::string>& only) {
+Certified certify(const Case& c, const std::set<std::string>& only) {
     Certified all;
-    Case c = with_part;
-    c.scene.quantity = "regime"; // the routes of a scene are asked with other questions
-    std::optional<Regimes> regimes;
-    std::string why;
-    if (c.reject.empty()) {
-        regimes = regimes_of(c.scene);
-        try {
-            c.scene.beta = friction_of(c, regimes);
-        } catch (const Undecided& e) {
-            why = e.what();
-        }
-    }
-    const Real50 beta(c.scene.beta);
+    ProtocolQuestion scene = c.front().question; // the routes of a scene are asked with other questions
+    scene.quantity = "regime";
+    scene.mass = scene.samples = 0;
+    scene.tau = 0;
+    const bool breaks_a_rule = !c.front().reject.empty();
+    const std::optional<Regimes> regimes = breaks_a_rule ? std::nullopt : regimes_of(scene);
+    const Real50 beta(scene.beta);
     const Regime regime = regimes ? regime_of_scene(*regimes, beta) : Regime::continuous;
     std::optional<SceneRoutes> routes;
-    if (c.reject.empty()) routes.emplace(c.scene, regime);
+    if (!breaks_a_rule) routes.emplace(scene, regime);
     std::optional<bool> from_rest;
-    for (std::size_t n = 0; n < c.asked.size(); ++n) {
-        if (!only.empty() && only.count(id_of(c, n)) == 0) continue;
+    for (const Vector& asked : c) {
+        if (!only.empty() && only.count(asked.question.id) == 0) continue;
         const std::array<int, 2> least = all.least;
         try {
-            if (!c.reject.empty()) {
-                all.vectors.push_back(rejected(c, n));
+            if (breaks_a_rule) {
+                all.vectors.push_back(rejected(asked));
                 continue;
             }
-            if (!why.empty()) throw Undecided(why);
-            Vector v = plain_vector(c, n);
+            Vector v = plain_vector(asked);
             const bool with_friction = depends_on_friction(v.question.quantity);
             if (with_friction && !regimes) throw Undecided("an undamped mode resonates");
             if (with_friction && beta < regimes->sliding && regimes->sticking && beta >= *regimes->sticking)
                 throw Undecided("the contact may slide or rest");
-            if (with_friction && !from_rest) from_rest = comes_from_rest(c.scene, regime);
+            if (with_friction && !from_rest) from_rest = comes_from_rest(scene, regime);
             if (with_friction && !*from_rest) throw Undecided("the motion from rest is another");
             if (regimes) v.regime = name(regime);
             if (with_friction) v.margin = margin_of(*regimes, beta);
@@ -254,15 +221,15 @@ Certified certify(const Case& with_part, const std::set<std::string>& only) {
             v.routes = routes->names(v.question);
             if (v.question.quantity == "regime") {
                 certify_regime(v, *routes, all);
-                v.tier = tier_of(c, 0, v.margin);
+                v.tier = tier_of(v, 0);
             } else {
-                certify_numbers(v, *routes, all, c);
+                certify_numbers(v, *routes, all);
             }
             v.catches = catches_of(v);
             all.vectors.push_back(std::move(v));
         } catch (const std::exception& e) {
             all.least = least;
-            all.refusals.push_back({id_of(c, n), e.what()});
+            all.refusals.push_back({asked.question.id, e.what()});
         }
     }
     return all;

@@ -5,9 +5,11 @@
 #include <set>
 
 #include "conformance/vector.hpp"
-#include "tests/conformance/generator/cases.hpp"
 
 namespace denhartog::conformance::generator {
+
+/// @brief Questions about one scene: vectors of which question, group, tier, flags and the rule that is broken count.
+using Case = std::vector<Vector>;
 
 /// @brief A question that no vector came of.
 struct Refusal {
@@ -25,14 +27,11 @@ struct Certified {
 /// @brief Least digits that a vector has in the computation in 100 digits.
 inline constexpr int least_digits = 40;
 
-/// @brief Computes the vectors of a case.
+/// @brief Computes the vectors of a case. The tier that a question has is the easiest that its vector may have.
 /// @param c     the case
 /// @param only  ids wanted; empty for all
 /// @return      the vectors
 [[nodiscard]] Certified certify(const Case& c, const std::set<std::string>& only = {});
-
-/// @brief The id of a question of a case. @param c the case @param n its number, from 0 @return the id
-[[nodiscard]] std::string id_of(const Case& c, std::size_t n);
 
 /// @brief Names of the mistakes that a vector catches: their answers are wrong by more than four times what is inaccurate.
 /// @param v  a vector

@@ -13,7 +13,7 @@ using namespace denhartog::conformance::generator;
 
 int write(const std::string& folder, const std::set<std::string>& groups) {
     const std::string schema = bytes_of(std::filesystem::path(folder) / "schema.json");
-    Certified all = certify_all(true, groups);
+    Certified all = certify_all(folder, groups);
     if (!groups.empty()) // the others stay as they are
         for (denhartog::conformance::Vector& v : denhartog::conformance::read_vectors(folder))
             if (groups.count(v.group) == 0) all.vectors.push_back(std::move(v));

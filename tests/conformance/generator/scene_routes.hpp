@@ -4,7 +4,6 @@
 
 #include <optional>
 
-#include "tests/conformance/generator/cases.hpp"
 #include "tests/conformance/generator/route.hpp"
 
 namespace denhartog::conformance::generator {

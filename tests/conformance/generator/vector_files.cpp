@@ -1,5 +1,6 @@
 #include "tests/conformance/generator/vector_files.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <fstream>
@@ -39,6 +40,14 @@ std::string manifest_of(const std::vector<Vector>& vectors, const std::map<std::
     for (const auto& [name, bytes] : files)
         manifest["files"].push_back({{"name", name}, {"bytes", bytes.size()}, {"sha256", denhartog::tests::sha256(bytes)}});
     return manifest.dump(1) + "\n";
+}
+
+std::vector<std::filesystem::path> vector_files(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        if (entry.path().extension() == ".jsonl") files.push_back(entry.path());
+    std::ranges::sort(files);
+    return files;
 }
 
 } // namespace
@@ -81,18 +90,39 @@ std::vector<std::string> manifest_faults(const std::filesystem::path& folder) {
     return faults;
 }
 
-Certified certify_all(bool progress, const std::set<std::string>& groups) {
-    std::vector<Case> cases = all_cases();
-    if (!groups.empty()) std::erase_if(cases, [&](const Case& c) { return groups.count(c.group) == 0; });
+std::vector<Case> cases_of(const std::filesystem::path& folder) {
+    std::vector<Case> cases;
+    nlohmann::json scene;
+    for (const std::filesystem::path& file : vector_files(folder)) {
+        std::istringstream lines(bytes_of(file));
+        for (std::string line; std::getline(lines, line);) {
+            const nlohmann::json object = nlohmann::json::parse(line);
+            Vector asked;
+            asked.question = question_from_json(object);
+            asked.group = file.stem().string();
+            asked.tier = object.value("tier", "must");
+            asked.flags = object.value("flags", asked.flags);
+            asked.reject = object.value("reject", "");
+            if (cases.empty() || cases.back().front().group != asked.group || object.at("scene") != scene) cases.emplace_back();
+            scene = object.at("scene");
+            cases.back().push_back(std::move(asked));
+        }
+    }
+    return cases;
+}
+
+Certified certify_all(const std::filesystem::path& folder, const std::set<std::string>& groups) {
+    std::vector<Case> cases = cases_of(folder);
+    if (!groups.empty()) std::erase_if(cases, [&](const Case& c) { return groups.count(c.front().group) == 0; });
     std::vector<Certified> parts(cases.size());
     std::atomic<std::size_t> done{0};
     parallel_for(cases.size(), threads(), [&](std::size_t n) {
         parts[n] = certify(cases[n]);
         const std::size_t count = ++done;
-        if (progress && count % 20 == 0) std::fprintf(stderr, "\r%zu of %zu scenes", count, cases.size());
+        if (count % 20 == 0) std::fprintf(stderr, "\r%zu of %zu scenes", count, cases.size());
         return true;
     });
-    if (progress) std::fprintf(stderr, "\n");
+    std::fprintf(stderr, "\n");
     Certified all;
     for (Certified& part : parts) {
         for (Vector& v : part.vectors) all.vectors.push_back(std::move(v));
@@ -108,18 +138,13 @@ std::vector<std::string> differences(const std::filesystem::path& folder, int ev
     std::set<std::string> wanted;
     for (std::size_t n = static_cast<std::size_t>(from); n < vectors.size(); n += static_cast<std::size_t>(every))
         wanted.insert(vectors[n].question.id);
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        if (entry.path().extension() != ".jsonl") continue;
-        std::istringstream lines(bytes_of(entry.path()));
+    for (const std::filesystem::path& file : vector_files(folder)) {
+        std::istringstream lines(bytes_of(file));
         for (std::string line; std::getline(lines, line);) stored[nlohmann::json::parse(line).at("id")] = line;
     }
     std::vector<Case> cases;
-    for (const Case& c : all_cases())
-        for (std::size_t n = 0; n < c.asked.size(); ++n)
-            if (wanted.count(id_of(c, n)) > 0) {
-                cases.push_back(c);
-                break;
-            }
+    for (const Case& c : cases_of(folder))
+        if (std::ranges::any_of(c, [&](const Vector& asked) { return wanted.count(asked.question.id) > 0; })) cases.push_back(c);
     std::vector<std::string> told;
     std::set<std::string> missing = wanted;
     std::mutex lock;

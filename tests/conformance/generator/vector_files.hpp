@@ -24,11 +24,17 @@ inline constexpr int content_version = 8;
 /// @return        a sentence a fault
 [[nodiscard]] std::vector<std::string> manifest_faults(const std::filesystem::path& folder);
 
-/// @brief All vectors, on as many threads as there are.
-/// @param progress  whether to say on standard error how far it is
-/// @param groups    the groups wanted; none for all
-/// @return          the vectors with what was refused
-[[nodiscard]] Certified certify_all(bool progress, const std::set<std::string>& groups = {});
+/// @brief What the files of a folder ask, scene by scene. A line needs nothing but a question, as the protocol has it; its group
+/// is the name of its file.
+/// @param folder  the folder
+/// @return        the cases, file by file
+[[nodiscard]] std::vector<Case> cases_of(const std::filesystem::path& folder);
+
+/// @brief All vectors of a folder's questions, on as many threads as there are. Says on standard error how far it is.
+/// @param folder  the folder
+/// @param groups  the groups wanted; none for all
+/// @return        the vectors with what was refused
+[[nodiscard]] Certified certify_all(const std::filesystem::path& folder, const std::set<std::string>& groups);
 
 /// @brief Computes some of a folder's vectors anew and compares them byte for byte.
 /// @param folder  the folder
