@@ -4,6 +4,7 @@
 // periods alone do not come to a steady motion.
 #include <Eigen/LU>
 #include <algorithm>
+#include <boost/math/tools/rational.hpp>
 #include <cmath>
 #include <deque>
 #include <numbers>
@@ -71,26 +72,16 @@ int steps_of(const PlainSystem& s) {
     return 2 * static_cast<int>(std::clamp(16 + 6 * std::ceil(fastest), 32.0, 8192.0));
 }
 
-// Weights of a state as a polynomial of the share of dt that has passed, the series of the exponential.
-std::vector<double> series_of(const PlainMatrix& A, PlainVector z, double dt, const PlainVector& weights) {
-    std::vector<double> series{weights.dot(z)};
-    double all = largest_of(z);
-    for (int k = 1; k < most_terms && largest_of(z) > 1e-18 * all; ++k) {
-        z = A * z * (dt / k);
-        all = std::max(all, largest_of(z));
+// When weights of the state that moves on from z change their sign, by their polynomial of the share of `to` that has passed.
+double sign_change(const PlainMatrix& A, PlainVector z, const PlainVector& weights, double from, double to) {
+    std::vector<double> series;
+    const double size = largest_of(z);
+    for (int k = 1; k < most_terms && largest_of(z) > 1e-18 * size; ++k) {
         series.push_back(weights.dot(z));
+        z = A * z * (to / k);
     }
-    return series;
-}
-
-double polynomial(const std::vector<double>& series, double x) {
-    double sum = 0;
-    for (std::size_t k = series.size(); k-- > 0;) sum = sum * x + series[k];
-    return sum;
-}
-
-double zero_of(const std::vector<double>& series) {
-    return zero_between([&](double x) { return polynomial(series, x); }, 0, 1);
+    const auto value = [&](double x) { return boost::math::tools::evaluate_polynomial(series.data(), x, series.size()); };
+    return to * zero_between(value, from / to, 1);
 }
 
 // The first time up to dt at which weights of a state, not negative at first, are below zero; none if they stay above. A state
@@ -99,20 +90,14 @@ std::optional<double> first_fall(const PlainMatrix& A, const PlainVector& z, con
                                  const PlainVector& weights, const PlainVector& rates) {
     const bool above_after = weights.dot(next) > 0, rises_again = rates.dot(z) < 0 && rates.dot(next) > 0;
     if (above_after && !rises_again) return std::nullopt;
-    const std::vector<double> series = series_of(A, z, dt, weights);
-    const auto value = [&](double x) { return polynomial(series, x); };
-    double far = 1;
-    if (above_after) {
-        std::vector<double> rate;
-        for (std::size_t k = 1; k < series.size(); ++k) rate.push_back(static_cast<double>(k) * series[k]);
-        far = zero_of(rate);
-        if (far * dt < nothing || value(far) > 0) return std::nullopt;
-    }
+    const auto value = [&](double t) { return weights.dot(moved(A, z, t)); };
+    const double far = above_after ? sign_change(A, z, rates, 0, dt) : dt;
+    if (above_after && (far < nothing || value(far) > 0)) return std::nullopt;
     double near = 0;
-    if (!(series.front() > 1e-14 * z.norm() * weights.norm()))
+    if (!(weights.dot(z) > 1e-14 * z.norm() * weights.norm()))
         for (near = far / 2; value(near) <= 0; near /= 2)
-            if (near * dt < nothing) return 0.0;
-    return dt * zero_between(value, near, far);
+            if (near < nothing) return 0.0;
+    return sign_change(A, z, weights, near, far);
 }
 
 } // namespace
@@ -312,7 +297,7 @@ std::pair<double, double> PlainContact::largest(const PlainVector& row, double f
             if (rates.dot(z) * rates.dot(s.states[n].second) > 0) continue;
             const PlainMatrix& A = equations(s.direction);
             const double dt = s.states[n].first - tau;
-            const double t = dt * zero_of(series_of(A, z, dt, rates));
+            const double t = sign_change(A, z, rates, 0, dt);
             take(tau + t, places.dot(moved(A, z, t)));
         }
     }
