@@ -246,13 +246,10 @@ constexpr std::size_t most_periods = 200;
 // Distance of a wrong answer from the motion from rest, for each of its periods; infinite for an answer that is not of a period.
 std::vector<double> distances(const Judged& one) {
     const Quantity& asked = quantity(one.vector->question.quantity);
-    const double from_truth = difference(asked, one.given.numbers, one.vector->nearest).size;
     std::vector<double> all;
     for (const std::optional<Value>& shown : answers_of_transient(one.vector->question, 1, most_periods)) {
-        const double apart = shown ? difference(asked, one.given.numbers, shown->numbers).size : INFINITY;
-        const bool agrees =
-            shown && apart <= of_steps_in_time * size_of(shown->numbers) && apart <= nearer_than_truth * from_truth;
-        all.push_back(agrees ? apart / size_of(shown->numbers) : INFINITY);
+        const bool agreeing = shown && agrees(*one.vector, one.given, *shown, of_steps_in_time);
+        all.push_back(agreeing ? difference(asked, one.given.numbers, shown->numbers).size / size_of(shown->numbers) : INFINITY);
     }
     return all;
 }

@@ -74,11 +74,11 @@ int steps_of(const PlainSystem& s) {
 
 // When weights of the state that moves on from z change their sign, by their polynomial of the share of `to` that has passed.
 double sign_change(const PlainMatrix& A, PlainVector z, const PlainVector& weights, double from, double to) {
-    std::vector<double> series;
+    std::vector<double> series{weights.dot(z)};
     const double size = largest_of(z);
     for (int k = 1; k < most_terms && largest_of(z) > 1e-18 * size; ++k) {
-        series.push_back(weights.dot(z));
         z = A * z * (to / k);
+        series.push_back(weights.dot(z));
     }
     const auto value = [&](double x) { return boost::math::tools::evaluate_polynomial(series.data(), x, series.size()); };
     return to * zero_between(value, from / to, 1);
@@ -105,11 +105,8 @@ std::optional<double> first_fall(const PlainMatrix& A, const PlainVector& z, con
 FrictionResponse::FrictionResponse(const PlainSystem& s) : A(equations_of(s, false)), step(whole_period / steps_of(s)) {
     const Index n = 2 * s.size();
     const PlainMatrix of_step = propagator(A, step);
-    PlainMatrix half = of_step, power = of_step; // over a half-period, by its steps but one
-    for (int left = steps_of(s) / 2 - 1; left > 0; left /= 2) {
-        if (left % 2 == 1) half = power * half;
-        power = power * power;
-    }
+    PlainMatrix half = of_step; // over a half-period
+    for (int left = steps_of(s) / 2 - 1; left > 0; --left) half = of_step * half;
     // (I + E) y = -E f with the force f = -1 of a contact that moves backwards
     PlainVector z = PlainVector::Zero(n + 3);
     z.head(n) = solved(PlainMatrix::Identity(n, n) + half.topLeftCorner(n, n), half.col(n + 2).head(n));

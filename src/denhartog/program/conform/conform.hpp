@@ -26,12 +26,8 @@ struct SelectionOptions {
 };
 
 // Options of a run and of its records.
-struct ConformOptions : SelectionOptions {
-    std::vector<std::string> command; // program and arguments
+struct ConformOptions : SelectionOptions, conformance::RunSettings {
     std::string answers;              // file of answers, in place of a program
-    double seconds = 10;              // time for an answer
-    double total_seconds = 0;         // time for all answers; 0: no end
-    int jobs = 1;                     // processes side by side
     std::vector<std::string> needed;  // quantities that must not be skipped
     std::string method;               // by which the program answers
     std::string track;                // file of verdicts
