@@ -72,16 +72,15 @@ int steps_of(const PlainSystem& s) {
     return 2 * static_cast<int>(std::clamp(16 + 6 * std::ceil(fastest), 32.0, 8192.0));
 }
 
-// When weights of the state that moves on from z change their sign, by their polynomial of the share of `to` that has passed.
-double sign_change(const PlainMatrix& A, PlainVector z, const PlainVector& weights, double from, double to) {
+// Weights of the state that moves on from z, at times up to dt: their polynomial by the series of the exponential.
+std::function<double(double)> course_of(const PlainMatrix& A, PlainVector z, double dt, const PlainVector& weights) {
     std::vector<double> series{weights.dot(z)};
     const double size = largest_of(z);
     for (int k = 1; k < most_terms && largest_of(z) > 1e-18 * size; ++k) {
-        z = A * z * (to / k);
+        z = A * z * (dt / k);
         series.push_back(weights.dot(z));
     }
-    const auto value = [&](double x) { return boost::math::tools::evaluate_polynomial(series.data(), x, series.size()); };
-    return to * zero_between(value, from / to, 1);
+    return [=](double t) { return boost::math::tools::evaluate_polynomial(series.data(), t / dt, series.size()); };
 }
 
 // The first time up to dt at which weights of a state, not negative at first, are below zero; none if they stay above. A state
@@ -90,14 +89,14 @@ std::optional<double> first_fall(const PlainMatrix& A, const PlainVector& z, con
                                  const PlainVector& weights, const PlainVector& rates) {
     const bool above_after = weights.dot(next) > 0, rises_again = rates.dot(z) < 0 && rates.dot(next) > 0;
     if (above_after && !rises_again) return std::nullopt;
-    const auto value = [&](double t) { return weights.dot(moved(A, z, t)); };
-    const double far = above_after ? sign_change(A, z, rates, 0, dt) : dt;
+    const auto value = course_of(A, z, dt, weights);
+    const double far = above_after ? zero_between(course_of(A, z, dt, rates), 0, dt) : dt;
     if (above_after && (far < nothing || value(far) > 0)) return std::nullopt;
     double near = 0;
     if (!(weights.dot(z) > 1e-14 * z.norm() * weights.norm()))
         for (near = far / 2; value(near) <= 0; near /= 2)
             if (near < nothing) return 0.0;
-    return sign_change(A, z, weights, near, far);
+    return zero_between(value, near, far);
 }
 
 } // namespace
@@ -294,7 +293,7 @@ std::pair<double, double> PlainContact::largest(const PlainVector& row, double f
             if (rates.dot(z) * rates.dot(s.states[n].second) > 0) continue;
             const PlainMatrix& A = equations(s.direction);
             const double dt = s.states[n].first - tau;
-            const double t = sign_change(A, z, rates, 0, dt);
+            const double t = zero_between(course_of(A, z, dt, rates), 0, dt);
             take(tau + t, places.dot(moved(A, z, t)));
         }
     }

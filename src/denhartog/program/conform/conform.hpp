@@ -27,15 +27,15 @@ struct SelectionOptions {
 
 // Options of a run and of its records.
 struct ConformOptions : SelectionOptions, conformance::RunSettings {
-    std::string answers;              // file of answers, in place of a program
-    std::vector<std::string> needed;  // quantities that must not be skipped
-    std::string method;               // by which the program answers
-    std::string track;                // file of verdicts
-    std::string repro;                // the one question to repeat
-    std::string format = "text";      // of the report
-    std::string output;               // file of the report; empty for standard output
-    bool verbose = false;             // every answer
-    bool strict = false;              // a status of its own where answers of other tiers than must are wrong
+    std::string answers;             // file of answers, in place of a program
+    std::vector<std::string> needed; // quantities that must not be skipped
+    std::string method;              // by which the program answers
+    std::string track;               // file of verdicts
+    std::string repro;               // the one question to repeat
+    std::string format = "text";     // of the report
+    std::string output;              // file of the report; empty for standard output
+    bool verbose = false;            // every answer
+    bool strict = false;             // a status of its own where answers of other tiers than must are wrong
 };
 
 // Throws InputError for a name that is none of a quantity.

@@ -119,32 +119,25 @@ Json score_json(const Score& score) {
             {"worst_digits", optional_number(score.worst_digits)}};
 }
 
-std::string in_escapes(const std::string& word) {
-    std::string quoted = "$'";
+// A word as a shell takes it, in escapes where it has bytes that a terminal would obey.
+std::string shell_word(const std::string& word) {
+    const bool is_obeyed = word != legible(word, word.size() + 8);
+    const bool is_plain = word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                                 "0123456789_-+=./:,@%") == std::string::npos;
+    if (is_plain && !word.empty()) return word;
+    std::string quoted = is_obeyed ? "$'" : "'";
     for (const char c : word) {
-        char escaped[5] = {c, 0, 0, 0, 0};
-        if (c < ' ' || c > '~' || c == '\'' || c == '\\')
-            std::snprintf(escaped, sizeof escaped, "\\x%02X", static_cast<unsigned char>(c));
-        quoted += escaped;
+        char text[5] = {c, 0, 0, 0, 0};
+        if (is_obeyed && (c < ' ' || c > '~' || c == '\'' || c == '\\'))
+            std::snprintf(text, sizeof text, "\\x%02X", static_cast<unsigned char>(c));
+        quoted += !is_obeyed && c == '\'' ? "'\\''" : text;
     }
     return quoted + "'";
 }
 
-// Words as a shell takes them.
-std::string shell_text(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) {
-        if (word != legible(word, word.size() + 8)) { // bytes that a terminal would obey
-            text += (text.empty() ? "" : " ") + in_escapes(word);
-            continue;
-        }
-        const bool plain = !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                                   "0123456789_-+=./:,@%") == std::string::npos;
-        std::string quoted;
-        for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-        text += (text.empty() ? "" : " ") + (plain ? word : "'" + quoted + "'");
-    }
-    return text;
+std::string shell_text(std::vector<std::string> words) {
+    std::ranges::transform(words, words.begin(), shell_word);
+    return joined(words);
 }
 
 // The report as JSON (docs/conformance-output.md).
