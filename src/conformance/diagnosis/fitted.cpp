@@ -277,11 +277,7 @@ std::optional<Mistake> fitted_transient(std::span<const Judged> judged) {
     const auto best = std::ranges::max_element(periods);
     if (best->first < least_agreeing || 2 * best->first < probed) return std::nullopt; // of 200 some agree by chance
     const int period = static_cast<int>(best - periods.begin()) + 1;
-    const auto answer = [period](const ProtocolQuestion& q) {
-        if (!asks_for(q, {"amplitude", "phase", "motion_under_force"})) return std::optional<Value>();
-        return answers_of_transient(q, period, period).front();
-    };
-    Mistake fitted{"transient", "", "", "", {answer}};
+    Mistake fitted{"transient", "", "", "", read_off_in(period)};
     fitted.number = "read off in period " + std::to_string(period) + " from rest";
     return fitted;
 }

@@ -80,6 +80,9 @@ template <class Change>
     return {.touches = touches, .read = std::move(change)};
 }
 
+// The answer that is read off in a period of the force, counted from rest.
+[[nodiscard]] Answering read_off_in(int period);
+
 // Mistakes in reading a question, and in what only systems beyond the paper have.
 [[nodiscard]] std::vector<Mistake> mistakes_of_input();
 // Formulas as the paper prints them, if the derivation refutes them, and others in the closed form.

@@ -24,11 +24,13 @@ double square(double x) { return x * x; }
 // What (A.8) has with tau / R = t, for any damping ratio, and keeps all digits.
 struct ModeDecay {
     double lost, q; // 1 - d, and q
-    double damped;  // 1 - exp(-2 zeta t) - 2 zeta q: in the half-period the numerator of (29)
+    double damped;  // 1 - exp(-2 zeta t) - 2 zeta q: over the half-period the numerator of (29); 0 where the series is not needed
 };
 
+bool needs_series(double t, double zeta) { return t * (1 + 2 * zeta) < 0.5; }
+
 ModeDecay free_decay(double t, double zeta) {
-    if (t * (1 + 2 * zeta) < 0.5) { // by the series of d'' + 2 zeta d' + d = 0, so that no digits are lost
+    if (needs_series(t, zeta)) { // by the series of d'' + 2 zeta d' + d = 0, so that no digits are lost
         ModeDecay f{0, 0, 0};
         double d = 1, d_rate = 0, q = 0, q_rate = 1, e = 1, power = 1; // k! times the coefficients k, and those of the next power
         for (int k = 1; k < 30; ++k) {
@@ -49,7 +51,7 @@ ModeDecay free_decay(double t, double zeta) {
         c = (slow + fast) / 2;
         q = slow * -elementary::expm1(-2 * w * t) / (2 * w);
     }
-    return {1 - c - zeta * q, q, -elementary::expm1(-2 * zeta * t) - 2 * zeta * q};
+    return {1 - c - zeta * q, q, 0};
 }
 
 // u of (28) and g of (29), both over the larger exponential.
@@ -60,7 +62,8 @@ std::pair<double, double> damping_functions(double R, double zeta) {
     // 1 + e^2 + 2 c, which is small next to a resonance
     const double both =
         s > 0 ? square(elementary::expm1(-zeta * t)) + 4 * e * square(cos(std::sqrt(s) * t / 2)) : 1 + e * e + 2 * c;
-    return {2 * f.q / (R * both), f.damped / both};
+    const double damped = needs_series(t, zeta) ? f.damped : -elementary::expm1(-2 * zeta * t) - 2 * zeta * f.q;
+    return {2 * f.q / (R * both), damped / both};
 }
 
 // The braces of (40) for friction as a square wave that is cut off after some harmonics; (28) and (29) are their start.
