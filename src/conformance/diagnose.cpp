@@ -31,17 +31,6 @@ bool is_word(const Vector& v) {
     return !v.word.empty() || v.question.quantity == "stops_per_period" || v.question.quantity == "stop_durations";
 }
 
-bool agrees(const Vector& v, const Value& given, const Value& mistaken, double near) {
-    if (!given.word.empty() || !mistaken.word.empty()) return given.word == mistaken.word;
-    if (given.numbers.size() != mistaken.numbers.size()) return false;
-    const Quantity& asked = quantity(v.question.quantity);
-    const double apart = difference(asked, given.numbers, mistaken.numbers).size;
-    const double size = asked.angle ? 1 : size_of(mistaken.numbers);
-    if (!(apart <= near * (size > 0 ? size : v.scale))) return false;
-    if (given.numbers.size() != v.nearest.size()) return true;
-    return apart <= nearer_than_truth * difference(asked, given.numbers, v.nearest).size;
-}
-
 // The answers with what each says about one mistake, made alone or together with those found before, as far as that is known.
 struct Evidence {
     std::span<Judged> judged;
@@ -49,9 +38,6 @@ struct Evidence {
     double agreement;
     std::vector<const Answering*> with{}; // the mistakes found before, and this one
     std::map<std::size_t, Says> alone{}, together{};
-
-    Evidence(std::span<Judged> all, const Mistake& m, double least_agreement)
-        : judged(all), mistake(m), agreement(std::max(m.agreement, least_agreement)) {}
 
     [[nodiscard]] Says says(std::size_t n) {
         if (!judged[n].answered || !judged[n].vector->reject.empty()) return Says::nothing;
@@ -80,7 +66,6 @@ struct Weighed {
     std::size_t made_wrong = 0; // all answers that it would make wrong
     std::size_t wrong = 0;      // wrong answers to the quantities of its core, or to those of which it explains some answer
     bool numbers_asked = false; // whether a number is among these
-    bool rough = false;         // whether its answers agree in few digits
     Evidence* evidence = nullptr;
 };
 
@@ -117,7 +102,6 @@ Weighed weigh(std::span<Judged> judged, Evidence& evidence, const std::vector<st
         if (evidence.says(n) == Says::contradicts && counts) ++finding.contradicted;
     }
     finding.quantities.assign(of.begin(), of.end());
-    weighed.rough = evidence.agreement > 1e-4;
     finding.weak = finding.explained < least_explained;
     return weighed;
 }
@@ -125,7 +109,8 @@ Weighed weigh(std::span<Judged> judged, Evidence& evidence, const std::vector<st
 bool is_accepted(const Weighed& weighed, std::size_t wrong, const Thresholds& least) {
     if (weighed.own < std::min(least_explained, wrong)) return false;
     if (weighed.numbers_asked ? weighed.numbers == 0 : weighed.own < std::min(least.words, wrong)) return false;
-    const double consistency = weighed.rough ? least.of_solvers : least.consistency;
+    const bool in_few_digits = weighed.evidence->agreement > 1e-4;
+    const double consistency = in_few_digits ? least.of_solvers : least.consistency;
     return share(weighed.own, weighed.own + weighed.finding.contradicted) >= consistency &&
            share(weighed.own, weighed.made_wrong) >= least.of_its_own && share(weighed.own, weighed.wrong) >= least.of_the_wrong;
 }
@@ -181,7 +166,7 @@ std::vector<Finding> findings_of(std::span<Judged> judged, std::span<const Mista
     std::vector<Finding> findings;
     std::vector<Evidence> candidates;
     std::vector<const Answering*> found;
-    for (const Mistake& mistake : known) candidates.emplace_back(judged, mistake, least.agreement);
+    for (const Mistake& mistake : known) candidates.push_back({judged, mistake, std::max(mistake.agreement, least.agreement)});
     const std::size_t wrong = left.size();
     while (std::optional<Weighed> best =
                most_telling(judged, candidates, left, set_aside, of_the_left ? left.size() : wrong, least)) {
@@ -228,6 +213,17 @@ std::vector<const Judged*> in_first_link(const std::vector<const Judged*>& wrong
 }
 
 } // namespace
+
+bool agrees(const Vector& v, const Value& given, const Value& mistaken, double near) {
+    if (!given.word.empty() || !mistaken.word.empty()) return given.word == mistaken.word;
+    if (given.numbers.size() != mistaken.numbers.size()) return false;
+    const Quantity& asked = quantity(v.question.quantity);
+    const double apart = difference(asked, given.numbers, mistaken.numbers).size;
+    const double size = asked.angle ? 1 : size_of(mistaken.numbers);
+    if (!(apart <= near * (size > 0 ? size : v.scale))) return false;
+    if (given.numbers.size() != v.nearest.size()) return true;
+    return apart <= nearer_than_truth * difference(asked, given.numbers, v.nearest).size;
+}
 
 Diagnosis diagnose(std::span<Judged> judged, std::span<const Mistake> known, const Thresholds& least, bool guess) {
     Diagnosis diagnosis;

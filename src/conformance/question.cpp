@@ -54,14 +54,6 @@ constexpr std::array<Quantity, 28> table{{
 // JSON as text, whatever bytes its strings hold.
 std::string text_of_json(const nlohmann::json& x) { return x.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); }
 
-// Of a contact between two masses, 0 stands for its own displacement, which is the same in every frame.
-void check_mass(const ProtocolQuestion& q) {
-    const Quantity& asked = quantity(q.quantity);
-    if (asked.absolute && q.base_motion.empty()) throw InputError("base_motion", "must be given for " + q.quantity, "");
-    if (!asked.of_mass) return;
-    if (q.mass != 0 || q.contact_with == 0 || asked.absolute) (void)mass_from(q.mass, masses_of(q), "mass");
-}
-
 // Reads a member of an object, which has to be there if it must.
 template <class T>
 void read(const nlohmann::json& object, const char* key, T& x, bool must = true) {
@@ -294,7 +286,11 @@ bool is_overdamped(const ProtocolQuestion& q) {
 
 Scene<double> scene_of(const ProtocolQuestion& q) {
     Scene<double> scene = scene_from_json<double>(nlohmann::json(scene_json(q)));
-    check_mass(q);
+    const Quantity& asked = quantity(q.quantity);
+    if (asked.absolute && q.base_motion.empty()) throw InputError("base_motion", "must be given for " + q.quantity, "");
+    // Of a contact between two masses, 0 stands for its own displacement, which is the same in every frame.
+    const bool of_contact = q.mass == 0 && q.contact_with != 0 && !asked.absolute;
+    if (asked.of_mass && !of_contact) (void)mass_from(q.mass, masses_of(q), "mass");
     return scene;
 }
 

@@ -116,6 +116,9 @@ struct ProtocolQuestion {
 struct Value {
     std::vector<double> numbers; ///< finite
     std::string word;            ///< the regime; empty if there are numbers
+
+    /// @brief Whether all members are equal. @return true if so
+    bool operator==(const Value&) const = default;
 };
 
 /// @brief The implementation found that the question breaks a rule.

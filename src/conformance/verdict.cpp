@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
+#include <boost/math/statistics/univariate_statistics.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
@@ -11,7 +12,8 @@
 #include <numbers>
 #include <tuple>
 
-#include "conformance/mistakes/mistake_definition.hpp"
+#include "conformance/diagnosis/explanations.hpp"
+#include "conformance/plain/closed_form.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/number/number_text.hpp"
@@ -69,9 +71,7 @@ std::string other_regime(const Vector& v, const Value& given) {
                                "initial_velocity", "displacement", "motion_under_force"}))
         return "";
     const std::optional<Value> beyond = plain_answer(v.question, Choices{.beyond_the_boundary = true});
-    if (!beyond || beyond->numbers.size() != given.numbers.size()) return "";
-    const double size = asked.angle ? 1 : size_of(beyond->numbers);
-    if (!(difference(asked, given.numbers, beyond->numbers).size <= agreement * size)) return "";
+    if (!beyond || !agrees(v, given, *beyond, agreement)) return "";
     return "the closed form of continuous sliding, but the regime is " + v.regime;
 }
 
@@ -116,23 +116,15 @@ double distance_in_tube(double value, double before, double at, double after) {
 
 // Errors of the solvers of each method at everyday settings: half of their answers are within the first number, 99 of 100 within
 // the second; ten times as much is the third. `./verify chart` measures that anew and compares (docs/solvers.md).
+constexpr Tolerance errors(double of_half, double of_most) { return {of_half, of_most, 10 * of_most}; }
+
 constexpr SolverMethod all_methods[] = {
     {"closed-form", "the closed form in double: the vectors' own tolerances", {}, {}, {}},
-    {"event-driven",
-     "integration with events, at tolerances of 1e-6",
-     {1e-6, 1e-3, 1e-2},
-     {2e-6, 2e-4, 2e-3},
-     {2e-6, 5e-5, 5e-4},
-     2e-4,
-     true},
-    {"time-stepping",
-     "equal steps without events, 1024 a period",
-     {5e-6, 1e-3, 1e-2},
-     {5e-5, 5e-3, 5e-2},
-     {2e-4, 5e-3, 5e-2},
-     2e-2,
-     true},
-    {"harmonic-balance", "harmonics of friction up to the 51st", {2e-4, 5e-3, 5e-2}, {2e-3, 1e-2, 1e-1}, {}, 0, false, false},
+    {"event-driven", "integration with events, at tolerances of 1e-6", errors(1e-6, 1e-3), errors(2e-6, 2e-4), errors(2e-6, 5e-5),
+     2e-4, true},
+    {"time-stepping", "equal steps without events, 1024 a period", errors(5e-6, 1e-3), errors(5e-5, 5e-3), errors(2e-4, 5e-3),
+     2e-2, true},
+    {"harmonic-balance", "harmonics of friction up to the 51st", errors(2e-4, 5e-3), errors(2e-3, 1e-2), {}, 0, false, false},
 };
 
 Tolerance of_kind(const SolverMethod& method, const std::string& kind) {
@@ -147,11 +139,6 @@ constexpr std::array<std::string_view, number_of_verdicts> names{"pass",    "pas
 constexpr std::array<int, number_of_verdicts> ranks{0, 1, 2, 4, 4, 4, 0, 4, 3, 5, 5, 5};
 
 int rank_of_tier(const std::string& tier) { return tier == "must" ? 0 : tier == "should" ? 1 : 2; }
-
-double median(const std::vector<double>& sorted) {
-    const std::size_t n = sorted.size();
-    return n % 2 == 1 ? sorted[n / 2] : (sorted[n / 2 - 1] + sorted[n / 2]) / 2;
-}
 
 } // namespace
 
@@ -294,10 +281,9 @@ std::vector<Score> scores(std::span<const Judged> judged) {
         std::vector<double> of_answers;
         for (const Judged& one : part)
             if (one.error) of_answers.push_back(digits(*one.error));
-        std::sort(of_answers.begin(), of_answers.end());
         if (!of_answers.empty()) {
-            score.median_digits = median(of_answers);
-            score.worst_digits = of_answers.front();
+            score.median_digits = boost::math::statistics::median(of_answers);
+            score.worst_digits = std::ranges::min(of_answers);
         }
         all.push_back(std::move(score));
     }

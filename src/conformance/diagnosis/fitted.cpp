@@ -56,17 +56,13 @@ std::vector<double> steps_at(const std::function<double(double)>& f, double valu
 
 // The number that most of some numbers share.
 std::optional<double> most_common(std::vector<double> numbers) {
-    std::sort(numbers.begin(), numbers.end());
-    std::size_t best = 0, most = 1;
-    for (std::size_t from = 0, to = 0; from < numbers.size(); ++from) {
-        to = std::max(to, from);
-        while (to < numbers.size() && numbers[to] <= numbers[from] * (1 + of_instants)) ++to;
-        if (to - from > most) {
-            most = to - from;
-            best = from + most / 2;
-        }
+    std::ranges::sort(numbers);
+    std::span<const double> best;
+    for (auto from = numbers.begin(); from != numbers.end(); ++from) {
+        const std::span<const double> equal(from, std::ranges::upper_bound(numbers, *from * (1 + of_instants)));
+        if (equal.size() > best.size()) best = equal;
     }
-    return most > 1 ? std::optional(numbers[best]) : std::nullopt;
+    return best.size() > 1 ? std::optional(best[best.size() / 2]) : std::nullopt;
 }
 
 // Quantity to which the steps of a grid are in proportion from scene to scene.
@@ -241,22 +237,6 @@ std::optional<Mistake> fitted_instants(std::span<const Judged> judged) {
     return fitted;
 }
 
-constexpr std::size_t most_periods = 200;
-
-// Distance of a wrong answer from the motion from rest, for each of its periods; infinite for an answer that is not of a period.
-std::vector<double> distances(const Judged& one) {
-    const Quantity& asked = quantity(one.vector->question.quantity);
-    const double from_truth = difference(asked, one.given.numbers, one.vector->nearest).size;
-    std::vector<double> all;
-    for (const std::optional<Value>& shown : answers_of_transient(one.vector->question, 1, most_periods)) {
-        const double apart = shown ? difference(asked, one.given.numbers, shown->numbers).size : INFINITY;
-        const bool agrees =
-            shown && apart <= of_steps_in_time * size_of(shown->numbers) && apart <= nearer_than_truth * from_truth;
-        all.push_back(agrees ? apart / size_of(shown->numbers) : INFINITY);
-    }
-    return all;
-}
-
 std::vector<const Judged*> probes(std::span<const Judged> judged) {
     constexpr std::size_t most_probed = 9;
     std::vector<const Judged*> all;
@@ -269,49 +249,36 @@ std::vector<const Judged*> probes(std::span<const Judged> judged) {
     return spread(all, most_probed);
 }
 
-struct Shown {
-    int period = 0;
-    std::size_t agreeing = 0;
-    double distance = 0; // the sum of the digits that are missing, negative
-};
-
-// The period that most answers show; of two the one to which they are nearer.
-Shown shown_by(const std::vector<std::vector<double>>& all) {
-    Shown best;
-    for (std::size_t n = 0; n < most_periods; ++n) {
-        Shown of_n{static_cast<int>(n) + 1};
-        for (const std::vector<double>& of_one : all) {
-            if (!std::isfinite(of_one[n])) continue;
-            ++of_n.agreeing;
-            of_n.distance += elementary::log10(std::max(of_one[n], 1e-16));
-        }
-        if (std::pair(of_n.agreeing, -of_n.distance) > std::pair(best.agreeing, -best.distance)) best = of_n;
-    }
-    return best;
-}
-
 } // namespace
 
 std::optional<Mistake> fitted_transient(std::span<const Judged> judged) {
-    constexpr std::size_t first_probed = 3;
+    constexpr std::size_t most_periods = 200, first_probed = 3;
     const std::vector<const Judged*> some = probes(judged);
     if (some.size() < least_agreeing) return std::nullopt;
-    std::vector<std::vector<double>> all;
+    std::vector<std::pair<std::size_t, double>> periods(
+        most_periods); // answers that agree with each, and the digits to which they do
+    std::size_t probed = 0;
     for (const Judged* one : some) {
-        if (all.size() == first_probed && shown_by(all).agreeing == 0) return std::nullopt;
+        if (probed == first_probed && std::ranges::max(periods).first == 0) return std::nullopt;
+        std::vector<std::optional<Value>> all;
         try {
-            all.push_back(distances(*one));
+            all = answers_of_transient(one->vector->question, 1, most_periods);
         } catch (const NoPlainAnswer&) { // a motion that is none shows nothing
+            continue;
+        }
+        ++probed;
+        for (std::size_t n = 0; n < most_periods; ++n) {
+            if (!all[n] || !agrees(*one->vector, one->given, *all[n], of_steps_in_time)) continue;
+            const double apart = difference(quantity(one->vector->question.quantity), one->given.numbers, all[n]->numbers).size;
+            ++periods[n].first;
+            periods[n].second -= elementary::log10(std::max(apart / size_of(all[n]->numbers), 1e-16));
         }
     }
-    const Shown shown = shown_by(all);
-    if (shown.agreeing < least_agreeing || 2 * shown.agreeing < all.size()) return std::nullopt; // of 200 some agree by chance
-    const auto answer = [period = shown.period](const ProtocolQuestion& q) {
-        if (!asks_for(q, {"amplitude", "phase", "motion_under_force"})) return std::optional<Value>();
-        return answers_of_transient(q, period, period).front();
-    };
-    Mistake fitted{"transient", "", "", "", {answer}};
-    fitted.number = "read off in period " + std::to_string(shown.period) + " from rest";
+    const auto best = std::ranges::max_element(periods);
+    if (best->first < least_agreeing || 2 * best->first < probed) return std::nullopt; // of 200 some agree by chance
+    const int period = static_cast<int>(best - periods.begin()) + 1;
+    Mistake fitted{"transient", "", "", "", read_off_in(period)};
+    fitted.number = "read off in period " + std::to_string(period) + " from rest";
     return fitted;
 }
 

@@ -29,43 +29,36 @@ std::map<std::string, std::vector<const Judged*>> numbers_by_quantity(std::span<
     return all;
 }
 
-// A change of the answers to a quantity by a number, which an answer, the truth and the question show; not finite where they do
-// not.
+// A change of the answers to a quantity by a number: a summand, a factor, or the power of a number of the scene that a factor is.
 struct ChangeByNumber {
     const char* told;
-    std::function<double(double given, double truth, const ProtocolQuestion& q, bool angle)> number;
-    std::function<double(double x, double number, const ProtocolQuestion& q, bool angle)> made;
-    bool in_halves = false; // whether the number is half of a whole one, and one in two answers may show none
+    bool adds = false;
+    double (*base)(const ProtocolQuestion&) = nullptr; // the exponent is half of a whole number; one in two answers may show none
 };
 
-// The power of a number of the scene that a factor is.
-ChangeByNumber power_of(const char* told, double (*of)(const ProtocolQuestion&)) {
-    return {told,
-            [of](double given, double truth, const ProtocolQuestion& q, bool) {
-                const double factor = given / truth, size = of(q);
-                const bool is_power = factor > 0 && std::isfinite(factor) && size > 0 && size != 1;
-                return is_power ? elementary::log(factor) / elementary::log(size) : std::nan("");
-            },
-            [of](double x, double exponent, const ProtocolQuestion& q, bool) {
-                return x * elementary::exp(exponent * elementary::log(of(q)));
-            },
-            true};
+constexpr ChangeByNumber changes[] = {{" plus ", true},
+                                      {" times "},
+                                      {" times r^", false, [](const ProtocolQuestion& q) { return q.r; }},
+                                      {" times mu^", false, [](const ProtocolQuestion& q) { return q.mu; }},
+                                      {" times gamma_j^", false, [](const ProtocolQuestion& q) {
+                                           return q.mass_ratios.empty() ? 1
+                                                                        : q.mass_ratios[static_cast<std::size_t>(q.contact - 1)];
+                                       }}};
+
+// The number that an answer shows; not a number where it shows none.
+double number_shown(const ChangeByNumber& change, const Judged& one, bool angle) {
+    const double given = one.given.numbers.front(), truth = one.vector->nearest.front(), factor = given / truth;
+    if (change.adds) return angle ? wrapped_angle(given - truth) : given - truth;
+    if (truth == 0 || change.base == nullptr) return truth == 0 ? std::nan("") : factor;
+    const double base = change.base(one.vector->question);
+    const bool is_power = factor > 0 && std::isfinite(factor) && base > 0 && base != 1;
+    return is_power ? elementary::log(factor) / elementary::log(base) : std::nan("");
 }
 
-const ChangeByNumber changes[] = {
-    {" plus ",
-     [](double given, double truth, const ProtocolQuestion&, bool angle) {
-         return angle ? wrapped_angle(given - truth) : given - truth;
-     },
-     [](double x, double by, const ProtocolQuestion&, bool angle) { return angle ? wrapped_angle(x + by) : x + by; }},
-    {" times ",
-     [](double given, double truth, const ProtocolQuestion&, bool) { return truth != 0 ? given / truth : std::nan(""); },
-     [](double x, double by, const ProtocolQuestion&, bool) { return by * x; }},
-    power_of(" times r^", [](const ProtocolQuestion& q) { return q.r; }),
-    power_of(" times mu^", [](const ProtocolQuestion& q) { return q.mu; }),
-    power_of(" times gamma_j^", [](const ProtocolQuestion& q) {
-        return q.mass_ratios.empty() ? 1 : q.mass_ratios[static_cast<std::size_t>(q.contact - 1)];
-    })};
+double changed_by(const ChangeByNumber& change, double x, double by, const ProtocolQuestion& q, bool angle) {
+    if (change.adds) return angle ? wrapped_angle(x + by) : x + by;
+    return x * (change.base == nullptr ? by : elementary::exp(by * elementary::log(change.base(q))));
+}
 
 // The middle one of some numbers, or the half of a whole number next to it, if every second number is that.
 std::optional<double> shared(std::vector<double> numbers, bool in_halves) {
@@ -81,14 +74,13 @@ std::optional<double> shared(std::vector<double> numbers, bool in_halves) {
 void add_changes(std::vector<Mistake>& all, const Quantity& asked, const std::vector<const Judged*>& answers) {
     for (const ChangeByNumber& change : changes) {
         std::vector<double> numbers;
-        for (const Judged* one : answers)
-            numbers.push_back(
-                change.number(one->given.numbers.front(), one->vector->nearest.front(), one->vector->question, asked.angle));
+        for (const Judged* one : answers) numbers.push_back(number_shown(change, *one, asked.angle));
         std::erase_if(numbers, [](double x) { return std::isnan(x); });
-        const std::optional<double> number = shared(numbers, change.in_halves);
-        if (!number || (change.in_halves && (*number == 0 || 2 * numbers.size() < answers.size()))) continue;
+        const bool in_halves = change.base != nullptr;
+        const std::optional<double> number = shared(numbers, in_halves);
+        if (!number || (in_halves && (*number == 0 || 2 * numbers.size() < answers.size()))) continue;
         const auto made = [&change, by = *number, angle = asked.angle](double x, const ProtocolQuestion& q) {
-            return change.made(x, by, q, angle);
+            return changed_by(change, x, by, q, angle);
         };
         all.push_back(
             {"", "", std::string(asked.name) + change.told + short_text(*number), "", each_changed({asked.name}, made)});
@@ -124,14 +116,11 @@ Mistake read_as(std::string told, std::function<void(ProtocolQuestion&)> change)
 
 // Whether a guess gives half of some answers. Most guesses do not, and need no further look.
 bool fits_some(const Mistake& guess, std::span<const Judged* const> answers) {
-    std::size_t fitting = 0;
-    for (const Judged* one : answers) {
+    const auto fitting = std::ranges::count_if(answers, [&](const Judged* one) {
         const std::optional<Value> value = guess.answer(one->vector->question);
-        if (!value || value->numbers.size() != one->given.numbers.size()) continue;
-        const double size = std::max(std::abs(one->given.numbers.front()), one->vector->scale * fits);
-        fitting += std::abs(value->numbers.front() - one->given.numbers.front()) <= fits * size;
-    }
-    return 2 * fitting >= answers.size();
+        return value && agrees(*one->vector, one->given, *value, fits);
+    });
+    return 2 * fitting >= std::ssize(answers);
 }
 
 // Factors of an input by which the closed form answers as was answered.

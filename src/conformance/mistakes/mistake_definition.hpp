@@ -1,6 +1,7 @@
 // Makers of the answers of known mistakes, and the parts of the list of all of them.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <string_view>
 #include <type_traits>
@@ -21,7 +22,11 @@ inline const Names of_load{"beta_lim_approximate", "beta_lim_exact", "beta_lim_p
     of_boundary{"beta_lim_exact", "beta_lim_paper", "regime"}, of_maximum{"S_j", "beta_lim_exact", "beta_lim_paper", "regime"};
 
 // Whether a question is about one of some quantities; about any if there are none.
-[[nodiscard]] std::function<bool(const ProtocolQuestion&)> about(Names touched);
+[[nodiscard]] inline std::function<bool(const ProtocolQuestion&)> about(Names touched) {
+    return [touched = std::move(touched)](const ProtocolQuestion& q) {
+        return touched.empty() || std::ranges::find(touched, q.quantity) != touched.end();
+    };
+}
 
 // The plain closed form with other choices: `&Choices::x` makes the choice x; a function of (Choices&), or of (Choices&,
 // question), changes them.
@@ -43,10 +48,17 @@ template <class Choose>
 }
 
 // A mistake that is made only if no mode is overdamped; not one that is `by_itself`.
-[[nodiscard]] Answering where_modes_vibrate(Answering mistake);
+[[nodiscard]] inline Answering where_modes_vibrate(Answering mistake) {
+    mistake.touches = [touches = std::move(mistake.touches)](const ProtocolQuestion& q) {
+        return !is_overdamped(q) && touches(q);
+    };
+    return mistake;
+}
 
 // The right answer to some quantities, changed; or each of its numbers.
-[[nodiscard]] Answering changed(Names touched, std::function<void(Value& value, const ProtocolQuestion& q)> change);
+[[nodiscard]] inline Answering changed(Names touched, std::function<void(Value& value, const ProtocolQuestion& q)> change) {
+    return {.touches = about(std::move(touched)), .change = std::move(change)};
+}
 template <class Change>
 [[nodiscard]] Answering each_changed(Names touched, Change change) {
     return changed(std::move(touched), [change](Value& value, const ProtocolQuestion& q) {
@@ -59,7 +71,17 @@ template <class Change>
 }
 
 // The right answer to another question; none if the change leaves the question as it is.
-[[nodiscard]] Answering reading(std::function<void(ProtocolQuestion&)> change);
+[[nodiscard]] inline Answering reading(std::function<void(ProtocolQuestion&)> change) {
+    const auto touches = [change](const ProtocolQuestion& q) {
+        ProtocolQuestion other = q;
+        change(other);
+        return other != q;
+    };
+    return {.touches = touches, .read = std::move(change)};
+}
+
+// The answer that is read off in a period of the force, counted from rest.
+[[nodiscard]] Answering read_off_in(int period);
 
 // Mistakes in reading a question, and in what only systems beyond the paper have.
 [[nodiscard]] std::vector<Mistake> mistakes_of_input();

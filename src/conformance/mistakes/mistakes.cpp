@@ -1,19 +1,12 @@
-// The list of known mistakes, and the makers of their answers: the plain closed form with other choices, another question in
-// the place of the one asked, or a right answer that is changed. Of several mistakes made together those that change the
-// question act first, then those of formulas, then those that change the answer. Read `answer_with_several` first; the
-// mistakes themselves are in `mistakes_of_input.cpp` and `mistakes_of_output.cpp`.
+// The list of known mistakes, and the answers of a program that makes some of them. Of several mistakes made together those that
+// change the question act first, then those of formulas, then those that change the answer. Read `answer_with_several` first; the
+// makers of mistakes are in `mistake_definition.hpp`, the mistakes in `mistakes_of_input.cpp` and `mistakes_of_output.cpp`.
 #include <algorithm>
 
 #include "conformance/mistakes/mistake_definition.hpp"
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog::conformance {
-
-std::function<bool(const ProtocolQuestion&)> about(Names touched) {
-    return [touched = std::move(touched)](const ProtocolQuestion& q) {
-        return touched.empty() || std::ranges::find(touched, q.quantity) != touched.end();
-    };
-}
 
 std::optional<Value> Answering::operator()(const ProtocolQuestion& q) const {
     const Answering* const only = this;
@@ -38,26 +31,6 @@ std::optional<Value> answer_with_several(std::span<const Answering* const> sever
             if (value && mistake->change) mistake->change(*value, q);
         return value;
     });
-}
-
-Answering changed(Names touched, std::function<void(Value& value, const ProtocolQuestion& q)> change) {
-    return {.touches = about(std::move(touched)), .change = std::move(change)};
-}
-
-Answering where_modes_vibrate(Answering mistake) {
-    mistake.touches = [touches = std::move(mistake.touches)](const ProtocolQuestion& q) {
-        return !is_overdamped(q) && touches(q);
-    };
-    return mistake;
-}
-
-Answering reading(std::function<void(ProtocolQuestion&)> change) {
-    const auto touches = [change](const ProtocolQuestion& q) {
-        ProtocolQuestion other = q;
-        change(other);
-        return other != q;
-    };
-    return {.touches = touches, .read = std::move(change)};
 }
 
 std::span<const Mistake> mistakes() {

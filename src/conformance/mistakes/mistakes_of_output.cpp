@@ -77,11 +77,6 @@ std::optional<Value> at_contact_maximum(ProtocolQuestion q) {
 
 bool of_motion(const ProtocolQuestion& q) { return asks_for(q, {"amplitude", "phase", "motion_under_force"}); }
 
-// Where the answers do not show another period.
-std::optional<Value> in_tenth_period(const ProtocolQuestion& q) {
-    return of_motion(q) ? answers_of_transient(q, 10, 10).front() : std::nullopt;
-}
-
 // A contact that never rests: what both laws without sticking answer to questions about stops.
 std::optional<Value> without_stops(const ProtocolQuestion& q) {
     if (!asks_for(q, {"regime", "stops_per_period", "stop_durations"})) return std::nullopt;
@@ -141,6 +136,12 @@ Mistake printed(const std::string& equation, std::string told, std::string look_
 
 } // namespace
 
+Answering read_off_in(int period) {
+    return by_itself([period](const ProtocolQuestion& q) {
+        return of_motion(q) ? answers_of_transient(q, period, period).front() : std::nullopt;
+    });
+}
+
 std::vector<Mistake> mistakes_of_output() {
     constexpr double of_collocation = 1e-2;
     std::vector<Mistake> all{
@@ -194,9 +195,9 @@ std::vector<Mistake> mistakes_of_output() {
          "The amplitude of a mass is taken as its displacement at the maximum of the contact.",
          "how the maximum of (46) over tau is found", by_itself(at_contact_maximum)},
         // Solvers of the motion.
-        {"transient", "", "The motion is read off before the transient has decayed.",
-         "how many periods are integrated from rest; go on until two in a row agree", by_itself(in_tenth_period), no_core,
-         of_steps_in_time},
+        {"transient", "", // the period is found from the answers by `fitted_to`
+         "The motion is read off before the transient has decayed.",
+         "how many periods are integrated from rest; go on until two in a row agree", read_off_in(10), no_core, of_steps_in_time},
         {"sliding-beyond-the-boundary", "69", "The closed form is used where the contact stops: (69) is not asked.",
          "whether beta < beta_lim is tested before (38) is used",
          by_formulas({"amplitude", "phase", "motion_under_force"}, &Choices::beyond_the_boundary)},

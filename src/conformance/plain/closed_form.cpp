@@ -107,19 +107,15 @@ Phasor response_of_part(const ProtocolQuestion& q, const PlainSystem& s, Index f
     return solved(part(s.dynamic_stiffness()), s.r * C, PlainVector::Unit(n, load), PlainVector::Zero(n))[mass];
 }
 
-struct PlainExtremum {
-    double tau, size; // instant in [0, pi], and the largest size of the displacement
-    bool minimum;     // whether the displacement is negative there
-};
-
-// Largest displacement of a mass over the half-period: of the contact where it turns, of the others where they do.
-PlainExtremum largest_displacement(const PlainModes& m, const Choices& c, Index k) {
-    if (k == m.j) return {0, turn_of(m, k).root - m.beta * m.G[k], false};
+// Largest displacement of a mass over the half-period, behind its instant: of the contact where it turns, of the others where
+// they do.
+std::pair<double, double> largest_displacement(const PlainModes& m, const Choices& c, Index k) {
+    if (k == m.j) return {0, turn_of(m, k).root - m.beta * m.G[k]};
     const int steps = plain_steps(m);
-    PlainExtremum best{0, 0, false};
+    std::pair<double, double> best{0, 0};
     const auto take = [&](double tau) {
         const double x = plain_motion(m, c, k, tau).x;
-        if (std::isnan(x) || std::abs(x) > best.size) best = {tau, std::abs(x), x < 0};
+        if (std::isnan(x) || std::abs(x) > std::abs(best.second)) best = {tau, x};
     };
     const auto velocity = [&](double tau) { return plain_motion(m, c, k, tau).v; };
     take(0);
@@ -136,8 +132,8 @@ PlainExtremum largest_displacement(const PlainModes& m, const Choices& c, Index 
 
 double phase_of_mass(const PlainModes& m, const Choices& c, Index k) {
     if (k == m.j) return plain_phase(m, c);
-    const PlainExtremum e = largest_displacement(m, c, k);
-    return plain_phase(m, c) + e.tau + (e.minimum && !c.no_half_period_for_minima ? pi : 0);
+    const auto [tau, x] = largest_displacement(m, c, k);
+    return plain_phase(m, c) + tau + (x < 0 && !c.no_half_period_for_minima ? pi : 0);
 }
 
 // (50), (51): the parts of the monoharmonic response; by (49) they are those of the start.
@@ -260,7 +256,10 @@ std::vector<double> numbers_of(const ProtocolQuestion& q, const PlainModes& m, c
     if (name == "beta_lim_approximate") return {approximate_limit(m, c)};
     if (name == "beta_lim_sticking") return {sticking_limit(q, m, c)};
     if (name == "beta_lim_high_frequency") return {share_at_high_frequency(q, m) * 2 / elementary::hypot(2 * m.mu, pi)};
-    if (name == "amplitude") return {largest_displacement(m, c, k).size};
+    if (name == "amplitude") {
+        const double x = largest_displacement(m, c, k).second;
+        return {k == m.j ? x : std::abs(x)};
+    }
     if (name == "phase") return {wrapped_angle(phase_of_mass(m, c, k))};
     if (name == "amplitude_monoharmonic") return {monoharmonic_amplitude(m, c, k)};
     if (name == "phase_monoharmonic")

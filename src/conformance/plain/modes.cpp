@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <tuple>
+#include <utility>
 
 #include "elementary/elementary.hpp"
 
@@ -20,24 +21,26 @@ double exp(double x) { return elementary::exp(x); }
 
 double square(double x) { return x * x; }
 
-// 1 - d and q of (A.8) with tau / R = t, for any damping ratio.
+// What (A.8) has with tau / R = t, for any damping ratio, and keeps all digits.
 struct ModeDecay {
-    double lost, q;
+    double lost, q; // 1 - d, and q
+    double damped;  // 1 - exp(-2 zeta t) - 2 zeta q: over the half-period the numerator of (29); 0 where the series is not needed
 };
 
+bool needs_series(double t, double zeta) { return t * (1 + 2 * zeta) < 0.5; }
+
 ModeDecay free_decay(double t, double zeta) {
-    if (t * (1 + 2 * zeta) < 0.5) { // by the series of d'' + 2 zeta d' + d = 0, so that no digits are lost
-        ModeDecay f{0, 0};
-        double d = 1, d_rate = 0, q = 0, q_rate = 1, power = 1; // k! times the coefficients k, and those of the next power
+    if (needs_series(t, zeta)) { // by the series of d'' + 2 zeta d' + d = 0, so that no digits are lost
+        ModeDecay f{0, 0, 0};
+        double d = 1, d_rate = 0, q = 0, q_rate = 1, e = 1, power = 1; // k! times the coefficients k, and those of the next power
         for (int k = 1; k < 30; ++k) {
-            const double d_next = -2 * zeta * d_rate - d, q_next = -2 * zeta * q_rate - q;
-            d = d_rate;
-            q = q_rate;
-            d_rate = d_next;
-            q_rate = q_next;
+            d = std::exchange(d_rate, -2 * zeta * d_rate - d);
+            q = std::exchange(q_rate, -2 * zeta * q_rate - q);
+            e *= -2 * zeta;
             power *= t / k;
             f.lost -= d * power;
             f.q += q * power;
+            f.damped -= (e + 2 * zeta * q) * power;
         }
         return f;
     }
@@ -48,7 +51,7 @@ ModeDecay free_decay(double t, double zeta) {
         c = (slow + fast) / 2;
         q = slow * -elementary::expm1(-2 * w * t) / (2 * w);
     }
-    return {1 - c - zeta * q, q};
+    return {1 - c - zeta * q, q, 0};
 }
 
 // u of (28) and g of (29), both over the larger exponential.
@@ -59,18 +62,8 @@ std::pair<double, double> damping_functions(double R, double zeta) {
     // 1 + e^2 + 2 c, which is small next to a resonance
     const double both =
         s > 0 ? square(elementary::expm1(-zeta * t)) + 4 * e * square(cos(std::sqrt(s) * t / 2)) : 1 + e * e + 2 * c;
-    double difference = -elementary::expm1(-2 * zeta * t) - 2 * zeta * f.q;
-    if (t * (1 + 2 * zeta) < 1) { // sinh(zeta t) - zeta / w sin(w t), by its series
-        double power = zeta * t, of_sinh = 1, of_sine = 1, sum = 0;
-        for (int k = 1; k < 12; ++k) {
-            power /= (2 * k) * (2 * k + 1);
-            of_sinh *= square(zeta * t);
-            of_sine *= -s * t * t;
-            sum += power * (of_sinh - of_sine);
-        }
-        difference = 2 * e * sum;
-    }
-    return {2 * f.q / (R * both), difference / both};
+    const double damped = needs_series(t, zeta) ? f.damped : -elementary::expm1(-2 * zeta * t) - 2 * zeta * f.q;
+    return {2 * f.q / (R * both), damped / both};
 }
 
 // The braces of (40) for friction as a square wave that is cut off after some harmonics; (28) and (29) are their start.

@@ -4,6 +4,7 @@
 // periods alone do not come to a steady motion.
 #include <Eigen/LU>
 #include <algorithm>
+#include <boost/math/tools/rational.hpp>
 #include <cmath>
 #include <deque>
 #include <numbers>
@@ -71,26 +72,15 @@ int steps_of(const PlainSystem& s) {
     return 2 * static_cast<int>(std::clamp(16 + 6 * std::ceil(fastest), 32.0, 8192.0));
 }
 
-// Weights of a state as a polynomial of the share of dt that has passed, the series of the exponential.
-std::vector<double> series_of(const PlainMatrix& A, PlainVector z, double dt, const PlainVector& weights) {
+// Weights of the state that moves on from z, at times up to dt: their polynomial by the series of the exponential.
+std::function<double(double)> course_of(const PlainMatrix& A, PlainVector z, double dt, const PlainVector& weights) {
     std::vector<double> series{weights.dot(z)};
-    double all = largest_of(z);
-    for (int k = 1; k < most_terms && largest_of(z) > 1e-18 * all; ++k) {
+    const double size = largest_of(z);
+    for (int k = 1; k < most_terms && largest_of(z) > 1e-18 * size; ++k) {
         z = A * z * (dt / k);
-        all = std::max(all, largest_of(z));
         series.push_back(weights.dot(z));
     }
-    return series;
-}
-
-double polynomial(const std::vector<double>& series, double x) {
-    double sum = 0;
-    for (std::size_t k = series.size(); k-- > 0;) sum = sum * x + series[k];
-    return sum;
-}
-
-double zero_of(const std::vector<double>& series) {
-    return zero_between([&](double x) { return polynomial(series, x); }, 0, 1);
+    return [=](double t) { return boost::math::tools::evaluate_polynomial(series.data(), t / dt, series.size()); };
 }
 
 // The first time up to dt at which weights of a state, not negative at first, are below zero; none if they stay above. A state
@@ -99,20 +89,14 @@ std::optional<double> first_fall(const PlainMatrix& A, const PlainVector& z, con
                                  const PlainVector& weights, const PlainVector& rates) {
     const bool above_after = weights.dot(next) > 0, rises_again = rates.dot(z) < 0 && rates.dot(next) > 0;
     if (above_after && !rises_again) return std::nullopt;
-    const std::vector<double> series = series_of(A, z, dt, weights);
-    const auto value = [&](double x) { return polynomial(series, x); };
-    double far = 1;
-    if (above_after) {
-        std::vector<double> rate;
-        for (std::size_t k = 1; k < series.size(); ++k) rate.push_back(static_cast<double>(k) * series[k]);
-        far = zero_of(rate);
-        if (far * dt < nothing || value(far) > 0) return std::nullopt;
-    }
+    const auto value = course_of(A, z, dt, weights);
+    const double far = above_after ? zero_between(course_of(A, z, dt, rates), 0, dt) : dt;
+    if (above_after && (far < nothing || value(far) > 0)) return std::nullopt;
     double near = 0;
-    if (!(series.front() > 1e-14 * z.norm() * weights.norm()))
+    if (!(weights.dot(z) > 1e-14 * z.norm() * weights.norm()))
         for (near = far / 2; value(near) <= 0; near /= 2)
-            if (near * dt < nothing) return 0.0;
-    return dt * zero_between(value, near, far);
+            if (near < nothing) return 0.0;
+    return zero_between(value, near, far);
 }
 
 } // namespace
@@ -120,11 +104,8 @@ std::optional<double> first_fall(const PlainMatrix& A, const PlainVector& z, con
 FrictionResponse::FrictionResponse(const PlainSystem& s) : A(equations_of(s, false)), step(whole_period / steps_of(s)) {
     const Index n = 2 * s.size();
     const PlainMatrix of_step = propagator(A, step);
-    PlainMatrix half = of_step, power = of_step; // over a half-period, by its steps but one
-    for (int left = steps_of(s) / 2 - 1; left > 0; left /= 2) {
-        if (left % 2 == 1) half = power * half;
-        power = power * power;
-    }
+    PlainMatrix half = of_step; // over a half-period
+    for (int left = steps_of(s) / 2 - 1; left > 0; --left) half = of_step * half;
     // (I + E) y = -E f with the force f = -1 of a contact that moves backwards
     PlainVector z = PlainVector::Zero(n + 3);
     z.head(n) = solved(PlainMatrix::Identity(n, n) + half.topLeftCorner(n, n), half.col(n + 2).head(n));
@@ -312,7 +293,7 @@ std::pair<double, double> PlainContact::largest(const PlainVector& row, double f
             if (rates.dot(z) * rates.dot(s.states[n].second) > 0) continue;
             const PlainMatrix& A = equations(s.direction);
             const double dt = s.states[n].first - tau;
-            const double t = dt * zero_of(series_of(A, z, dt, rates));
+            const double t = zero_between(course_of(A, z, dt, rates), 0, dt);
             take(tau + t, places.dot(moved(A, z, t)));
         }
     }

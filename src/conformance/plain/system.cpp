@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <numeric>
 
 #include "elementary/elementary.hpp"
 
@@ -86,34 +85,10 @@ Phasors solved(const PlainMatrix& A, const PlainMatrix& B, const PlainVector& b,
 }
 
 PlainShapes shapes_of(const PlainMatrix& B, const PlainMatrix& M) {
-    const Index n = M.rows();
     const Eigen::LLT<PlainMatrix> triangle(M);
-    // One column at a time, and without Eigen's own rotations: both would round once more, which shows where modes nearly cancel.
-    PlainMatrix columns(B.rows(), n), turns = PlainMatrix::Identity(n, n), phi(n, n);
-    for (Index i = 0; i < B.rows(); ++i) columns.row(i) = triangle.matrixL().solve(PlainVector(B.row(i)));
-    constexpr int most_sweeps = 60;
-    bool turned = true;
-    for (int sweep = 0; turned && sweep < most_sweeps; ++sweep) {
-        turned = false;
-        for (Index i = 0; i < n; ++i)
-            for (Index k = i + 1; k < n; ++k) {
-                const double a = columns.col(i).squaredNorm(), b = columns.col(k).squaredNorm();
-                const double c = columns.col(i).dot(columns.col(k));
-                if (std::abs(c) <= 1e-16 * std::sqrt(a) * std::sqrt(b)) continue;
-                const double z = (b - a) / (2 * c), tangent = (z < 0 ? -1 : 1) / (std::abs(z) + elementary::hypot(1, z));
-                const double cosine = 1 / std::sqrt(1 + tangent * tangent);
-                const Eigen::JacobiRotation<double> turn(cosine, tangent * cosine);
-                columns.applyOnTheRight(i, k, turn);
-                turns.applyOnTheRight(i, k, turn);
-                turned = true;
-            }
-    }
-    const PlainVector r_n = columns.colwise().norm();
-    for (Index i = 0; i < n; ++i) phi.col(i) = triangle.matrixU().solve(PlainVector(turns.col(i)));
-    std::vector<Index> order(static_cast<std::size_t>(n));
-    std::iota(order.begin(), order.end(), 0);
-    std::ranges::sort(order, {}, [&](Index i) { return r_n[i]; });
-    return {r_n(order), phi(Eigen::all, order)};
+    const PlainMatrix by_momenta = triangle.matrixL().solve(B.transpose()).transpose();
+    const Eigen::JacobiSVD<PlainMatrix> modes(by_momenta, Eigen::ComputeFullV);
+    return {modes.singularValues().reverse(), triangle.matrixU().solve(modes.matrixV()).rowwise().reverse()};
 }
 
 double zero_between(const std::function<double(double)>& f, double from, double to) {

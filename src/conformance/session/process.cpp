@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <mutex>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -57,12 +58,13 @@ std::string end_of(int status) {
 
 [[noreturn]] void fail(int fault, const std::string& what) { throw std::system_error(fault, std::generic_category(), what); }
 
-// A pipe that no other program inherits.
+// A pipe that no other program inherits, if no thread starts one meanwhile.
 struct Pipe {
     std::array<int, 2> ends{};
 
     Pipe() {
-        if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail(errno, "pipe");
+        if (::pipe(ends.data()) != 0) fail(errno, "pipe");
+        for (const int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
     }
     ~Pipe() {
         for (const int end : ends)
@@ -150,6 +152,8 @@ Process::Process(const std::vector<std::string>& command) {
 #ifdef __linux__ // children that a program leaves behind come to this process to be waited for; else to the first one
     ::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);
 #endif
+    static std::mutex of_starts;
+    const std::lock_guard<std::mutex> hold(of_starts);
     Pipe in, out, faults;
     const pid_t runner = ::getpid();
     sigset_t all, before; // no signal reaches the child before it is the program: a handler of the runner's would run there

@@ -204,7 +204,8 @@ Conversation converse(const RunSettings& settings, std::span<const Vector* const
     Partner first = shake_hands(settings);
     const std::string name = first.name, dialect = first.dialect;
     Talk talk(settings, vectors, progress);
-    const std::size_t jobs = std::clamp<std::size_t>(settings.jobs, 1, std::max<std::size_t>(vectors.size(), 1));
+    const std::size_t jobs =
+        std::clamp<std::size_t>(static_cast<unsigned>(settings.jobs), 1, std::max<std::size_t>(vectors.size(), 1));
     parallel_for(jobs, static_cast<unsigned>(jobs), [&](std::size_t n) {
         talk.work(n == 0 ? std::move(first) : Partner{});
         return true;

@@ -107,7 +107,7 @@ inline constexpr double patience_at_start = 3;
 struct RunSettings {
     std::vector<std::string> command; // the program and its arguments
     double seconds = 10;              // time for an answer
-    unsigned jobs = 1;                // processes side by side
+    int jobs = 1;                     // processes side by side
     double total_seconds = 0;         // time for all answers, after which nothing more is asked; 0: no end
 };
 

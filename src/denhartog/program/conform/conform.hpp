@@ -26,20 +26,16 @@ struct SelectionOptions {
 };
 
 // Options of a run and of its records.
-struct ConformOptions : SelectionOptions {
-    std::vector<std::string> command; // program and arguments
-    std::string answers;              // file of answers, in place of a program
-    double seconds = 10;              // time for an answer
-    double total_seconds = 0;         // time for all answers; 0: no end
-    int jobs = 1;                     // processes side by side
-    std::vector<std::string> needed;  // quantities that must not be skipped
-    std::string method;               // by which the program answers
-    std::string track;                // file of verdicts
-    std::string repro;                // the one question to repeat
-    std::string format = "text";      // of the report
-    std::string output;               // file of the report; empty for standard output
-    bool verbose = false;             // every answer
-    bool strict = false;              // a status of its own where answers of other tiers than must are wrong
+struct ConformOptions : SelectionOptions, conformance::RunSettings {
+    std::string answers;             // file of answers, in place of a program
+    std::vector<std::string> needed; // quantities that must not be skipped
+    std::string method;              // by which the program answers
+    std::string track;               // file of verdicts
+    std::string repro;               // the one question to repeat
+    std::string format = "text";     // of the report
+    std::string output;              // file of the report; empty for standard output
+    bool verbose = false;            // every answer
+    bool strict = false;             // a status of its own where answers of other tiers than must are wrong
 };
 
 // Throws InputError for a name that is none of a quantity.

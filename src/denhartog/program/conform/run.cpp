@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "conformance/diagnosis/explanations.hpp"
 #include "conformance/verdict.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
@@ -22,8 +23,6 @@ namespace denhartog::program {
 namespace {
 
 using namespace conformance;
-
-using Json = nlohmann::ordered_json;
 
 Json optional_number(const std::optional<double>& x) { return x && std::isfinite(*x) ? Json(*x) : Json(); }
 
@@ -120,32 +119,25 @@ Json score_json(const Score& score) {
             {"worst_digits", optional_number(score.worst_digits)}};
 }
 
-std::string in_escapes(const std::string& word) {
-    std::string quoted = "$'";
+// A word as a shell takes it, in escapes where it has bytes that a terminal would obey.
+std::string shell_word(const std::string& word) {
+    const bool is_obeyed = word != legible(word, word.size() + 8);
+    const bool is_plain = word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                                 "0123456789_-+=./:,@%") == std::string::npos;
+    if (is_plain && !word.empty()) return word;
+    std::string quoted = is_obeyed ? "$'" : "'";
     for (const char c : word) {
-        char escaped[5] = {c, 0, 0, 0, 0};
-        if (c < ' ' || c > '~' || c == '\'' || c == '\\')
-            std::snprintf(escaped, sizeof escaped, "\\x%02X", static_cast<unsigned char>(c));
-        quoted += escaped;
+        char text[5] = {c, 0, 0, 0, 0};
+        if (is_obeyed && (c < ' ' || c > '~' || c == '\'' || c == '\\'))
+            std::snprintf(text, sizeof text, "\\x%02X", static_cast<unsigned char>(c));
+        quoted += !is_obeyed && c == '\'' ? "'\\''" : text;
     }
     return quoted + "'";
 }
 
-// Words as a shell takes them.
-std::string shell_text(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) {
-        if (word != legible(word, word.size() + 8)) { // bytes that a terminal would obey
-            text += (text.empty() ? "" : " ") + in_escapes(word);
-            continue;
-        }
-        const bool plain = !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                                   "0123456789_-+=./:,@%") == std::string::npos;
-        std::string quoted;
-        for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-        text += (text.empty() ? "" : " ") + (plain ? word : "'" + quoted + "'");
-    }
-    return text;
+std::string shell_text(std::vector<std::string> words) {
+    std::ranges::transform(words, words.begin(), shell_word);
+    return joined(words);
 }
 
 // The report as JSON (docs/conformance-output.md).
@@ -170,7 +162,7 @@ std::string report_json(const ConformReport& report) {
     return object.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-RunSettings run_settings(const ConformOptions& options) {
+void check(const RunSettings& options) {
     constexpr double longest_wait = 3600;
     constexpr double longest_run = 7 * 24 * 3600.0;
     constexpr int most_jobs = 256;
@@ -182,7 +174,6 @@ RunSettings run_settings(const ConformOptions& options) {
     if (!(options.total_seconds >= 0 && options.total_seconds <= longest_run))
         throw InputError("total-timeout", "must be from 0, which means no limit, to " + number_to_text(longest_run) + " seconds",
                          number_to_text(options.total_seconds));
-    return {options.command, options.seconds, static_cast<unsigned>(options.jobs), options.total_seconds};
 }
 
 std::string time_text(double seconds) {
@@ -296,19 +287,16 @@ void finish(ConformReport& report, const std::optional<Verdicts>& earlier, ExitS
 }
 
 // Asks some wrong questions again, each in a process of its own: what is answered otherwise then depends on the questions before.
-void note_what_is_kept(ConformReport& report, RunSettings settings) {
+void note_what_is_kept(ConformReport& report) {
     constexpr std::size_t most = 4;
     std::vector<const Judged*> wrong;
     for (const Judged& one : report.judged)
         if (is_wrong_value(one.verdict) && one.answered) wrong.push_back(&one);
-    settings.jobs = 1;
-    const std::size_t count = std::min(most, wrong.size());
-    for (std::size_t n = 0; n < count; ++n) {
-        const Judged& one = *wrong[n * wrong.size() / count + wrong.size() / (2 * count)];
-        const std::string& id = one.vector->question.id;
+    for (const Judged* one : spread(wrong, most)) {
+        const std::string& id = one->vector->question.id;
         try {
-            const Judged alone = converse(settings, {&one.vector, 1}, [](std::size_t) {}).judged.at(0);
-            if (!alone.answered || (alone.given.numbers == one.given.numbers && alone.given.word == one.given.word)) continue;
+            const Judged alone = converse(report.options, {&one->vector, 1}, [](std::size_t) {}).judged.at(0);
+            if (!alone.answered || alone.given == one->given) continue;
             report.notes.push_back(
                 "The program keeps something from question to question: asked alone, as --repro asks, it answers " + id +
                 " otherwise.");
@@ -336,17 +324,17 @@ std::string pipe_command(const ConformOptions& options, const std::string& line)
 } // namespace
 
 void conform_repro(const ConformOptions& options, ExitStatus& status) {
-    const RunSettings settings = run_settings(options);
+    check(options);
     const SolverMethod& method = method_named(options.method);
     const std::vector<Vector> all = read_vectors(options.vectors);
     Vector v = vector_named(options.repro, all);
     widen(v, method);
     const WithoutBrokenPipeSignal guard;
-    const Partner partner = shake_hands(settings);
+    const Partner partner = shake_hands(options);
     const std::string line = line_for(partner, v.question);
     write_standard_output("# with the runner\n" + runner_command(options, v) + "\n\n# as a bare pipe\n" +
                           pipe_command(options, line) + "\n\n# what came of it\n");
-    const Reply reply = partner.process->ask(line, settings.seconds);
+    const Reply reply = partner.process->ask(line, options.seconds);
     const bool answered = !reply.trouble;
     Judged judged;
     std::string told = reply.told + "\n";
@@ -364,19 +352,19 @@ void conform_repro(const ConformOptions& options, ExitStatus& status) {
 }
 
 void conform_run(const ConformOptions& options, ExitStatus& status) {
-    const RunSettings settings = run_settings(options);
+    check(options);
     require_quantities("need", options.needed);
     const std::vector<Vector> all = vectors_for(options);
     const std::vector<const Vector*> chosen = selected(options, all);
     const std::optional<Verdicts> earlier = earlier_verdicts(options);
     const Interruptible interruptible(interruption());
-    ConformReport report{converse(settings, chosen, [&](std::size_t done) { show_answered(done, chosen.size()); }), options};
+    ConformReport report{converse(options, chosen, [&](std::size_t done) { show_answered(done, chosen.size()); }), options};
     if (interruptible.caught() != 0) {
         status.signal = interruptible.caught();
         denhartog::program::report("interrupted: the report tells what was answered until then");
     }
     if (report.name.empty()) report.name = legible(options.command.front());
-    if (!report.broken && report.cut_short.empty()) note_what_is_kept(report, settings);
+    if (!report.broken && report.cut_short.empty()) note_what_is_kept(report);
     finish(report, earlier, status);
 }
 
@@ -403,9 +391,9 @@ void conform_grade(const ConformOptions& options, ExitStatus& status) {
 }
 
 void conform_smoke(const ConformOptions& options, ExitStatus& status) {
-    const RunSettings settings = run_settings(options);
+    check(options);
     const Interruptible interruptible(interruption());
-    const Smoke found = smoke(settings);
+    const Smoke found = smoke(options);
     if (interruptible.caught() != 0) {
         status.signal = interruptible.caught();
         return;

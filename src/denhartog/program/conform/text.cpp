@@ -231,37 +231,17 @@ std::string worst_rows(const ConformReport& report) {
     return "\n### Wrong answers\n\n" + table(rows);
 }
 
-std::string diagnosis_rows(const Diagnosis& d) {
-    if (d.wrong == 0) return "";
-    std::string text = "\n### Diagnosis\n\n";
-    for (const Finding& f : d.findings)
-        text +=
-            said("- **", markdown_cell(f.mistake.name), "**", of_equation(f.mistake), ": ", markdown_cell(f.mistake.told),
-                 " It explains ", f.explained, " of ", d.wrong, " wrong answers, for example ", f.example->vector->question.id,
-                 "; ", contradicted_by(f.contradicted), ". Look at ", markdown_cell(f.mistake.look_at), ".\n");
-    if (!d.unexplained.empty()) text += said("- Wrong answers that match no known mistake: ", d.unexplained.size(), ".\n");
-    if (const auto first = first_wrong(d.chain); first != d.chain.end())
-        text += said("  - The first wrong quantity along the chain is: ", markdown_cell(first->property), ", in ", first->wrong,
-                     " of ", first->asked, " answers.\n");
-    for (const Finding& f : d.simple)
-        text += said("  - A guess is: ", markdown_cell(f.mistake.told), ". It explains ", f.explained, " of them.\n");
-    for (const InCommon& one : d.in_common)
-        text += said("  - Of the first wrong quantity they have in common: ", markdown_cell(one.property), ", in ", one.wrong,
-                     " of ", one.all_wrong, ".\n");
-    return text;
+// Text under a heading, as it is.
+std::string quoted(const std::string& heading, const std::string& text) {
+    return text.empty() ? "" : "\n### " + heading + "\n\n```" + text + "```\n";
 }
 
 std::string escaped(const std::string& text) {
+    const std::map<char, std::string> entities{{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\n', "&#10;"}};
     std::string safe;
     for (const char c : text) {
-        switch (c) {
-        case '&': safe += "&amp;"; break;
-        case '<': safe += "&lt;"; break;
-        case '>': safe += "&gt;"; break;
-        case '"': safe += "&quot;"; break;
-        case '\n': safe += "&#10;"; break;
-        default: safe += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
-        }
+        const auto entity = entities.find(c);
+        safe += entity != entities.end() ? entity->second : std::string(1, static_cast<unsigned char>(c) < 0x20 ? '?' : c);
     }
     return safe;
 }
@@ -326,16 +306,11 @@ std::string report_text(const ConformReport& report) {
 
 std::string report_markdown(const ConformReport& report) {
     std::string text = "## " + markdown_cell(report.name) + "\n\nMethod: " + report.options.method + "\n\n" +
-                       table(score_cells(report, "worst digits", "0")) + worst_rows(report) + diagnosis_rows(report.diagnosis);
+                       table(score_cells(report, "worst digits", "0")) + worst_rows(report) +
+                       quoted("Diagnosis", diagnosis_text(report.diagnosis));
     if (!report.notes.empty()) text += "\n### Notes\n\n";
     for (const std::string& note : report.notes) text += "- " + markdown_cell(note) + "\n";
-    if (report.changes) {
-        const auto& [better, worse] = *report.changes;
-        text += "\n### Since the last run\n\n";
-        for (const auto& [way, changes] : {std::pair("worse", &worse), {"better", &better}})
-            for (const Change& c : *changes) text += said("- ", way, ": ", c.id, ", ", name(c.before), " to ", name(c.now), "\n");
-        if (worse.empty() && better.empty()) text += "Nothing changed.\n";
-    }
+    if (report.changes) text += quoted("Since the last run", changes_text(*report.changes, true));
     return text + "\n" + markdown_cell(conclusion(report)) + "\n";
 }
 
