@@ -16,8 +16,8 @@ Ball magnitude(const Number& x) { return root_of_positive(squared_modulus(x)); }
 
 Number load_on(const SceneInBalls& s, slong k) { return {s.p(k), s.p_i.rows() > 0 ? s.p_i(k) : Ball(0)}; }
 
-// A^-1 p and A^-1 w: the harmonic motions that the load and a unit force on the contact make by themselves, of the masses and then
-// of the contact.
+// A^-1 p and A^-1 w: the harmonic motions that the load and a unit force on the contact make by themselves, of the masses first
+// and then of the contact.
 struct HarmonicMotions {
     std::vector<Number> X_of_load, X_of_contact;
     Number g{X_of_load.back()}, h{X_of_contact.back()}; // of the contact: w^T A^-1 p and w^T A^-1 w
