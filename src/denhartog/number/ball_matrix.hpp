@@ -42,6 +42,16 @@ public:
         arb_mat_scalar_mul_arb(r.a, x.a, s.a, ball_bits);
         return r;
     }
+    friend BallMatrix operator/(const BallMatrix& x, const Ball& s) {
+        BallMatrix r(x.rows(), x.columns());
+        arb_mat_scalar_div_arb(r.a, x.a, s.a, ball_bits);
+        return r;
+    }
+    friend BallMatrix operator-(const BallMatrix& x) {
+        BallMatrix r(x.rows(), x.columns());
+        arb_mat_neg(r.a, x.a);
+        return r;
+    }
     friend BallMatrix operator+(const BallMatrix& x, const BallMatrix& y) {
         BallMatrix r(x.rows(), x.columns());
         arb_mat_add(r.a, x.a, y.a, ball_bits);
@@ -88,6 +98,12 @@ static_assert(sizeof(Ball) == sizeof(arb_struct), "an entry of a matrix is a bal
     for (slong i = 0; i < rows; ++i)
         for (slong k = 0; k < columns; ++k) r(i, k) = A(row + i, column + k);
     return r;
+}
+
+// Writes a matrix into a larger one, from a row and a column on.
+inline void put(BallMatrix& A, slong row, slong column, const BallMatrix& part) {
+    for (slong i = 0; i < part.rows(); ++i)
+        for (slong k = 0; k < part.columns(); ++k) A(row + i, column + k) = part(i, k);
 }
 
 // The midpoints, exact.

@@ -16,33 +16,19 @@ Ball magnitude(const Number& x) { return root_of_positive(squared_modulus(x)); }
 
 Number load_on(const SceneInBalls& s, slong k) { return {s.p(k), s.p_i.rows() > 0 ? s.p_i(k) : Ball(0)}; }
 
-// A^-1 p and A^-1 w: the harmonic motions that the load and a unit force on the contact make by themselves.
+// A^-1 p and A^-1 w: the harmonic motions that the load and a unit force on the contact make by themselves, of the masses first
+// and then of the contact.
 struct HarmonicMotions {
-    std::vector<Number> X_of_load{}, X_of_contact{};
-    Number g{}, h{}; // of the contact: w^T A^-1 p and w^T A^-1 w
+    std::vector<Number> X_of_load, X_of_contact;
+    Number g{X_of_load.back()}, h{X_of_contact.back()}; // of the contact: w^T A^-1 p and w^T A^-1 w
 
-    explicit HarmonicMotions(const SceneInBalls& s) {
-        const slong N = s.N();
-        BallMatrix b(2 * N, 2), x;
-        for (slong k = 0; k < N; ++k) {
-            b(k, 0) = load_on(s, k).re;
-            b(N + k, 0) = load_on(s, k).im;
-            b(k, 1) = s.w(k);
-        }
-        if (!solved(dynamic_stiffness(s, N), b, x)) throw Unproved("the system may resonate without friction");
-        g = h = {Ball(0), Ball(0)};
-        for (slong k = 0; k < N; ++k) {
-            X_of_load.push_back({x(k, 0), x(N + k, 0)});
-            X_of_contact.push_back({x(k, 1), x(N + k, 1)});
-            g = g + s.w(k) * X_of_load.back();
-            h = h + s.w(k) * X_of_contact.back();
-        }
-    }
+    explicit HarmonicMotions(const SceneInBalls& s)
+        : X_of_load(harmonic_response(s, s.p, s.p_i)), X_of_contact(harmonic_response(s, s.w)) {}
 
-    // X, with the first harmonic of friction.
+    // X of the masses, with the first harmonic of friction.
     [[nodiscard]] std::vector<Number> with(const Number& friction) const {
         std::vector<Number> X;
-        for (std::size_t k = 0; k < X_of_load.size(); ++k) X.push_back(X_of_load[k] - X_of_contact[k] * friction);
+        for (std::size_t k = 0; k + 1 < X_of_load.size(); ++k) X.push_back(X_of_load[k] - X_of_contact[k] * friction);
         return X;
     }
 

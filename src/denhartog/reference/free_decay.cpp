@@ -48,16 +48,11 @@ public:
     Decay(const SceneInBalls& scene, const BallMatrix& x, const BallMatrix& x_prime, const std::optional<Ball>& until, bool last)
         : speed_at_start_((transposed(scene.w) * x_prime)(0)), scene_(scene), s_(without_load(scene)), Z_(s_.n(), 1),
           until_(until), last_(last) {
-        for (slong k = 0; k < s_.N; ++k) {
-            Z_(k) = x(k);
-            Z_(s_.N + k) = x_prime(k) / s_.sigma;
-        }
+        put(Z_, 0, 0, x);
+        put(Z_, s_.N, 0, x_prime / s_.sigma);
         Z_(2 * s_.N + 2) = Ball(1);
-        BallMatrix load_of_places(s_.N, 1), load_of_rates(s_.N, 1);
-        for (slong k = 0; k < s_.N; ++k) {
-            load_of_places(k) = s_.load(0, k);
-            load_of_rates(k) = s_.load(0, s_.N + k) / s_.sigma;
-        }
+        const BallMatrix load_of_places = transposed(part_of(s_.load, 0, 0, 1, s_.N)),
+                         load_of_rates = transposed(part_of(s_.load, 0, s_.N, 1, s_.N)) / s_.sigma;
         mass_ = scene.M * (scene.r * scene.r);
         if (s_.N > 1) reach_ = largest_square(scene.K, scene.w, load_of_places) + largest_square(mass_, scene.w, load_of_rates);
         if (!solved(scene.K, scene.w, at_unit_force_)) throw Unproved("the stiffness matrix is not proved regular");
@@ -83,10 +78,8 @@ public:
                 direction = after_standstill();
                 order = 1;
             } else {
-                BallMatrix limit(1, s_.n());
-                limit(0, s_.n() - 1) = s_.holds;
                 const Ball at = (s_.place() * Z_)(0);
-                const int side = pass({limit - s_.load, limit + s_.load}, 0, 0);
+                const int side = pass({-s_.ending(0, 1), s_.ending(0, -1)}, 0, 0);
                 if (side == too_late) return std::move(out_);
                 if (side == rest_lasts) break;
                 hold_contact();
@@ -182,13 +175,7 @@ private:
     // Whether the contact, at rest, rests for good: proved, or not yet. A single mass always does.
     [[nodiscard]] bool rests_for_good() const {
         if (s_.N == 1) return true;
-        const slong N = s_.N;
-        const BallMatrix at = places();
-        BallMatrix y(N, 1), v(N, 1);
-        for (slong k = 0; k < N; ++k) {
-            y(k) = Z_(k) - at(k);
-            v(k) = Z_(N + k) * s_.sigma;
-        }
+        const BallMatrix y = part_of(Z_, 0, 0, s_.N, 1) - places(), v = part_of(Z_, s_.N, 0, s_.N, 1) * s_.sigma;
         const Ball twice_E = (transposed(y) * scene_.K * y)(0) + (transposed(v) * mass_ * v)(0);
         return abs((s_.place() * Z_)(0) / compliance_) + root_of_positive(reach_ * twice_E) < s_.holds;
     }

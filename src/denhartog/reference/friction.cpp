@@ -73,34 +73,11 @@ StateMatrix state_matrix(const SceneInBalls& s) {
     if (!solved(mass, s.K, stiffness) || !solved(mass, s.C * s.r, damping))
         throw Unproved("the mass matrix is not proved regular");
     if (!solved(s.K, s.w, at_rest)) throw Unproved("the stiffness matrix is not proved regular");
-    for (slong i = 0; i < N; ++i) {
-        m.A(i, N + i) = Ball(1);
-        m.rest(i) = at_rest(i);
-        for (slong k = 0; k < N; ++k) {
-            m.A(N + i, k) = -stiffness(i, k);
-            m.A(N + i, N + k) = -damping(i, k);
-        }
-    }
+    put(m.A, 0, N, unit_matrix(N));
+    put(m.A, N, 0, -stiffness);
+    put(m.A, N, N, -damping);
+    put(m.rest, 0, 0, at_rest);
     return m;
-}
-
-// The complex amplitudes of the masses under a harmonic force.
-std::vector<Complex<Ball>> harmonic_response(const SceneInBalls& s, const BallMatrix& force, const BallMatrix& imaginary) {
-    const slong N = s.N();
-    BallMatrix b(2 * N, 1), X;
-    for (slong i = 0; i < N; ++i) b(i) = force(i);
-    for (slong i = 0; i < imaginary.rows(); ++i) b(N + i) = imaginary(i);
-    if (!solved(dynamic_stiffness(s, N), b, X)) throw Unproved("the load may excite a resonance without damping");
-    std::vector<Complex<Ball>> out;
-    for (slong i = 0; i < N; ++i) out.push_back({X(i), X(N + i)});
-    return out;
-}
-
-Complex<Ball> at_contact(const SceneInBalls& s, const std::vector<Complex<Ball>>& X) {
-    Complex<Ball> sum{};
-    for (slong k = 0; k < s.N(); ++k)
-        if (!s.w(k).is_zero()) sum = sum + s.w(k) * X[k];
-    return sum;
 }
 
 // Number of times that A tau is halved until it is small.
@@ -180,6 +157,20 @@ void add_states(const SceneInBalls& s, const StateMatrix& m, FrictionInTime& f) 
 }
 
 } // namespace
+
+std::vector<Complex<Ball>> harmonic_response(const SceneInBalls& s, const BallMatrix& force, const BallMatrix& imaginary) {
+    const slong N = s.N();
+    BallMatrix b(2 * N, 1), X;
+    put(b, 0, 0, force);
+    put(b, N, 0, imaginary);
+    if (!solved(dynamic_stiffness(s, N), b, X)) throw Unproved("the load may excite a resonance without damping");
+    std::vector<Complex<Ball>> out;
+    for (slong i = 0; i < N; ++i) out.push_back({X(i), X(N + i)});
+    Complex<Ball>& contact = out.emplace_back();
+    for (slong k = 0; k < N; ++k)
+        if (!s.w(k).is_zero()) contact = contact + s.w(k) * out[k];
+    return out;
+}
 
 void FrictionInTime::widen(std::span<Ball> c, Ball off) const {
     for (std::size_t n = 0; n < c.size() && !off.is_zero(); ++n) {
@@ -353,8 +344,7 @@ ResponsesInBalls responses_of_state(const SceneInBalls& s) {
     ResponsesInBalls r;
     r.friction.effort = s.effort;
     r.V = harmonic_response(s, s.p, s.p_i);
-    r.V.push_back(at_contact(s, r.V));
-    r.Y = at_contact(s, harmonic_response(s, s.w, BallMatrix()));
+    r.Y = harmonic_response(s, s.w).back();
     const FreeMotions free(m.A, s.effort);
     if (free.are_simple())
         add_free_motions(s, free, m.rest, r.friction);

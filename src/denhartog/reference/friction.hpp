@@ -125,6 +125,12 @@ struct ResponsesInBalls {
 /// motions \f$ e^{\lambda\tau} \f$.
 [[nodiscard]] ResponsesInBalls responses_of_state(const SceneInBalls& scene);
 
+/// @brief Complex amplitudes under a harmonic force on each mass, without friction: of the masses, then of the contact. Of a
+/// force out of phase the imaginary part has as many rows.
+/// @throws Unproved if the system may resonate
+[[nodiscard]] std::vector<Complex<Ball>> harmonic_response(const SceneInBalls& scene, const BallMatrix& force,
+                                                           const BallMatrix& imaginary = BallMatrix());
+
 /// @brief Responses of one mass at r = R, which is a mode by itself: for modes whose damping may be critical.
 [[nodiscard]] ResponsesInBalls responses_of_one_mass(const Ball& R, const Ball& zeta, Effort* effort = nullptr);
 

@@ -150,8 +150,7 @@ BallMatrix across(const ProvedOrbit& orbit, slong i, const BallMatrix& D) {
     const BallMatrix row = s.ending(before, after), rate = s.phase(before) * Z, jump = rate - s.phase(after) * Z;
     const Ball falls = (row * rate)(0);
     if (falls.may_vanish()) throw Unproved("an event may be tangential");
-    BallMatrix later = part_of(row, 0, 0, 1, z) * D; // dt of each column
-    for (slong c = 0; c < D.columns(); ++c) later(0, c) = -later(0, c) / falls;
+    const BallMatrix later = -(part_of(row, 0, 0, 1, z) * D) / falls; // dt of each column
     return D + part_of(jump, 0, 0, z, 1) * later;
 }
 

@@ -61,7 +61,7 @@ OrbitResidual residual_at(const ContactMechanics& s, const OrbitUnknowns& o, con
                           ? s.after_sliding(r.Z.back(), length, kind)
                           : followed(s.phase(kind), r.Z.back(), length, along.leaps[i], along.leap[i], s.effort));
     }
-    for (slong i = 0; i < z; ++i) r.F(i) = o.u(i) - Ball(o.sign()) * r.Z.back()(i);
+    put(r.F, 0, 0, part_of(o.u, 0, 0, z, 1) - part_of(r.Z.back(), 0, 0, z, 1) * Ball(o.sign()));
     return r;
 }
 
@@ -207,21 +207,12 @@ private:
 } // namespace
 
 BallMatrix with_width(BallMatrix E, double part) {
-    mag_t width, each;
-    mag_init(width);
-    mag_init(each);
     for (slong c = 0; c < E.columns(); ++c) {
-        mag_zero(width);
-        for (slong k = 0; k < E.rows(); ++k) {
-            arb_get_mag(each, E(k, c).a);
-            mag_max(width, width, each);
-        }
-        mag_set_d(each, part * (1 + 1e-9));
-        mag_mul(width, width, each);
-        for (slong k = 0; k < E.rows(); ++k) arb_add_error_mag(E(k, c).a, width);
+        Ball largest(0);
+        for (slong k = 0; k < E.rows(); ++k) largest = larger(largest, upper_bound_of(abs(E(k, c))));
+        const Ball width = upper_bound_of(largest * Ball(part * (1 + 1e-9)));
+        for (slong k = 0; k < E.rows(); ++k) E(k, c) = widened(E(k, c), width);
     }
-    mag_clear(width);
-    mag_clear(each);
     return E;
 }
 
@@ -233,7 +224,7 @@ Ball OrbitUnknowns::instant(slong i) const { return i < m() ? u(states() + i) : 
 
 BallMatrix OrbitUnknowns::start() const {
     BallMatrix Z(states() + 3, 1);
-    for (slong i = 0; i < states(); ++i) Z(i) = u(i);
+    put(Z, 0, 0, part_of(u, 0, 0, states(), 1));
     Z(states()) = cos(instant(0));
     Z(states() + 1) = sin(instant(0));
     Z(states() + 2) = Ball(1);
@@ -252,7 +243,7 @@ ExponentialSeries::ExponentialSeries(const BallMatrix& B, const BallMatrix& y, E
     terms_ = BallMatrix(n, last + 1);
     over_factorials_ = BallMatrix(1, last + 1);
     over_factorials_(0, 0) = Ball(1);
-    for (slong i = 0; i < n; ++i) terms_(i, 0) = y(i);
+    put(terms_, 0, 0, y);
     for (slong k = 1; k <= last; ++k) {
         sparse.times_column(terms_, k - 1, terms_, k);
         over_factorials_(0, k) = over_factorials_(0, k - 1) / Ball(k);
@@ -321,11 +312,8 @@ BallMatrix followed(const BallMatrix& A, const BallMatrix& Z, const Ball& length
                 mag_addmul(arb_radref(next(i).a), size, arb_radref(node(k).a));
             }
         if (series != nullptr) { // within the leap a bound has to do: |exp(B theta)| <= exp(|B|)
-            Ball radius(0), each;
-            for (slong k = 0; k < n; ++k) {
-                arf_set_mag(arb_midref(each.a), arb_radref(node(k).a));
-                radius = larger(radius, each);
-            }
+            Ball radius(0);
+            for (slong k = 0; k < n; ++k) radius = larger(radius, radius_of(node(k)));
             s.widen(upper_bound_of(radius * exp(Ball(norm(B)))));
             series->push_back(std::move(s));
         }
@@ -352,15 +340,14 @@ Linearised linearised(const ContactMechanics& s, const OrbitUnknowns& box) {
     if (!r.fast && all_leaps > most_leaps)
         throw Unproved("free motions are not told apart, and too fast to be followed otherwise");
     BallMatrix Z = rounded(box.start()), D(n, z + m);
-    for (slong i = 0; i < z; ++i) D(i, i) = Ball(1);
+    put(D, 0, 0, unit_matrix(z));
     D(z, z) = -Z(z + 1);
     D(z + 1, z) = Z(z);
     for (slong i = 0;; ++i) {
         r.D.push_back(D);
         if (i == m) break;
         const int kind = box.direction(i + 1);
-        const BallMatrix slope = s.ending(box.direction(i), kind) * D;
-        for (slong c = 0; c < z + m; ++c) r.J(z + i, c) = slope(0, c);
+        put(r.J, z + i, 0, s.ending(box.direction(i), kind) * D);
         const Ball h = box.length(i + 1), middle_h = middle(h);
         const BallMatrix A = rounded(s.phase(kind));
         // Never exponentiate a wide ball: exp(A (h + d)) is off exp(A h), column by column, by at most exp(|A d|) - 1 of the
@@ -386,9 +373,9 @@ Linearised linearised(const ContactMechanics& s, const OrbitUnknowns& box) {
             D(k, z + i) -= rate(k);
         }
     }
-    const Ball sign(box.sign()); // what comes back is what began
-    for (slong i = 0; i < z; ++i)
-        for (slong c = 0; c < z + m; ++c) r.J(i, c) = Ball(i == c ? 1 : 0) - sign * D(i, c);
+    BallMatrix begun(z, z + m);
+    put(begun, 0, 0, unit_matrix(z));
+    put(r.J, 0, 0, begun - part_of(D, 0, 0, z, z + m) * Ball(box.sign())); // what comes back is what began
     return r;
 }
 

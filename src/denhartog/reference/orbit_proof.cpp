@@ -21,31 +21,27 @@ constexpr double narrow_peak = 1e-4;     // of a stretch, where Newton's method 
 constexpr double narrowest_peak = 1e-12; // where it takes over in any case
 constexpr int most_newton_steps = 20;    // each doubles the digits
 
-// A displacement that may be the largest in size.
-struct PeakCandidate {
-    Ball size, lag;
-};
-
-PeakCandidate candidate(const Ball& x, const Ball& instant) {
+// A displacement that may be the largest in size; it has a phase.
+PeakInBalls candidate(const Ball& x, const Ball& instant) {
     const Ball pi = PiOf<Ball>::value();
     if (x.may_vanish()) return {abs(x), widened(Ball(0), pi)};
     return {abs(x), wrapped_in_balls(x < Ball(0) ? instant + pi : instant)};
 }
 
 // Of several that may be equal any may be the largest.
-PeakInBalls largest_of(const std::vector<PeakCandidate>& all) {
+PeakInBalls largest_of(const std::vector<PeakInBalls>& all) {
     if (all.empty()) throw Unproved("no largest displacement was found");
     Ball largest = all.front().size;
-    for (const PeakCandidate& each : all) largest = larger(largest, each.size);
+    for (const PeakInBalls& each : all) largest = larger(largest, each.size);
     const Ball pi = PiOf<Ball>::value();
     std::optional<Ball> lag;
     Ball first;
-    for (const PeakCandidate& each : all) {
+    for (const PeakInBalls& each : all) {
         if (each.size < largest) continue;
-        if (!lag) first = each.lag;
+        if (!lag) first = *each.phase;
         // The other's lag within half a turn of the first one's.
-        const double turns = std::round(static_cast<double>(each.lag - first) / (2 * static_cast<double>(pi)));
-        const Ball beside = each.lag - Ball(2) * Ball(turns) * pi;
+        const double turns = std::round(static_cast<double>(*each.phase - first) / (2 * static_cast<double>(pi)));
+        const Ball beside = *each.phase - Ball(2) * Ball(turns) * pi;
         lag = lag ? either(*lag, beside) : beside;
     }
     return {largest, lag};
@@ -81,13 +77,13 @@ public:
         : orbit_(orbit), phases_(phases), row_(std::move(row)), unit_of_rate_(std::move(unit_of_rate)) {}
 
     // The candidates are places that the search does not see, as those where the rate jumps.
-    PeakInBalls largest(std::vector<PeakCandidate> candidates = {}) {
-        for (const PeakCandidate& each : candidates) best_ = std::max(best_, each.size.low());
+    PeakInBalls largest(std::vector<PeakInBalls> candidates = {}) {
+        for (const PeakInBalls& each : candidates) best_ = std::max(best_, each.size.low());
         std::vector<PlaceOfPeak> places = narrowed();
         // Neighbours are one place; if they are too many the displacement hardly changes.
         std::erase_if(places, [&](const PlaceOfPeak& p) { return p.upper < best_; });
         for (const PlaceOfPeak& place : places)
-            if (std::optional<PeakCandidate> found = at(place)) candidates.push_back(std::move(*found));
+            if (std::optional<PeakInBalls> found = at(place)) candidates.push_back(std::move(*found));
         return largest_of(candidates);
     }
 
@@ -136,12 +132,11 @@ private:
     }
 
     // The zero of the velocity in a place; none if there is none.
-    std::optional<PeakCandidate> at(const PlaceOfPeak& p) const {
+    std::optional<PeakInBalls> at(const PlaceOfPeak& p) const {
         const PhaseInStretches& phase = phases_[p.phase];
         const auto stretch = static_cast<slong>(p.curve);
         const CurveInBalls& c = curves_[p.phase][p.curve];
-        BallMatrix rate = row_ * orbit_.s.phase(orbit_.at.direction(static_cast<slong>(p.phase) + 1));
-        arb_mat_scalar_div_arb(rate.a, rate.a, unit_of_rate_.a, ball_bits);
+        const BallMatrix rate = row_ * orbit_.s.phase(orbit_.at.direction(static_cast<slong>(p.phase) + 1)) / unit_of_rate_;
         const CurveInBalls v = phase.curve(stretch, rate);
         Ball X = Ball::within(p.a, p.b);
         pay(orbit_.s.effort, cost_of_ball_products(500));
@@ -156,9 +151,8 @@ private:
         const Ball part = (Ball(static_cast<int>(stretch)) + X) / Ball(static_cast<int>(phase.count()));
         // Next to the extremum the displacement hardly changes: that at a middle, and no more than the speed over the rest.
         const Ball x = phase.number(stretch, row_, middle(X));
-        Ball apart;
-        arf_set_mag(arb_midref(apart.a), arb_radref(X.a));
-        return candidate(widened(x, abs(derivative(c, 1, X)) * apart), orbit_.at.instant(i) + orbit_.at.length(i + 1) * part);
+        return candidate(widened(x, abs(derivative(c, 1, X)) * radius_of(X)),
+                         orbit_.at.instant(i) + orbit_.at.length(i + 1) * part);
     }
 
     const ProvedOrbit& orbit_;
@@ -276,8 +270,6 @@ std::vector<PhaseInStretches> in_stretches(const ProvedOrbit& orbit, slong few) 
 
 void require_friction(const ProvedOrbit& orbit, const std::vector<PhaseInStretches>& phases) {
     const ContactMechanics& s = orbit.s;
-    BallMatrix limit(1, s.n());
-    limit(0, s.n() - 1) = s.holds;
     const auto require = [&](const PhaseInStretches& phase, const BallMatrix& row, const EndsOfCurve& ends, const char* what) {
         for (slong k = 0; k < phase.count(); ++k)
             require_positive(phase.curve(k, row), {k == 0 ? ends.order : 0, ends.vanishes && k == phase.count() - 1}, what);
@@ -286,8 +278,8 @@ void require_friction(const ProvedOrbit& orbit, const std::vector<PhaseInStretch
         const PhaseInStretches& phase = phases[i - 1];
         const int before = orbit.at.direction(i - 1), here = orbit.at.direction(i), after = orbit.at.direction(i + 1);
         if (here == 0) {
-            require(phase, limit - s.load * Ball(after), {0, true}, "it slips earlier");
-            require(phase, limit + s.load * Ball(after), {0, false}, "it slips to the other side");
+            require(phase, s.ending(0, after) * Ball(-after), {0, true}, "it slips earlier");
+            require(phase, s.ending(0, -after) * Ball(after), {0, false}, "it slips to the other side");
             continue;
         }
         if (before != 0) {
@@ -302,7 +294,7 @@ void require_friction(const ProvedOrbit& orbit, const std::vector<PhaseInStretch
 
 PeakInBalls peak_of_contact(const ProvedOrbit& orbit) {
     const BallMatrix place = orbit.s.place();
-    std::vector<PeakCandidate> candidates;
+    std::vector<PeakInBalls> candidates;
     for (slong i = 0; i < orbit.at.m(); ++i) {
         if (orbit.at.direction(i) == 0) continue;
         candidates.push_back(candidate((place * orbit.Z[i])(0), orbit.at.instant(i)));
@@ -319,7 +311,7 @@ PeakInBalls peak_of_mass(const ProvedOrbit& orbit, const std::vector<PhaseInStre
 }
 
 Ball largest_of_row(const ProvedOrbit& orbit, const std::vector<PhaseInStretches>& phases, const BallMatrix& row) {
-    std::vector<PeakCandidate> at_events;
+    std::vector<PeakInBalls> at_events;
     for (slong i = 0; i < orbit.at.m(); ++i) at_events.push_back(candidate((row * orbit.Z[i])(0), orbit.at.instant(i)));
     return PeakSearch(orbit, phases, row, Ball(1)).largest(std::move(at_events)).size;
 }

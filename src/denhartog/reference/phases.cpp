@@ -14,7 +14,7 @@ namespace {
 
 BallMatrix row_of(const BallMatrix& w, slong from, slong length) {
     BallMatrix row(1, length);
-    for (slong i = 0; i < w.rows(); ++i) row(0, from + i) = w(i);
+    put(row, 0, from, transposed(w));
     return row;
 }
 
@@ -48,18 +48,6 @@ void add_free_motion(const ComplexBall& lambda, const Ball& tau, std::vector<Ser
 
 constexpr slong inputs_count = 4;
 
-// (lambda - B)^-1 g by free motions, where lambda is i for what turns with the force, and 0 for what is constant.
-std::vector<ComplexBall> divided(std::vector<ComplexBall> shares, const FreeMotions& free, bool turns) {
-    for (std::size_t i = 0; i < shares.size(); ++i) {
-        ComplexBall apart;
-        if (turns) acb_onei(apart.a);
-        acb_sub(apart.a, apart.a, free.lambda(i).a, ball_bits);
-        acb_div(shares[i].a, shares[i].a, apart.a, ball_bits);
-        if (acb_is_finite(shares[i].a) == 0) throw Unproved("the force may excite a resonance without damping");
-    }
-    return shares;
-}
-
 } // namespace
 
 ContactMechanics::ContactMechanics(const SceneInBalls& scene)
@@ -73,19 +61,16 @@ ContactMechanics::ContactMechanics(const SceneInBalls& scene)
     push = inverse * w * (Ball(1) / sigma);
     for (slong i = 0; i < N; ++i) {
         free(i, N + i) = sigma;
-        free(N + i, 2 * N) = force(i) / sigma;
-        if (scene.p_i.rows() > 0) free(N + i, 2 * N + 1) = -(ahead(i) / sigma);
-        for (slong k = 0; k < N; ++k) {
-            free(N + i, k) = -(stiffness(i, k) / sigma);
-            free(N + i, N + k) = -damping(i, k);
-        }
         if (abs(w(i)) > abs(w(lead))) lead = i;
     }
+    put(free, N, 0, -(stiffness / sigma));
+    put(free, N, N, -damping);
+    put(free, N, 2 * N, force / sigma);
+    put(free, N, 2 * N + 1, -(ahead / sigma));
     free(2 * N, 2 * N + 1) = Ball(-1);
     free(2 * N + 1, 2 * N) = Ball(1);
     find_sliding(scene);
-    const BallMatrix along = row_of(w, N, n());
-    load = along * free * (Ball(1) / (transposed(w) * push)(0));
+    load = speed() * free * (Ball(1) / (transposed(w) * push)(0));
     stuck = free;
     for (slong i = 0; i < N; ++i)
         for (slong c = 0; c < n(); ++c)
@@ -98,7 +83,7 @@ ContactMechanics::ContactMechanics(const SceneInBalls& scene)
 BallMatrix ContactMechanics::phase(int direction) const {
     if (direction == 0) return stuck;
     BallMatrix A = free;
-    for (slong i = 0; i < N; ++i) A(N + i, 2 * N + 2) = Ball(-direction) * beta * push(i);
+    put(A, N, 2 * N + 2, push * (Ball(-direction) * beta));
     return A;
 }
 
@@ -149,12 +134,8 @@ BallMatrix ContactMechanics::after_sliding(const BallMatrix& Z, const Ball& leng
             v(i, c) = d_prime * from - then.im + q_prime * rate;
         }
     }
-    const BallMatrix places = shapes * x, speeds = shapes * v * (1 / sigma);
-    for (slong c = 0; c < columns; ++c)
-        for (slong k = 0; k < N; ++k) {
-            later(k, c) = places(k, c);
-            later(N + k, c) = speeds(k, c);
-        }
+    put(later, 0, 0, shapes * x);
+    put(later, N, 0, shapes * v * (1 / sigma));
     return later;
 }
 
@@ -235,44 +216,30 @@ FastPhases::FastPhases(const ContactMechanics& s, int direction) : N_(s.N), lead
     for (slong k = 0; k < 2 * N_; ++k)
         if (slides_ || (k != lead_ && k != N_ + lead_)) place_.push_back(k);
     const auto K = static_cast<slong>(place_.size());
-    BallMatrix B(K, K), G(K, inputs_count), row(1, s.n());
+    BallMatrix B(K, K), G(K, inputs_count);
     for (slong i = 0; i < K; ++i) {
-        for (slong c = 0; c < s.n(); ++c) row(0, c) = A(place_[i], c);
-        const OverCoordinates parts = taken_apart(row);
-        for (slong k = 0; k < K; ++k) B(i, k) = parts.y(0, k);
-        for (slong c = 0; c < inputs_count; ++c) G(i, c) = parts.u(0, c);
+        const OverCoordinates parts = taken_apart(part_of(A, place_[i], 0, 1, s.n()));
+        put(B, i, 0, parts.y);
+        put(G, i, 0, parts.u);
     }
     forced_ = BallMatrix(K, inputs_count);
     free_ = std::make_unique<FreeMotions>(B, s.effort);
     if (K == 0) return;
     if (!free_->are_simple()) throw Unproved("free motions are not told apart");
     in_time_ = free_->in_time();
-    const auto shares_of_input = [&](slong c) {
-        BallMatrix g(K, 1);
-        for (slong i = 0; i < K; ++i) g(i) = G(i, c);
-        return free_->shares_of(g);
-    };
-    // G_c cos + G_s sin is the real part of (G_c - i G_s) e^(i tau)
-    std::vector<ComplexBall> turning = shares_of_input(0);
-    const std::vector<ComplexBall> shares_of_sine = shares_of_input(1);
-    for (std::size_t i = 0; i < turning.size(); ++i) {
-        ComplexBall turned;
-        acb_div_onei(turned.a, shares_of_sine[i].a);
-        acb_add(turning[i].a, turning[i].a, turned.a, ball_bits);
-    }
-    turning = divided(std::move(turning), *free_, true);
-    const std::vector<ComplexBall> one = divided(shares_of_input(2), *free_, false),
-                                   rest = divided(shares_of_input(3), *free_, false);
-    std::vector<ComplexBall> turned = turning; // Re(H e^(i tau)) = Re H cos + Re(i H) sin
-    for (ComplexBall& each : turned) acb_mul_onei(each.a, each.a);
-    const auto set = [&](slong column, const std::vector<ComplexBall>& shares) {
-        const BallMatrix y = free_->state(shares, Ball(0));
-        for (slong k = 0; k < K; ++k) forced_(k, column) = y(k);
-    };
-    set(0, turning);
-    set(1, turned);
-    set(2, one);
-    set(3, rest);
+    // y = C cos + S sin obeys y' = B y + G_c cos + G_s sin if B C - S = -G_c and B S + C = -G_s.
+    BallMatrix both(2 * K, 2 * K), force(2 * K, 1), turning, constant;
+    put(both, 0, 0, B);
+    put(both, K, K, B);
+    put(both, K, 0, unit_matrix(K));
+    put(both, 0, K, -unit_matrix(K));
+    put(force, 0, 0, -part_of(G, 0, 0, K, 1));
+    put(force, K, 0, -part_of(G, 0, 1, K, 1));
+    if (!solved(both, force, turning) || !solved(B, -part_of(G, 0, 2, K, 2), constant))
+        throw Unproved("the force may excite a resonance without damping");
+    put(forced_, 0, 0, part_of(turning, 0, 0, K, 1));
+    put(forced_, 0, 1, part_of(turning, K, 0, K, 1));
+    put(forced_, 0, 2, constant);
 }
 
 FastPhases::OverCoordinates FastPhases::taken_apart(const BallMatrix& row) const {
@@ -331,8 +298,7 @@ BallMatrix FastPhases::propagator(const Ball& length) const {
     for (slong c = 0; c < n; ++c) {
         BallMatrix unit(n, 1);
         unit(c) = Ball(1);
-        const BallMatrix later = state(unit, length);
-        for (slong k = 0; k < n; ++k) E(k, c) = later(k);
+        put(E, 0, c, state(unit, length));
     }
     return E;
 }

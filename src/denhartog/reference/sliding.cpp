@@ -200,10 +200,11 @@ std::optional<StuckInBalls> stuck_in_balls(const SceneInBalls& s) {
     // (K - M + i C) X + w f = p, w^T X = 0 in real parts and imaginary parts: unknown are X and the force f
     const slong N = s.N(), n = N + 1;
     BallMatrix A = dynamic_stiffness(s, n), b(2 * n, 1), x, at_rest;
-    for (slong i = 0; i < N; ++i) {
-        b(i) = s.p(i);
-        if (s.p_i.rows() > 0) b(n + i) = s.p_i(i);
-        A(i, N) = A(N, i) = A(n + i, n + N) = A(n + N, n + i) = s.w(i);
+    put(b, 0, 0, s.p);
+    put(b, n, 0, s.p_i);
+    for (const slong half : {slong(0), n}) {
+        put(A, half, half + N, s.w);
+        put(A, half + N, half, transposed(s.w));
     }
     if (!solved(A, b, x)) return std::nullopt;
     if (!solved(s.K, s.w, at_rest)) throw Unproved("the stiffness matrix is not proved regular");

@@ -110,16 +110,10 @@ struct InHalfPeriod {
     bool mirrored = false;
 
     explicit InHalfPeriod(const Ball& instant) {
-        const Ball halves = instant / pi<Ball>();
         Ball whole;
-        arb_floor(whole.a, halves.a, ball_bits);
-        fmpz_t n;
-        fmpz_init(n);
-        const bool certain = arb_get_unique_fmpz(n, whole.a) != 0;
-        mirrored = fmpz_is_odd(n) != 0;
-        arb_set_fmpz(whole.a, n);
-        fmpz_clear(n);
-        if (!certain) throw Unproved(Why::may_be_half_period);
+        arb_floor(whole.a, Ball(instant / pi<Ball>()).a, ball_bits);
+        if (arb_is_exact(whole.a) == 0) throw Unproved(Why::may_be_half_period);
+        mirrored = arb_is_int(Ball(whole * power_of_two(-1)).a) == 0;
         tau = instant - whole * pi<Ball>();
     }
 };
