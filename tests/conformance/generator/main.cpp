@@ -17,15 +17,19 @@ int write(const std::string& folder, const std::set<std::string>& groups) {
     if (!groups.empty()) // the others stay as they are
         for (denhartog::conformance::Vector& v : denhartog::conformance::read_vectors(folder))
             if (groups.count(v.group) == 0) all.vectors.push_back(std::move(v));
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) // groups that are no more
-        if (entry.path().extension() == ".jsonl") std::filesystem::remove(entry.path());
+    const auto files = files_of(all.vectors, schema);
     std::size_t size = 0;
-    for (const auto& [name, bytes] : files_of(all.vectors, schema)) {
-        std::ofstream stream(std::filesystem::path(folder) / name, std::ios::binary);
+    for (const auto& [name, bytes] : files) { // the questions stand nowhere else: no file goes before the new ones are complete
+        std::ofstream stream(std::filesystem::path(folder) / (name + ".part"), std::ios::binary);
         stream << bytes;
         if (!stream.flush()) throw denhartog::InputError("file", "must be writable", name);
         size += bytes.size();
     }
+    for (const auto& [name, bytes] : files)
+        std::filesystem::rename(std::filesystem::path(folder) / (name + ".part"), std::filesystem::path(folder) / name);
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) // groups that are no more
+        if (entry.path().extension() == ".jsonl" && files.count(entry.path().filename().string()) == 0)
+            std::filesystem::remove(entry.path());
     for (const Refusal& r : all.refusals) std::cout << "no vector " << r.id << ": " << r.why << '\n';
     std::cout << all.vectors.size() << " vectors, " << size << " bytes; the routes agree on at least " << all.least[0]
               << " of 50 and " << all.least[1] << " of 100 digits\n";
