@@ -214,17 +214,6 @@ std::vector<const Judged*> in_first_link(const std::vector<const Judged*>& wrong
 
 } // namespace
 
-bool agrees(const Vector& v, const Value& given, const Value& mistaken, double near) {
-    if (!given.word.empty() || !mistaken.word.empty()) return given.word == mistaken.word;
-    if (given.numbers.size() != mistaken.numbers.size()) return false;
-    const Quantity& asked = quantity(v.question.quantity);
-    const double apart = difference(asked, given.numbers, mistaken.numbers).size;
-    const double size = asked.angle ? 1 : size_of(mistaken.numbers);
-    if (!(apart <= near * (size > 0 ? size : v.scale))) return false;
-    if (given.numbers.size() != v.nearest.size()) return true;
-    return apart <= nearer_than_truth * difference(asked, given.numbers, v.nearest).size;
-}
-
 Diagnosis diagnose(std::span<Judged> judged, std::span<const Mistake> known, const Thresholds& least, bool guess) {
     Diagnosis diagnosis;
     std::vector<std::size_t> left;

@@ -12,7 +12,7 @@
 #include <numbers>
 #include <tuple>
 
-#include "conformance/diagnosis/explanations.hpp"
+#include "conformance/mistakes/mistake.hpp"
 #include "conformance/plain/closed_form.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
@@ -22,7 +22,7 @@
 namespace denhartog::conformance {
 namespace {
 
-// An answer agrees with the closed form beyond its boundary where it is so near, relative to the closed form's size.
+// An answer that is so near the closed form beyond its boundary, relative to that, and nearer to it than to the truth, is it.
 constexpr double agreement = 1e-6;
 
 std::string numbers_in_words(std::size_t count) { return count == 1 ? "1 number" : std::to_string(count) + " numbers"; }
@@ -170,6 +170,17 @@ Difference difference(const Quantity& asked, const std::vector<double>& given, c
         const double apart = given[n] - reference[n];
         return std::abs(round_the_circle(asked, given[n]) ? std::remainder(apart, 2 * std::numbers::pi) : apart);
     });
+}
+
+bool agrees(const Vector& v, const Value& given, const Value& other, double near) {
+    if (!given.word.empty() || !other.word.empty()) return given.word == other.word;
+    if (given.numbers.size() != other.numbers.size()) return false;
+    const Quantity& asked = quantity(v.question.quantity);
+    const double apart = difference(asked, given.numbers, other.numbers).size;
+    const double size = asked.angle ? 1 : size_of(other.numbers);
+    if (!(apart <= near * (size > 0 ? size : v.scale))) return false;
+    if (given.numbers.size() != v.nearest.size()) return true;
+    return apart <= nearer_than_truth * difference(asked, given.numbers, v.nearest).size;
 }
 
 Judged grade(const Vector& v, const Answer& answer) {

@@ -1,4 +1,4 @@
-// Bounds and tolerances that no answer shows by itself, each at the number where it decides.
+// Bounds and tolerances inside the library that no answer shows by itself.
 #include <cmath>
 #include <limits>
 
@@ -12,7 +12,7 @@
 
 using namespace denhartog;
 
-TEST_CASE("an instant that is moved into the half-period has the way as part of its bound", "[sliding][bounds]") {
+TEST_CASE("the distance by which an instant is moved into the half-period is part of its bound", "[sliding][bounds]") {
     const double beyond = 0x1p-20, error = 0x1p-40;
     const Bounded<double> before = in_half_period(Bounded<double>(-beyond, error)), inside = in_half_period({1.0, error}),
                           after = in_half_period(Bounded<double>(pi<double>() + beyond, error));
@@ -25,14 +25,14 @@ TEST_CASE("an instant that is moved into the half-period has the way as part of 
 }
 
 TEST_CASE("a coupling of a mode without damping is measured beside the rounding of damping", "[model][bounds]") {
-    const double rounding = rounding_of_modes(2) * 8;
-    const auto coupled_by = [](double d) { return Matrix<double>{{0, d}, {d, 8}}; };
+    const double most = 8, rounding = rounding_of_modes(2) * most; // of a matrix with this largest entry
+    const auto coupled_by = [most](double d) { return Matrix<double>{{0, d}, {d, most}}; };
     CHECK(largest_coupling(coupled_by(rounding / 2)) == 0.5);
     CHECK(largest_coupling(coupled_by(rounding / 2), 2 * rounding) == 0.25);
     CHECK(largest_coupling(Matrix<double>{{2, 1}, {1, 8}}) == 0.25);
 }
 
-TEST_CASE("a damping matrix with eigenvalues of zero damps, however many masses there are", "[model][bounds]") {
+TEST_CASE("a damping matrix with eigenvalues of zero is accepted, however many masses there are", "[model][bounds]") {
     for (const int N : {2, 12, 24, 48}) {
         System<double> s =
             chain_of(std::vector<double>(static_cast<std::size_t>(N), 1), std::vector<double>(static_cast<std::size_t>(N), 1));
@@ -45,7 +45,8 @@ TEST_CASE("a damping matrix with eigenvalues of zero damps, however many masses 
     }
 }
 
-TEST_CASE("where the work for a maximum is spent it is told by how much more a mass may move", "[exact-solver][bounds]") {
+TEST_CASE("if the work runs out in the search for a maximum, its entry says by how much the mass may move further",
+          "[exact-solver][bounds]") {
     const ContactSystem system = contact_system(chain_of({1, 2.5, 0.75}, {1, 0.625, 1.875}, {0.03, 0.06, 0.09}, 2, 1));
     ExactSolver solver(system, {0.05, 0.4, 1.25});
     (void)solver.run(at_rest(3), 0.0, 2 * pi<double>());

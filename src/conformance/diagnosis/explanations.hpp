@@ -22,9 +22,6 @@ namespace denhartog::conformance {
 // The quantities of wrong answers, most wrong ones first.
 [[nodiscard]] std::vector<InCommon> by_quantity(std::span<const Judged* const> wrong, std::span<const Judged> judged);
 
-// Whether an answer is that of a mistake, to a relative distance, and much nearer to it than to the truth.
-[[nodiscard]] bool agrees(const Vector& v, const Value& given, const Value& mistaken, double near);
-
 // Simple explanations: a factor or an offset in the answers, another value of one input, a chain read from its other end. Those
 // with a number fit a wrong answer; the diagnosis weighs all as it weighs known mistakes.
 [[nodiscard]] std::vector<Mistake> guesses_at(std::span<const Judged* const> wrong);

@@ -114,7 +114,7 @@ Mistake read_as(std::string told, std::function<void(ProtocolQuestion&)> change)
             })};
 }
 
-// Whether a guess gives half of some answers. Most guesses do not, and need no further look.
+// Whether a guess gives at least half of some answers. Most guesses do not, and need no further look.
 bool fits_some(const Mistake& guess, std::span<const Judged* const> answers) {
     const auto fitting = std::ranges::count_if(answers, [&](const Judged* one) {
         const std::optional<Value> value = guess.answer(one->vector->question);

@@ -195,7 +195,7 @@ std::vector<Mistake> mistakes_of_output() {
          "The amplitude of a mass is taken as its displacement at the maximum of the contact.",
          "how the maximum of (46) over tau is found", by_itself(at_contact_maximum)},
         // Solvers of the motion.
-        {"transient", "", // the period is found from the answers by `fitted_to`
+        {"transient", "", // in the tenth period, until the answers tell `fitted_transient` which
          "The motion is read off before the transient has decayed.",
          "how many periods are integrated from rest; go on until two in a row agree", read_off_in(10), no_core, of_steps_in_time},
         {"sliding-beyond-the-boundary", "69", "The closed form is used where the contact stops: (69) is not asked.",

@@ -107,8 +107,8 @@ Phasor response_of_part(const ProtocolQuestion& q, const PlainSystem& s, Index f
     return solved(part(s.dynamic_stiffness()), s.r * C, PlainVector::Unit(n, load), PlainVector::Zero(n))[mass];
 }
 
-// Largest displacement of a mass over the half-period, behind its instant: of the contact where it turns, of the others where
-// they do.
+// The instant and the displacement of a mass where that is largest in size over the half-period: the contact turns there, the
+// others too.
 std::pair<double, double> largest_displacement(const PlainModes& m, const Choices& c, Index k) {
     if (k == m.j) return {0, turn_of(m, k).root - m.beta * m.G[k]};
     const int steps = plain_steps(m);

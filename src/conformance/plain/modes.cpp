@@ -21,10 +21,10 @@ double exp(double x) { return elementary::exp(x); }
 
 double square(double x) { return x * x; }
 
-// What (A.8) has with tau / R = t, for any damping ratio, and keeps all digits.
+// The functions of (A.8) at tau / R = t to all their digits, for any damping ratio.
 struct ModeDecay {
     double lost, q; // 1 - d, and q
-    double damped;  // 1 - exp(-2 zeta t) - 2 zeta q: over the half-period the numerator of (29); 0 where the series is not needed
+    double damped;  // 1 - exp(-2 zeta t) - 2 zeta q, the numerator of (29) over the half-period; only where `needs_series`
 };
 
 bool needs_series(double t, double zeta) { return t * (1 + 2 * zeta) < 0.5; }

@@ -72,7 +72,7 @@ int steps_of(const PlainSystem& s) {
     return 2 * static_cast<int>(std::clamp(16 + 6 * std::ceil(fastest), 32.0, 8192.0));
 }
 
-// Weights of the state that moves on from z, at times up to dt: their polynomial by the series of the exponential.
+// A weighted sum of the state as a function of the time since z, up to dt: a polynomial, from the series of the exponential.
 std::function<double(double)> course_of(const PlainMatrix& A, PlainVector z, double dt, const PlainVector& weights) {
     std::vector<double> series{weights.dot(z)};
     const double size = largest_of(z);

@@ -86,8 +86,8 @@ Phasors solved(const PlainMatrix& A, const PlainMatrix& B, const PlainVector& b,
 
 PlainShapes shapes_of(const PlainMatrix& B, const PlainMatrix& M) {
     const Eigen::LLT<PlainMatrix> triangle(M);
-    const PlainMatrix by_momenta = triangle.matrixL().solve(B.transpose()).transpose();
-    const Eigen::JacobiSVD<PlainMatrix> modes(by_momenta, Eigen::ComputeFullV);
+    const PlainMatrix over_triangle = triangle.matrixL().solve(B.transpose()).transpose();
+    const Eigen::JacobiSVD<PlainMatrix> modes(over_triangle, Eigen::ComputeFullV);
     return {modes.singularValues().reverse(), triangle.matrixU().solve(modes.matrixV()).rowwise().reverse()};
 }
 

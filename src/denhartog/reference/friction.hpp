@@ -20,7 +20,7 @@ struct MotionThatDiesOut {
     Ball slope{};  ///< d
 };
 
-/// @brief The friction motion of a mode whose damping is proved not critical.
+/// @brief The friction motion of a mode whose damping is proved critical, or proved not critical.
 ///
 /// Below critical damping it is that of (41). Beyond, with the rates \f$ \lambda_{1,2} \f$ of the free motion and
 /// \f$ E_n = e^{\lambda_n\tau}/(1 + e^{\lambda_n\pi}) \f$, the motion that mirrors itself is
@@ -106,7 +106,7 @@ struct ResponsesInBalls {
     return zeta < Ball(1) || zeta > Ball(1) || (zeta - 1).is_zero();
 }
 
-/// @brief Whether every mode moves by itself: its damping is proved not critical.
+/// @brief Whether every mode moves by itself: its damping is proved critical, or proved not critical.
 [[nodiscard]] inline bool are_told_apart(const ModesInBalls& modes) {
     return std::ranges::all_of(modes.zeta, is_told_from_critical);
 }
@@ -125,8 +125,8 @@ struct ResponsesInBalls {
 /// motions \f$ e^{\lambda\tau} \f$.
 [[nodiscard]] ResponsesInBalls responses_of_state(const SceneInBalls& scene);
 
-/// @brief Complex amplitudes under a harmonic force on each mass, without friction: of the masses, then of the contact. Of a
-/// force out of phase the imaginary part has as many rows.
+/// @brief Complex amplitudes of the N masses, and of the contact behind them, under a harmonic force and without friction.
+/// `imaginary` is the part of the force in quadrature, with N rows; it is empty where there is none.
 /// @throws Unproved if the system may resonate
 [[nodiscard]] std::vector<Complex<Ball>> harmonic_response(const SceneInBalls& scene, const BallMatrix& force,
                                                            const BallMatrix& imaginary = BallMatrix());

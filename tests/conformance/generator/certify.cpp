@@ -184,9 +184,7 @@ Vector rejected(const Vector& asked) {
     throw Undecided("it breaks no rule");
 }
 
-} // namespace
-
-Certified certify(const Case& c, const std::set<std::string>& only) {
+Certified certified(const Case& c, const std::set<std::string>& only) {
     Certified all;
     ProtocolQuestion scene = c.front().question; // the routes of a scene are asked with other questions
     scene.quantity = "regime";
@@ -233,6 +231,18 @@ Certified certify(const Case& c, const std::set<std::string>& only) {
         }
     }
     return all;
+}
+
+} // namespace
+
+Certified certify(const Case& c, const std::set<std::string>& only) {
+    try {
+        return certified(c, only);
+    } catch (const std::exception& e) { // the scene itself has no boundaries, or breaks a rule that its line does not name
+        Certified none;
+        for (const Vector& asked : c) none.refusals.push_back({asked.question.id, e.what()});
+        return none;
+    }
 }
 
 } // namespace denhartog::conformance::generator

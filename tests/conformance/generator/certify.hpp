@@ -8,7 +8,8 @@
 
 namespace denhartog::conformance::generator {
 
-/// @brief Questions about one scene: vectors of which question, group, tier, flags and the rule that is broken count.
+/// @brief Questions about one scene, on lines one after the other. Of each vector the question, group, tier, flags and the rule that
+/// is broken are read. The first tells whether the scene breaks a rule.
 using Case = std::vector<Vector>;
 
 /// @brief A question that no vector came of.

@@ -17,6 +17,11 @@ int write(const std::string& folder, const std::set<std::string>& groups) {
     if (!groups.empty()) // the others stay as they are
         for (denhartog::conformance::Vector& v : denhartog::conformance::read_vectors(folder))
             if (groups.count(v.group) == 0) all.vectors.push_back(std::move(v));
+    for (const Refusal& r : all.refusals) std::cout << "no vector " << r.id << ": " << r.why << '\n';
+    if (!all.refusals.empty()) { // the files alone hold the questions: none is left out unseen
+        std::cout << "nothing is written: take these lines out, or mend them\n";
+        return 1;
+    }
     const auto files = files_of(all.vectors, schema);
     std::size_t size = 0;
     for (const auto& [name, bytes] : files) { // the questions stand nowhere else: no file goes before the new ones are complete
@@ -30,7 +35,6 @@ int write(const std::string& folder, const std::set<std::string>& groups) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) // groups that are no more
         if (entry.path().extension() == ".jsonl" && files.count(entry.path().filename().string()) == 0)
             std::filesystem::remove(entry.path());
-    for (const Refusal& r : all.refusals) std::cout << "no vector " << r.id << ": " << r.why << '\n';
     std::cout << all.vectors.size() << " vectors, " << size << " bytes; the routes agree on at least " << all.least[0]
               << " of 50 and " << all.least[1] << " of 100 digits\n";
     return 0;
@@ -51,8 +55,9 @@ int main(int argc, char** argv) {
     std::string folder;
     std::vector<std::string> groups;
     int every = 1, from = 0;
-    CLI::App* writing = app.add_subcommand("write", "Write all vectors and their manifest into a folder that has schema.json");
-    CLI::App* checking = app.add_subcommand("check", "Compute vectors anew; any other byte is an error");
+    CLI::App* writing = app.add_subcommand(
+        "write", "Compute all vectors of a folder from the questions in its lines, and write them with their manifest");
+    CLI::App* checking = app.add_subcommand("check", "Compute vectors anew; a byte that differs is an error");
     for (CLI::App* command : {writing, checking}) command->add_option("folder", folder, "Folder of the vectors")->required();
     writing->add_option("--group", groups, "Compute these groups alone, and take the others from the folder")->delimiter(',');
     checking->add_option("--every", every, "Every how many vectors")->check(CLI::PositiveNumber);
