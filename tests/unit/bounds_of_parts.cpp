@@ -1,10 +1,13 @@
 // Bounds and tolerances inside the library that no answer shows by itself.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "denhartog/denhartog.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/sliding/boundary.hpp"
 #include "denhartog/sliding/bounded_modes.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "tests/catch.hpp"
@@ -60,5 +63,50 @@ TEST_CASE("if the work runs out in the search for a maximum, its entry says by h
         CHECK(settled[k].unsure == 0);
         CHECK(found[k].unsure > 0);
         CHECK(std::abs(found[k].x) + found[k].unsure >= std::abs(settled[k].x));
+    }
+}
+
+TEST_CASE("at a pole the mode that resonates is named", "[sliding][bounds]") {
+    Scene<double> scene;
+    scene.system = chain_of({1, 2.25}, {1, 2.25}, {0.0, 0.0}, 1, 2); // of natural frequency ratios 1/2 and 2
+    scene.beta = 0.25;
+    for (const auto& [r, mode] : {std::pair(0.5, "mode 1 has"), std::pair(2.0, "mode 2 has")}) {
+        scene.r = r;
+        CHECK_THROWS_WITH(solve(scene, {Asked::amplitude, {}}), Catch::Contains(mode));
+    }
+}
+
+TEST_CASE("a sliding contact that can also rest for ever is said to, and no other", "[eq:54][bounds]") {
+    Boundary<Bounded<double>> limits{};
+    limits.exact = 0.5;
+    limits.sticking = 0.25;
+    const auto says = [&](double beta) {
+        return std::ranges::count(regime_at(limits, beta).reason, Why::can_rest, &Reason::says);
+    };
+    CHECK(says(0.125) == 0);
+    CHECK(says(0.375) == 1);
+    CHECK(says(0.625) == 0);
+}
+
+TEST_CASE("a motion whose damping is no more than the rounding of the largest is not known to decay", "[model][bounds]") {
+    ModalBasis<double> basis = modal_basis(chain_of({1, 1}, {1, 1}, {0.125, 0.125}));
+    basis.couples = true;
+    for (const auto& [units, decays] : {std::pair(50.0, false), std::pair(511.0, false), std::pair(512.5, true)}) {
+        basis.D = Matrix<double>{{1, 0}, {0, units * std::numeric_limits<double>::epsilon()}};
+        INFO(units << " units");
+        CHECK(every_motion_is_damped(basis) == decays);
+    }
+}
+
+TEST_CASE("masses beside a contact at rest are seen from the ground if a base moves, and else not", "[stuck][bounds]") {
+    Scene<double> scene;
+    scene.system = chain_of({1, 2.25}, {1, 2.25}, {0.125, 0.125}, 1, 2);
+    scene.r = 0.5;
+    scene.beta = 8;
+    for (const BaseMotion motion : {BaseMotion::none, BaseMotion::with_wall}) {
+        scene.system.base_motion = motion;
+        const Solution s = solve(scene);
+        REQUIRE(s.rest_interval);
+        CHECK(s.from_ground.size() == (motion == BaseMotion::none ? 0 : 2));
     }
 }
