@@ -264,3 +264,38 @@ TEST_CASE("a value with another twelfth digit is not what is computed anew", "[c
           std::vector<std::string>{found->question.id + " is not what is computed anew"});
     CHECK(generator::differences(vector_folder(), all, from).empty());
 }
+
+TEST_CASE("a line with a question alone becomes its vector again, and one that breaks a rule is named",
+          "[conformance][vectors]") {
+    const std::filesystem::path file = "masses.jsonl";
+    const nlohmann::ordered_json whole = nlohmann::ordered_json::parse(lines_of(vector_folder() / file).front());
+    nlohmann::ordered_json question;
+    for (const char* key : {"id", "quantity", "scene", "mass"}) question[key] = whole.at(key);
+    const Twin twin;
+    const auto certified = [&](const nlohmann::ordered_json& first, const std::string& others = "") {
+        twin.write(file.string(), first.dump() + "\n" + others);
+        return generator::certify_all(twin.folder, {"masses"});
+    };
+    const auto with = [&](const char* key, const nlohmann::ordered_json& value) {
+        nlohmann::ordered_json changed = question;
+        changed[key] = value;
+        return changed;
+    };
+
+    const generator::Certified again = certified(question);
+    REQUIRE(again.vectors.size() == 1);
+    CHECK(vector_json(again.vectors.front()).dump() == whole.dump());
+
+    for (const int mass : {-1, 0, 3, 100'000}) {
+        const generator::Certified none = certified(with("mass", mass));
+        CHECK(none.vectors.empty());
+        REQUIRE(none.refusals.size() == 1);
+        CHECK(none.refusals.front().id == "masses-0001");
+        CHECK_THAT(none.refusals.front().why, Catch::Contains("mass"));
+    }
+    CHECK_THROWS_WITH(certified(with("tier", "hard")), Catch::Contains("masses.jsonl, line 1") && Catch::Contains("tier"));
+    CHECK_THROWS_WITH(certified(question, question.dump() + "\n"),
+                      Catch::Contains("masses.jsonl, line 2") && Catch::Contains("once"));
+    CHECK_THROWS_WITH(certified(question, "{\"id\"\n"), Catch::Contains("masses.jsonl, line 2"));
+    CHECK_THROWS_WITH(generator::certify_all(twin.folder, {"mases"}), Catch::Contains("mases"));
+}

@@ -255,8 +255,8 @@ std::optional<Mistake> fitted_transient(std::span<const Judged> judged) {
     constexpr std::size_t most_periods = 200, first_probed = 3;
     const std::vector<const Judged*> some = probes(judged);
     if (some.size() < least_agreeing) return std::nullopt;
-    std::vector<std::pair<std::size_t, double>> periods(
-        most_periods); // answers that agree with each, and the digits to which they do
+    // How many answers agree with each period, and to how many digits together.
+    std::vector<std::pair<std::size_t, double>> periods(most_periods);
     std::size_t probed = 0;
     for (const Judged* one : some) {
         if (probed == first_probed && std::ranges::max(periods).first == 0) return std::nullopt;
@@ -270,8 +270,9 @@ std::optional<Mistake> fitted_transient(std::span<const Judged> judged) {
         for (std::size_t n = 0; n < most_periods; ++n) {
             if (!all[n] || !agrees(*one->vector, one->given, *all[n], of_steps_in_time)) continue;
             const double apart = difference(quantity(one->vector->question.quantity), one->given.numbers, all[n]->numbers).size;
+            const double size = size_of(all[n]->numbers);
             ++periods[n].first;
-            periods[n].second -= elementary::log10(std::max(apart / size_of(all[n]->numbers), 1e-16));
+            periods[n].second -= elementary::log10(std::max(apart / (size > 0 ? size : one->vector->scale), 1e-16));
         }
     }
     const auto best = std::ranges::max_element(periods);

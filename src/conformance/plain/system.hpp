@@ -37,8 +37,8 @@ struct PlainShapes {
     PlainMatrix phi;
 };
 
-// Modes of the stiffness matrix B^T B: singular values and vectors of B L^-T with L L^T = M, by Jacobi's rotations, which keep
-// all digits of the smallest frequency.
+// Modes of the stiffness matrix B^T B: singular values and vectors of B L^-T with L L^T = M, by Jacobi's rotations. Frequencies
+// down to 1e-15 of the highest keep their digits.
 [[nodiscard]] PlainShapes shapes_of(const PlainMatrix& B, const PlainMatrix& M);
 
 // Where a function changes its sign between two places; `to` where it does not.

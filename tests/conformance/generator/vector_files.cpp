@@ -50,6 +50,18 @@ std::vector<std::filesystem::path> vector_files(const std::filesystem::path& fol
     return files;
 }
 
+Vector asked_in(const nlohmann::json& line, const std::string& group) {
+    Vector asked;
+    asked.question = question_from_json(line);
+    asked.group = group;
+    asked.tier = line.value("tier", "must");
+    asked.flags = line.value("flags", asked.flags);
+    asked.reject = line.value("reject", "");
+    if (asked.tier != "must" && asked.tier != "should" && asked.tier != "stress")
+        throw InputError("tier", "must be must, should or stress", asked.tier);
+    return asked;
+}
+
 } // namespace
 
 std::string bytes_of(const std::filesystem::path& file) {
@@ -92,20 +104,27 @@ std::vector<std::string> manifest_faults(const std::filesystem::path& folder) {
 
 std::vector<Case> cases_of(const std::filesystem::path& folder) {
     std::vector<Case> cases;
+    std::set<std::string> ids;
     nlohmann::json scene;
     for (const std::filesystem::path& file : vector_files(folder)) {
         std::istringstream lines(bytes_of(file));
+        int number = 0;
         for (std::string line; std::getline(lines, line);) {
-            const nlohmann::json object = nlohmann::json::parse(line);
-            Vector asked;
-            asked.question = question_from_json(object);
-            asked.group = file.stem().string();
-            asked.tier = object.value("tier", "must");
-            asked.flags = object.value("flags", asked.flags);
-            asked.reject = object.value("reject", "");
-            if (cases.empty() || cases.back().front().group != asked.group || object.at("scene") != scene) cases.emplace_back();
-            scene = object.at("scene");
-            cases.back().push_back(std::move(asked));
+            const std::string place = file.filename().string() + ", line " + std::to_string(++number);
+            try {
+                const nlohmann::json object = nlohmann::json::parse(line);
+                Vector asked = asked_in(object, file.stem().string());
+                if (!ids.insert(asked.question.id).second) throw InputError("id", "must be given once", asked.question.id);
+                const auto goes_on = [&](const Vector& before) {
+                    return before.group == asked.group && before.reject.empty() == asked.reject.empty() &&
+                           object.at("scene") == scene;
+                };
+                if (cases.empty() || !goes_on(cases.back().front())) cases.emplace_back();
+                scene = object.at("scene");
+                cases.back().push_back(std::move(asked));
+            } catch (const std::exception& e) {
+                throw std::runtime_error(place + ": " + e.what());
+            }
         }
     }
     return cases;
@@ -113,6 +132,9 @@ std::vector<Case> cases_of(const std::filesystem::path& folder) {
 
 Certified certify_all(const std::filesystem::path& folder, const std::set<std::string>& groups) {
     std::vector<Case> cases = cases_of(folder);
+    for (const std::string& group : groups)
+        if (!std::filesystem::exists(folder / (group + ".jsonl")))
+            throw InputError("group", "must have a file of vectors", group);
     if (!groups.empty()) std::erase_if(cases, [&](const Case& c) { return groups.count(c.front().group) == 0; });
     std::vector<Certified> parts(cases.size());
     std::atomic<std::size_t> done{0};

@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include "conformance/diagnosis/explanations.hpp"
 #include "conformance/verdict.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
@@ -292,7 +291,9 @@ void note_what_is_kept(ConformReport& report) {
     std::vector<const Judged*> wrong;
     for (const Judged& one : report.judged)
         if (is_wrong_value(one.verdict) && one.answered) wrong.push_back(&one);
-    for (const Judged* one : spread(wrong, most)) {
+    const std::size_t count = std::min(most, wrong.size());
+    for (std::size_t n = 0; n < count; ++n) {
+        const Judged* one = wrong[(2 * n + 1) * wrong.size() / (2 * count)]; // late ones too: what is kept may be kept late
         const std::string& id = one->vector->question.id;
         try {
             const Judged alone = converse(report.options, {&one->vector, 1}, [](std::size_t) {}).judged.at(0);
