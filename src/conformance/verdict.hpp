@@ -127,9 +127,10 @@ struct Difference {
 [[nodiscard]] Difference difference(const Quantity& asked, const std::vector<double>& given,
                                     const std::vector<double>& reference);
 
-/// @brief Whether an answer is another one than the true one: within `near` of the other, relative to its size, and at least
-/// `nearer_than_truth` times nearer to it than to the truth. Words are equal or not. @param v the vector @param given the answer
-/// @param other the answer of a mistake, or of a formula beyond its domain @param near a relative distance @return whether it is
+/// @brief Whether an answer is another one than the true one: within `near` of the other, relative to its size, and no further
+/// from it than `nearer_than_truth` of its distance from the truth. Words are equal or not. @param v the vector @param given the
+/// answer @param other the answer of a mistake, or of a formula beyond its domain @param near a relative distance
+/// @return whether it is
 [[nodiscard]] bool agrees(const Vector& v, const Value& given, const Value& other, double near);
 
 /// @brief The verdict on an answer. `as-printed` is not among its results: `diagnose` gives it. @param v the vector
