@@ -128,22 +128,22 @@ void check_modes(const std::string& type, const std::vector<FunctionInZone>& all
     CHECK(unanswered == 0);
 }
 
+void check_in_every_type(const std::string& functions, std::vector<FunctionInZone> (*survey)(Precision, int)) {
+    for (const auto& [precision, points] : {std::pair{Precision::in_float, 4000}, std::pair{Precision::in_double, 10000},
+                                            std::pair{Precision::in_long_double, 1000}, std::pair{Precision::in_50_digits, 200}})
+        check(functions, survey, precision, points);
+}
+
 } // namespace
 
 TEST_CASE("d, q, their rates and the expression of (57) keep their digits in every number type",
           "[eq:A.8][eq:A.9][eq:57][accuracy][form]") {
-    check("motion", survey_motion, Precision::in_float, 4000);
-    check("motion", survey_motion, Precision::in_double, 10000);
-    check("motion", survey_motion, Precision::in_long_double, 1000);
-    check("motion", survey_motion, Precision::in_50_digits, 200);
+    check_in_every_type("motion", survey_motion);
 }
 
 TEST_CASE("the peak and its boundary at resonance keep their digits from subnormal damping up",
           "[eq:79][eq:83][eq:84][eq:85][accuracy][form]") {
-    check("resonance", survey_resonance, Precision::in_float, 4000);
-    check("resonance", survey_resonance, Precision::in_double, 10000);
-    check("resonance", survey_resonance, Precision::in_long_double, 1000);
-    check("resonance", survey_resonance, Precision::in_50_digits, 200);
+    check_in_every_type("resonance", survey_resonance);
 }
 
 TEST_CASE("v, u and g keep their digits from subnormal damping to the last number below 1, in double with R from 1e-300 to 1e300",
