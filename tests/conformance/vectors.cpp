@@ -285,6 +285,7 @@ TEST_CASE("a line with a question alone becomes its vector again, and one that b
     const generator::Certified again = certified(question);
     REQUIRE(again.vectors.size() == 1);
     CHECK(vector_json(again.vectors.front()).dump() == whole.dump());
+    CHECK(generator::stored_but(twin.folder, {"masses"}).size() == vectors().size() - lines_of(vector_folder() / file).size());
     CHECK_THROWS_WITH(generator::certify_all(twin.folder, {"mases"}), Catch::Contains("mases"));
 
     for (const int mass : {-1, 0, 3, 100'000}) {

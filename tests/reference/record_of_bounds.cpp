@@ -17,7 +17,6 @@
 #include <fstream>
 #include <functional>
 #include <map>
-#include <numeric>
 #include <sstream>
 
 #include "denhartog/answer/from_a_start.hpp"
@@ -212,10 +211,9 @@ struct RecordedQuestion {
 
 // Whether a question is asked of a scene. The name decides, so that a new scene leaves those of the others as they are.
 bool is_asked(const RecordedQuestion& question, const std::string& scene) {
-    return std::accumulate(scene.begin(), scene.end(), 0U,
-                           [](unsigned sum, char c) { return 31 * sum + static_cast<unsigned char>(c); }) %
-               question.every ==
-           0;
+    unsigned sum = 0;
+    for (const char c : scene) sum = 31 * sum + static_cast<unsigned char>(c);
+    return sum % question.every == 0;
 }
 
 const std::vector<RecordedQuestion>& questions() {

@@ -1,7 +1,9 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <set>
 
 #include "denhartog/number/errors.hpp"
@@ -13,10 +15,10 @@ using namespace denhartog::conformance::generator;
 
 int write(const std::string& folder, const std::set<std::string>& groups) {
     const std::string schema = bytes_of(std::filesystem::path(folder) / "schema.json");
+    std::vector<denhartog::conformance::Vector> others; // stay as they are
+    if (!groups.empty()) others = stored_but(folder, groups);
     Certified all = certify_all(folder, groups);
-    if (!groups.empty()) // the others stay as they are
-        for (denhartog::conformance::Vector& v : denhartog::conformance::read_vectors(folder))
-            if (groups.count(v.group) == 0) all.vectors.push_back(std::move(v));
+    std::ranges::move(others, std::back_inserter(all.vectors));
     for (const Refusal& r : all.refusals) std::cout << "no vector " << r.id << ": " << r.why << '\n';
     if (!all.refusals.empty()) { // the files alone hold the questions: none is left out unseen
         std::cout << "nothing is written: take these lines out, or mend them\n";

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -42,12 +43,25 @@ std::string manifest_of(const std::vector<Vector>& vectors, const std::map<std::
     return manifest.dump(1) + "\n";
 }
 
-std::vector<std::filesystem::path> vector_files(const std::filesystem::path& folder) {
+// Gives every line of the vector files with the group that it is of, and says where a fault is.
+void for_each_line(const std::filesystem::path& folder,
+                   const std::function<void(const std::string& group, const std::string& line)>& take) {
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator(folder))
         if (entry.path().extension() == ".jsonl") files.push_back(entry.path());
     std::ranges::sort(files);
-    return files;
+    for (const std::filesystem::path& file : files) {
+        std::istringstream lines(bytes_of(file));
+        int number = 0;
+        for (std::string line; std::getline(lines, line);) {
+            ++number;
+            try {
+                take(file.stem().string(), line);
+            } catch (const std::exception& e) {
+                throw std::runtime_error(file.filename().string() + ", line " + std::to_string(number) + ": " + e.what());
+            }
+        }
+    }
 }
 
 Vector asked_in(const nlohmann::json& line, const std::string& group) {
@@ -106,28 +120,26 @@ std::vector<Case> cases_of(const std::filesystem::path& folder) {
     std::vector<Case> cases;
     std::set<std::string> ids;
     nlohmann::json scene;
-    for (const std::filesystem::path& file : vector_files(folder)) {
-        std::istringstream lines(bytes_of(file));
-        int number = 0;
-        for (std::string line; std::getline(lines, line);) {
-            const std::string place = file.filename().string() + ", line " + std::to_string(++number);
-            try {
-                const nlohmann::json object = nlohmann::json::parse(line);
-                Vector asked = asked_in(object, file.stem().string());
-                if (!ids.insert(asked.question.id).second) throw InputError("id", "must be given once", asked.question.id);
-                const auto goes_on = [&](const Vector& before) {
-                    return before.group == asked.group && before.reject.empty() == asked.reject.empty() &&
-                           object.at("scene") == scene;
-                };
-                if (cases.empty() || !goes_on(cases.back().front())) cases.emplace_back();
-                scene = object.at("scene");
-                cases.back().push_back(std::move(asked));
-            } catch (const std::exception& e) {
-                throw std::runtime_error(place + ": " + e.what());
-            }
-        }
-    }
+    for_each_line(folder, [&](const std::string& group, const std::string& line) {
+        const nlohmann::json object = nlohmann::json::parse(line);
+        Vector asked = asked_in(object, group);
+        if (!ids.insert(asked.question.id).second) throw InputError("id", "must be given once", asked.question.id);
+        const auto goes_on = [&](const Vector& before) {
+            return before.group == group && before.reject.empty() == asked.reject.empty() && object.at("scene") == scene;
+        };
+        if (cases.empty() || !goes_on(cases.back().front())) cases.emplace_back();
+        scene = object.at("scene");
+        cases.back().push_back(std::move(asked));
+    });
     return cases;
+}
+
+std::vector<Vector> stored_but(const std::filesystem::path& folder, const std::set<std::string>& groups) {
+    std::vector<Vector> vectors;
+    for_each_line(folder, [&](const std::string& group, const std::string& line) {
+        if (groups.count(group) == 0) vectors.push_back(vector_from_json(nlohmann::json::parse(line)));
+    });
+    return vectors;
 }
 
 Certified certify_all(const std::filesystem::path& folder, const std::set<std::string>& groups) {
@@ -160,10 +172,8 @@ std::vector<std::string> differences(const std::filesystem::path& folder, int ev
     std::set<std::string> wanted;
     for (std::size_t n = static_cast<std::size_t>(from); n < vectors.size(); n += static_cast<std::size_t>(every))
         wanted.insert(vectors[n].question.id);
-    for (const std::filesystem::path& file : vector_files(folder)) {
-        std::istringstream lines(bytes_of(file));
-        for (std::string line; std::getline(lines, line);) stored[nlohmann::json::parse(line).at("id")] = line;
-    }
+    for_each_line(folder,
+                  [&](const std::string&, const std::string& line) { stored[nlohmann::json::parse(line).at("id")] = line; });
     std::vector<Case> cases;
     for (const Case& c : cases_of(folder))
         if (std::ranges::any_of(c, [&](const Vector& asked) { return wanted.count(asked.question.id) > 0; })) cases.push_back(c);

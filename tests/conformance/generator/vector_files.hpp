@@ -30,6 +30,12 @@ inline constexpr int content_version = 9;
 /// @return        the cases, file by file
 [[nodiscard]] std::vector<Case> cases_of(const std::filesystem::path& folder);
 
+/// @brief The vectors of all groups of a folder but some, as they stand in their lines.
+/// @param folder  the folder
+/// @param groups  the groups left out, whose lines need nothing but a question
+/// @return        the vectors, file by file
+[[nodiscard]] std::vector<Vector> stored_but(const std::filesystem::path& folder, const std::set<std::string>& groups);
+
 /// @brief All vectors of a folder's questions, on as many threads as there are. Says on standard error how far it is.
 /// @param folder  the folder
 /// @param groups  the groups wanted; none for all

@@ -32,8 +32,9 @@ std::string sampled(const SceneText& part, const MotionOptions& options, Effort*
     const auto samples = static_cast<std::size_t>(options.samples);
     check_samples("samples", samples, number_of_masses(scene.system));
     const std::optional<MotionUnits> units = motion_units(scene, options.units);
-    const auto [motion, errors, found] =
+    const SampledClosedForm all =
         off_poles([&] { return sampled_closed_form(source, 0, samples, options.digits_of_motion, false); });
+    const QuantitiesAnswer& found = all.found;
     if (!found.numbers.X_j)
         throw InputError(
             "beta",
@@ -41,7 +42,7 @@ std::string sampled(const SceneText& part, const MotionOptions& options, Effort*
                 ", Eq. (69), for the motion to be known",
             number_to_text(*scene.beta), "/beta");
     if (found.method.proved) report("computed by the reference: " + in_words(found.method.why));
-    return csv(motion_table(motion, units));
+    return csv(motion_table(all.motion, units));
 }
 
 void answer(const MotionOptions& options) {
