@@ -12,13 +12,22 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double near = 1e-9; // the adapter integrates with tolerance 1e-12; periods add up, and phases are flat
+constexpr double near = 1e-9; // the adapters integrate with tolerance 1e-12; periods add up, and phases are flat
 
 // The adapters stand beside the program.
-std::string adapter(const std::string& name) {
+std::filesystem::path file_of(const std::string& adapter) {
     const char* program = std::getenv("DENHARTOG_PROGRAM");
     if (program == nullptr) throw std::runtime_error("DENHARTOG_PROGRAM must name the program: run the tests by ctest");
-    return "'" + (std::filesystem::path(program).parent_path() / name).string() + "'";
+    return std::filesystem::path(program).parent_path() / adapter;
+}
+
+std::string adapter(const std::string& name) { return "'" + file_of(name).string() + "'"; }
+
+// Whether an adapter of somebody else's solver was built.
+bool is_built(const std::string& name) {
+    if (std::filesystem::exists(file_of(name))) return true;
+    WARN(name << " is not built: its solver is not installed");
+    return false;
 }
 
 std::vector<std::string> lines_through_a_pipe(const std::string& command, const std::string& input) {
@@ -89,7 +98,8 @@ void check_near(double given, double expected, const std::string& what) {
 }
 
 // Everything that an integrator answers, against the library's own exact routes.
-void check_against_solve(const Json& scene, const std::string& regime) {
+void check_against_solve(const Json& scene, const std::string& regime,
+                         const std::string& integrator = "paper_algorithm_adapter") {
     const Json truth = solved(scene);
     INFO(scene.dump());
     REQUIRE(truth.at("regime") == regime);
@@ -101,7 +111,7 @@ void check_against_solve(const Json& scene, const std::string& regime) {
         questions.push_back(question(scene, "phase", k));
         questions.push_back(question(scene, "motion_under_force", k, 6));
     }
-    const std::vector<Json> given = answers(adapter("paper_algorithm_adapter"), questions);
+    const std::vector<Json> given = answers(adapter(integrator), questions);
     CHECK(given[0].at("value") == regime);
     if (regime == "permanent_sticking") {
         CHECK(given[1].contains("skip"));
@@ -193,3 +203,21 @@ TEST_CASE("a solver whose package is missing skips every question by the package
 }
 
 } // namespace denhartog::tests
+
+TEST_CASE("CVODE under the conformance kit is right in every regime", "[eq:6][eq:74]") {
+    if (!is_built("cvode_adapter")) return;
+    check_against_solve(three_masses({0.03125, 0.0625, 0.09375}, 1, 1.125, 0.03125), "continuous", "cvode_adapter");
+    check_against_solve(three_masses({0.03125, 0.0625, 0.09375}, 1.375, 0.375, 0.296875), "stick_slip", "cvode_adapter");
+    check_against_solve(three_masses({0.03125, 0.0625, 0.09375}, 1, 1.125, 2), "permanent_sticking", "cvode_adapter");
+}
+
+TEST_CASE("Siconos under the conformance kit is as near as its steps allow", "[eq:6][eq:74]") {
+    if (!is_built("siconos_adapter")) return;
+    const Json scene = one_mass(0.0625, 1, 0.25, 0.75);
+    const Json truth = solved(scene), &stop = truth.at("stops").at(0);
+    const std::vector<Json> given =
+        answers(adapter("siconos_adapter"), {question(scene, "amplitude", 1), question(scene, "stop_durations")});
+    CHECK(given[0].at("value").get<double>() == Approx(truth.at("masses").at(0).at("amplitude").get<double>()).epsilon(1e-6));
+    CHECK(given[1].at("value").at(0).get<double>() ==
+          Approx(stop.at("end").get<double>() - stop.at("start").get<double>()).epsilon(1e-4));
+}

@@ -20,6 +20,8 @@ struct Problem {
     ContactEquations equations;
     int direction = 1;
     std::vector<double> y, y_prime;
+
+    [[nodiscard]] double contact_velocity(const double* state) const { return equations.contact.of(state + equations.N); }
 };
 
 int right_hand_side(double tau, N_Vector y, N_Vector y_prime, void* data) {
@@ -36,7 +38,7 @@ int events(double tau, N_Vector y, double* event, void* data) {
     const std::span<const double> state(N_VGetArrayPointer(y), p.y.size());
     const double held = p.equations.mu * p.equations.beta;
     const double load = p.direction == 0 ? p.equations.load_on_contact(state, tau) : 0;
-    event[0] = p.direction == 0 ? held - load : state[p.equations.N + p.equations.j];
+    event[0] = p.direction == 0 ? held - load : p.contact_velocity(state.data());
     event[1] = held + load;
     return 0;
 }
@@ -76,8 +78,7 @@ struct CvodeIntegrator::Memory {
 
     // A moving contact slides on; one at rest is let go where it stuck, and else sticks or turns back.
     void start_phase() {
-        const double load = problem.equations.load_on_contact(state(), tau),
-                     velocity = state()[problem.equations.N + problem.equations.j];
+        const double load = problem.equations.load_on_contact(state(), tau), velocity = problem.contact_velocity(state().data());
         const bool was_sticking = problem.direction == 0;
         const bool holds = velocity == 0 && !was_sticking && std::abs(load) <= problem.equations.mu * problem.equations.beta;
         problem.direction = holds ? 0 : ((velocity != 0 ? velocity : load) > 0 ? 1 : -1);
@@ -115,7 +116,6 @@ void CvodeIntegrator::restart(const std::vector<double>& y) {
 
 Ending CvodeIntegrator::period(int parts, const Seen& seen) {
     Memory& m = *memory_;
-    const std::size_t contact_velocity = m.problem.equations.N + m.problem.equations.j;
     const double start = 2 * std::numbers::pi * m.periods, end = 2 * std::numbers::pi * ++m.periods;
     seen(m.tau, m.state(), m.problem.direction);
     CVodeSetStopTime(m.cvode, end);
@@ -127,7 +127,7 @@ Ending CvodeIntegrator::period(int parts, const Seen& seen) {
         if (!std::ranges::all_of(m.state(), [](double x) { return std::isfinite(x); })) return Ending::not_a_number;
         if (flag == CV_ROOT_RETURN) {
             if (++phases > most_phases_a_period) return Ending::stalled;
-            m.state()[contact_velocity] = 0;
+            m.problem.equations.contact.hold(m.state().data() + m.problem.equations.N);
             m.start_phase();
             CVodeReInit(m.cvode, m.tau, m.y);
             CVodeSetStopTime(m.cvode, end);
