@@ -209,6 +209,8 @@ TEST_CASE("CVODE under the conformance kit is right in every regime", "[eq:6][eq
     check_against_solve(three_masses({0.03125, 0.0625, 0.09375}, 1, 1.125, 0.03125), "continuous", "cvode_adapter");
     check_against_solve(three_masses({0.03125, 0.0625, 0.09375}, 1.375, 0.375, 0.296875), "stick_slip", "cvode_adapter");
     check_against_solve(three_masses({0.03125, 0.0625, 0.09375}, 1, 1.125, 2), "permanent_sticking", "cvode_adapter");
+    // Next to each extremum of the force the load leaves what friction holds for less than a step.
+    check_against_solve(one_mass(0.015625, 1, 0.0625, 0.59375), "stick_slip", "cvode_adapter");
 }
 
 TEST_CASE("Siconos under the conformance kit is as near as its steps allow", "[eq:6][eq:74]") {

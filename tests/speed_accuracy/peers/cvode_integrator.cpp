@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 namespace denhartog::tests {
@@ -28,18 +29,26 @@ int right_hand_side(double tau, N_Vector y, N_Vector y_prime, void* data) {
     auto& p = *static_cast<Problem*>(data);
     std::copy_n(N_VGetArrayPointer(y), p.y.size(), p.y.begin());
     p.equations(p.y, p.y_prime, tau);
-    std::ranges::copy(p.y_prime, N_VGetArrayPointer(y_prime));
+    if (y_prime != nullptr) std::ranges::copy(p.y_prime, N_VGetArrayPointer(y_prime));
     return 0;
 }
 
-// While the contact slides its velocity, while it sticks what is left of static friction on either side.
+// While the contact slides its velocity; while it sticks what is left of static friction on either side, and the rate of the load:
+// CVODE compares the ends of a step, and between them the load can leave what friction holds and come back. At the root of its rate
+// the load is largest.
+enum Root : std::uint8_t { first_end, other_end, extremum, number_of_roots };
+
 int events(double tau, N_Vector y, double* event, void* data) {
-    const auto& p = *static_cast<Problem*>(data);
+    auto& p = *static_cast<Problem*>(data);
     const std::span<const double> state(N_VGetArrayPointer(y), p.y.size());
     const double held = p.equations.mu * p.equations.beta;
     const double load = p.direction == 0 ? p.equations.load_on_contact(state, tau) : 0;
-    event[0] = p.direction == 0 ? held - load : p.contact_velocity(state.data());
-    event[1] = held + load;
+    event[first_end] = p.direction == 0 ? held - load : p.contact_velocity(state.data());
+    event[other_end] = held + load;
+    event[extremum] = 1;
+    if (p.direction != 0) return 0;
+    right_hand_side(tau, y, nullptr, data);
+    event[extremum] = p.equations.linear_load(p.y_prime) + p.equations.harmonic_load_at(tau).sine;
     return 0;
 }
 
@@ -60,7 +69,7 @@ struct CvodeIntegrator::Memory {
         CVodeSetUserData(cvode, &problem);
         CVodeSetMaxNumSteps(cvode, most_right_hand_sides);
         CVodeSetMaxStep(cvode, std::numbers::pi / 8);
-        CVodeRootInit(cvode, 2, events);
+        CVodeRootInit(cvode, number_of_roots, events);
         CVodeSetNoInactiveRootWarn(cvode);
         CVodeSetErrFile(cvode, nullptr);
         start_phase();
@@ -83,8 +92,8 @@ struct CvodeIntegrator::Memory {
         const bool holds = velocity == 0 && !was_sticking && std::abs(load) <= problem.equations.mu * problem.equations.beta;
         problem.direction = holds ? 0 : ((velocity != 0 ? velocity : load) > 0 ? 1 : -1);
         problem.equations.set(problem.direction);
-        std::array<int, 2> falling{-1, -1};
-        if (!holds) falling = {-problem.direction, -1};
+        std::array<int, number_of_roots> falling{-1, -1, 0};
+        if (!holds) falling[first_end] = -problem.direction;
         CVodeSetRootDirection(cvode, falling.data());
     }
 
@@ -126,6 +135,9 @@ Ending CvodeIntegrator::period(int parts, const Seen& seen) {
         if (flag < 0 || evaluations() - m.evaluations_before > most_right_hand_sides) return Ending::did_not_finish;
         if (!std::ranges::all_of(m.state(), [](double x) { return std::isfinite(x); })) return Ending::not_a_number;
         if (flag == CV_ROOT_RETURN) {
+            std::array<int, number_of_roots> found{};
+            CVodeGetRootInfo(m.cvode, found.data());
+            if (found[first_end] == 0 && found[other_end] == 0) continue; // the contact stays
             if (++phases > most_phases_a_period) return Ending::stalled;
             m.problem.equations.contact.hold(m.state().data() + m.problem.equations.N);
             m.start_phase();
