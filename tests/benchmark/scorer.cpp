@@ -151,8 +151,8 @@ TEST_CASE("the scores in the repository are what the solvers give") {
     }
     const std::string stored = content_of(source_file("tests/benchmark/scores.csv"));
     const std::string scenes = " '" + source_file("tests/benchmark/pack/scenes.json") + "'";
-    const std::string solver =
-        (std::filesystem::path(std::getenv("DENHARTOG_PROGRAM")).parent_path() / "benchmark-solver").string();
+    const std::filesystem::path programs = std::filesystem::path(std::getenv("DENHARTOG_PROGRAM")).parent_path();
+    const std::string solver = (programs / "benchmark-solver").string();
     struct Sample {
         std::string command, method, setting;
     };
@@ -161,6 +161,14 @@ TEST_CASE("the scores in the repository are what the solvers give") {
         {"'" + solver + "' paper 1e-6" + scenes + " --every 9", "the paper's Runge-Kutta", "tolerance 1e-6"},
         {"'" + solver + "' tanh 1e-2" + scenes + " --every 9", "tanh(v/width), Dormand-Prince", "width 1e-2"},
         {"'" + solver + "' harmonic-balance 15" + scenes + " --every 9", "harmonic balance", "15 harmonics"}};
+    const auto add_if_built = [&](const char* name, const char* arguments, const char* method, const char* setting) {
+        if (std::filesystem::exists(programs / name))
+            samples.push_back({"'" + (programs / name).string() + "' " + arguments + scenes + " --every 6", method, setting});
+        else
+            SKIPPED(name << " is not built, as its solver is not there");
+    };
+    add_if_built("benchmark-cvode", "1e-9", "SUNDIALS CVODE", "tolerance 1e-9");
+    add_if_built("benchmark-siconos", "256", "Siconos, Moreau-Jean", "256 steps a period");
     const std::string python = run_shell("python3 -c 'import scipy'").status == 0 ? "python3" : "/usr/bin/python3";
     if (run_shell(python + " -c 'import scipy'").status == 0)
         samples.push_back({python + " '" + source_file("tests/benchmark/solvers/solve_ivp.py") + "' 1e-6 16" + scenes + " 60 12",

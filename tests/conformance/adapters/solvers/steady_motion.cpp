@@ -21,7 +21,6 @@ constexpr double period = 2 * std::numbers::pi;
 constexpr double least_decay = 0.01;     // of a transient in a period, where one asks whether the motion has settled
 constexpr double least_size = 1e-3;      // of a state, in units of P / k_1, that a change is measured by
 constexpr double no_motion = 1e-13;      // in units of P / k_1: rounding of a mass that rests
-constexpr double near_enough = 0.01;     // change in a period, relative, from which on states are extrapolated with mu > 1
 constexpr double most_growth = 100;      // of a state by extrapolation
 constexpr double creeping = 1e-4;        // a contact that moves less may be on its way to rest for ever
 constexpr double holding = 1e6;          // friction that lets nothing move
@@ -82,7 +81,7 @@ struct Settled {
     std::vector<double> y;
 };
 
-Settled settle(const Stage& stage, std::vector<double> y, double loss, double near) {
+Settled settle(const Stage& stage, std::vector<double> y, double loss, bool is_unique) {
     const double allowed = stage.tolerance * std::max(loss, least_decay), noise = 10 * stage.tolerance;
     Sequence sequence(y.size());
     sequence.push(y);
@@ -94,7 +93,7 @@ Settled settle(const Stage& stage, std::vector<double> y, double loss, double ne
         relative = (vector_of(record.end) - vector_of(y)).cwiseAbs().maxCoeff() / size;
         y = std::move(record.end);
         if (relative <= allowed || (n >= patience && relative <= noise)) return {{}, y};
-        if (relative > near) sequence.clear();
+        if (!is_unique) continue; // extrapolation can lead to a motion that is not stable
         sequence.push(y);
         if (relative <= noise) continue;
         if (const auto limit = sequence.limit()) {
@@ -123,10 +122,10 @@ void read_regime(SteadyMotion& motion) {
     motion.regime = motion.stops.empty() ? Regime::continuous : rests ? Regime::permanent_sticking : Regime::stick_slip;
 }
 
-SteadyMotion motion_from(const std::vector<Stage>& stages, std::vector<double> y, double loss, double near) {
+SteadyMotion motion_from(const std::vector<Stage>& stages, std::vector<double> y, double loss, bool is_unique) {
     SteadyMotion motion;
     for (const Stage& stage : stages) {
-        Settled settled = settle(stage, y, loss, near);
+        Settled settled = settle(stage, y, loss, is_unique);
         if (!settled.why_not.empty()) {
             if (motion.start.empty()) motion.why_none = settled.why_not;
             break;
@@ -222,28 +221,28 @@ std::string brief(double x) {
 SteadyMotion steady_motion(const Scene<double>& scene, const TimeIntegrator& integrator) {
     const std::vector<Stage> stages = integrator.prepare(scene);
     const double loss = loss_in_a_period(scene);
-    const double near = scene.mu > 1 ? near_enough : std::numeric_limits<double>::infinity();
+    const bool is_unique = scene.mu == 1;
     const std::size_t j = scene.system.contact.index;
     const std::vector<double> rest(2 * number_of_masses(scene.system));
-    SteadyMotion motion = motion_from(stages, rest, loss, near);
+    SteadyMotion motion = motion_from(stages, rest, loss, is_unique);
     if (!motion.why_none.empty() || motion.regime == Regime::continuous) return motion;
     if (scene.mu > 1)
-        if (const SteadyMotion free = motion_from(integrator.prepare(with_friction(scene, 0)), rest, loss, near);
+        if (const SteadyMotion free = motion_from(integrator.prepare(with_friction(scene, 0)), rest, loss, true);
             free.why_none.empty())
-            if (SteadyMotion other = motion_from(stages, free.start, loss, near);
+            if (SteadyMotion other = motion_from(stages, free.start, loss, is_unique);
                 other.why_none.empty() && other.regime == Regime::continuous)
                 return other;
     if (motion.regime == Regime::permanent_sticking) {
-        motion = motion_from({motion.stage}, moved_to_zero(motion.start, scene), loss, near);
+        motion = motion_from({motion.stage}, moved_to_zero(motion.start, scene), loss, is_unique);
         if (motion.why_none.empty() && std::abs(motion.start[j]) > motion.stage.tolerance)
             motion.why_none = "the contact comes to rest for ever, but not at zero";
         return motion;
     }
     const Range moves = range_of(motion.record.nodes, j);
     if (scene.mu > 1 || moves.highest - moves.lowest < creeping) {
-        const SteadyMotion held = motion_from({integrator.prepare(with_friction(scene, holding)).front()}, rest, loss, near);
+        const SteadyMotion held = motion_from({integrator.prepare(with_friction(scene, holding)).front()}, rest, loss, true);
         if (held.why_none.empty())
-            if (SteadyMotion other = motion_from({motion.stage}, held.start, loss, near);
+            if (SteadyMotion other = motion_from({motion.stage}, held.start, loss, is_unique);
                 other.why_none.empty() && other.regime == Regime::permanent_sticking)
                 return other;
     }
