@@ -98,12 +98,12 @@ void write_masses(const Scene<double>& scene, const std::optional<Mass>& only, c
 void write_sliding(const PointInBalls& p, const Scene<double>& scene, const ReferenceQuestion& q, WrittenNumbers& w,
                    Solution& s) {
     const ResponsesInBalls& r = *p.responses;
-    const SlidingContactInBalls contact = contact_in_balls(r, *p.scene.beta);
+    const SteadyState<Ball> contact = contact_in_balls(r, *p.scene.beta);
     Ball largest = contact.X_j;
     for (std::size_t k = 0; k < r.contact(); ++k) largest = larger(largest, size_of(r.V[k]));
     const auto row = [&](std::size_t k) {
         const bool is_contact = k == r.contact() || (!contact_moves_apart(s) && k == s.contact.index);
-        const SlidingMassInBalls m = mass_in_balls(r, contact, *p.scene.beta, k, is_contact);
+        const MassResponse<Ball> m = mass_in_balls(r, contact, k, is_contact);
         SolvedMass out = w.mass(m.amplitude, m.phase, q.asked != Asked::amplitude, largest);
         if (q.asked != Asked::motion || !out.phase) return out;
         for (const Ball& x : {m.x0, m.v0, m.amplitude_monoharmonic}) w.beside(x, m.amplitude);
@@ -116,7 +116,7 @@ void write_sliding(const PointInBalls& p, const Scene<double>& scene, const Refe
         ResponsesInBalls seen = r;
         for (std::size_t k = 0; k < r.contact(); ++k) {
             seen.V[k] = response_from_ground(r.V[k], scene.system.base_motion, *frame);
-            const SlidingMassInBalls m = mass_in_balls(seen, contact, *p.scene.beta, k, false);
+            const MassResponse<Ball> m = mass_in_balls(seen, contact, k, false);
             s.from_ground.push_back(from_ground(m.amplitude, m.phase, *frame, w));
         }
     }
@@ -178,8 +178,10 @@ void set_regime_by_stops(const PointInBalls& p, const OrbitInBalls& o, Solution&
 void write_orbit(const OrbitInBalls& o, const Scene<double>& scene, const Ball& r, const ReferenceQuestion& q, WrittenNumbers& w,
                  Solution& s) {
     Ball largest(0);
-    for (const Ball& each : o.amplitude) largest = larger(largest, each);
-    const auto row = [&](std::size_t k) { return w.mass(o.amplitude[k], o.phase[k], q.asked != Asked::amplitude, largest); };
+    for (const PeakInBalls& each : o.masses) largest = larger(largest, each.size);
+    const auto row = [&](std::size_t k) {
+        return w.mass(o.masses[k].size, o.masses[k].phase, q.asked != Asked::amplitude, largest);
+    };
     write_masses(scene, q.mass, row, s);
     if (const std::optional<Ball> frame = frame_of(scene, q, r))
         for (const PeakInBalls& each : o.from_ground) s.from_ground.push_back(from_ground(each.size, each.phase, *frame, w));

@@ -79,7 +79,7 @@ private:
 struct PointInBalls {
     reference::SceneInBalls scene{};                        ///< the scene, with its damping matrix
     std::optional<reference::ResponsesInBalls> responses{}; ///< its response functions; none at a pole
-    std::optional<reference::BoundaryInBalls> boundary{};   ///< the boundary of the sliding regime; none at a pole
+    std::optional<Boundary<Ball>> boundary{};               ///< the boundary of the sliding regime; none at a pole
     std::optional<reference::StuckInBalls> stuck{};         ///< the response with the contact held; none where that may resonate
     std::optional<Ball> sticking{};                         ///< the friction ratio from which the contact can rest for ever
 };

@@ -117,7 +117,7 @@ EnergiesInBalls energies_of_sliding(const SceneInBalls& s, const ResponsesInBall
     const Ball& beta = *s.beta;
     const HarmonicMotions A(s);
     const ForceOnBase force(s, d);
-    const SlidingContactInBalls contact = contact_in_balls(r, beta);
+    const SteadyState<Ball> contact = contact_in_balls(r, beta);
     EnergiesInBalls e;
     e.amplitude = contact.X_j;
     e.friction = beta;
@@ -131,8 +131,8 @@ EnergiesInBalls energies_of_sliding(const SceneInBalls& s, const ResponsesInBall
         e.on_base = magnitude(force.of(X));
         return e;
     }
-    std::vector<SlidingMassInBalls> start;
-    for (std::size_t k = 0; k < r.contact(); ++k) start.push_back(start_of_mass_in_balls(r, contact, beta, k, false));
+    std::vector<MassResponse<Ball>> start;
+    for (std::size_t k = 0; k < r.contact(); ++k) start.push_back(start_of_mass_in_balls(r, contact, k, false));
     const LargestBothWays largest = largest_size_of([&](const Ball& tau) {
         const Series t = Series::time(tau) + Series(contact.phi_j);
         Series sum = Series(Ball(-force.part_of_d)) * cos(t) + Series(force.part_of_d_prime) * sin(t);
