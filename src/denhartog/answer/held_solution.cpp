@@ -105,7 +105,8 @@ void set_stuck_response(const Scene<double>& scene, const StuckConfiguration& st
     const System<double>& system = scene.system;
     const Matrix<double> error_of_C = errors_of_C(system, basis);
     const HeldResponse<Bounded<double>> held = held_response(stuck, held_equations(scene, stuck, error_of_C), as_input(*scene.r));
-    const Bounded<double> compliance = compliance_of(stuck), frame = amplitude_of_frame(scene);
+    const Bounded<double> compliance = compliance_of(stuck);
+    const std::optional<Bounded<double>> frame = amplitude_of_frame(system.base_motion, as_input(*scene.r));
     double largest = held.load.x * compliance.x; // no mass moves where the load acts on the contact
     for (const Complex<Bounded<double>>& X : held.X) largest = std::max(largest, modulus(X).x);
     const SolvedMass at_rest{exactly(0), std::nullopt, std::nullopt};
@@ -114,9 +115,7 @@ void set_stuck_response(const Scene<double>& scene, const StuckConfiguration& st
     s.relative_error = 0;
     for (std::size_t k = 0; k < held.X.size(); ++k) {
         const Complex<Bounded<double>>& X = held.X[k];
-        if (system.base_motion != BaseMotion::none)
-            s.from_ground.push_back(from_ground(mass_of({X.re + frame, X.im}, std::max(largest, frame.x)),
-                                                system.base_motion == BaseMotion::alone ? Bounded<double>(1) : frame));
+        if (frame) s.from_ground.push_back(from_ground(mass_of({X.re + *frame, X.im}, std::max(largest, frame->x)), *frame));
         const SolvedMass& m = s.masses.emplace_back(k == contact_row(system).index ? at_rest : mass_of(X, largest));
         if (!m.phase || (only && k != only->index)) continue;
         s.relative_error =
