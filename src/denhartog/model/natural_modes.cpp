@@ -367,6 +367,12 @@ NaturalModes general_modes(const Matrix<double>& L, const Matrix<double>& K, Eff
     return modes;
 }
 
+void require_finite(const std::vector<double>& r_n, const Matrix<double>& phi, Why why) {
+    for (std::size_t i = 0; i < r_n.size(); ++i)
+        if (!(std::isfinite(r_n[i]) && r_n[i] > 0 && phi.col(static_cast<Eigen::Index>(i)).allFinite()))
+            throw PrecisionError({why, i + 1}, Outcome::out_of_range);
+}
+
 void fix_signs(Matrix<double>& phi) {
     for (Eigen::Index i = 0; i < phi.cols(); ++i) {
         const double size = 3.0 / 8 * phi.col(i).cwiseAbs().maxCoeff();

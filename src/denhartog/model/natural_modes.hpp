@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "denhartog/number/effort.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/scene/scene.hpp"
 
 namespace denhartog {
@@ -52,6 +53,9 @@ inline constexpr double least_contrast_of_masses = 1024;
 /// and K. Veselić, SIAM Journal on Matrix Analysis and Applications 13 (1992), 1204. @eq{14,15}
 [[nodiscard]] std::optional<NaturalModes> graded_modes(const Matrix<double>& L, const Matrix<double>& K,
                                                        Effort* effort = nullptr);
+
+/// @brief PrecisionError for the first mode that is beyond the range of a double; `why` is the sentence that says so.
+void require_finite(const std::vector<double>& r_n, const Matrix<double>& phi, Why why);
 
 /// @brief Fixes the signs of mode shapes: positive is the first component that has more than three eighths of the size of the
 /// largest.
