@@ -183,11 +183,10 @@ constexpr double enough_of_largest = 1e-17; // error of a number before it is ro
 BallMatrix static_displacements(const SceneSource& source, const BallMatrix& K) {
     Scene<Ball> scene;
     source->in_balls(scene);
-    BallMatrix s(K.rows(), 1), x(K.rows(), 1);
-    if (scene.static_load.empty()) return x;
+    BallMatrix s(K.rows(), 1);
+    if (scene.static_load.empty()) return s;
     for (slong k = 0; k < K.rows(); ++k) s(k) = scene.static_load[static_cast<std::size_t>(k)];
-    if (!solved(K, s, x)) throw Unproved("the stiffness matrix is not proved regular");
-    return x;
+    return solution_of(K, s, stiffness_is_open);
 }
 
 Certified as_number(const Ball& x) { return printed(x, most_digits_of_a_double); }

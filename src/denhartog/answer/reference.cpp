@@ -65,10 +65,7 @@ void write_limits(const PointInBalls& p, bool must, WrittenNumbers& w, Solution&
     if (p.sticking) s.limits->sticking = number(*p.sticking);
 }
 
-// The size of a complex number, also of one that may be zero.
-Ball size_of(const Complex<Ball>& x) { return root_of_positive(squared_modulus(x)); }
-
-PeakInBalls peak_of(const Complex<Ball>& X) { return {size_of(X), wrapped_in_balls(-argument(X))}; }
+PeakInBalls peak_of(const Complex<Ball>& X) { return {size_in_balls(X), wrapped_in_balls(-argument(X))}; }
 
 // Writes the masses that are asked about, with a contact that does not move as one mass behind them, by `row`; and by `seen` the
 // masses from the ground, if their frame moves: the numbers of these have the bounds that are written beside them.
@@ -90,7 +87,7 @@ void write_sliding(const PointInBalls& p, const Scene<double>& scene, const Refe
     const ResponsesInBalls& r = *p.responses;
     const SteadyState<Ball> contact = contact_in_balls(r, *p.scene.beta);
     Ball largest = contact.X_j;
-    for (std::size_t k = 0; k < r.contact(); ++k) largest = larger(largest, size_of(r.V[k]));
+    for (std::size_t k = 0; k < r.contact(); ++k) largest = larger(largest, size_in_balls(r.V[k]));
     const auto row = [&](std::size_t k) {
         const MassResponse<Ball> m = mass_in_balls(r, contact, k, k == contact_row(scene.system).index);
         SolvedMass out = w.mass(m.amplitude, m.phase, q.asked != Asked::amplitude, largest);
@@ -115,8 +112,8 @@ bool write_stuck(const PointInBalls& p, const Scene<double>& scene, const Refere
     const StuckInBalls& stuck = required_stuck(p);
     if (*p.scene.beta < *p.sticking) return false;
     if (!(*p.scene.beta >= *p.sticking)) throw Unproved({Why::may_be_boundary, 1});
-    Ball largest = stuck.compliance * size_of(stuck.load); // no mass moves where the load acts on the contact
-    for (const Complex<Ball>& X : stuck.X) largest = larger(largest, size_of(X));
+    Ball largest = stuck.compliance * size_in_balls(stuck.load); // no mass moves where the load acts on the contact
+    for (const Complex<Ball>& X : stuck.X) largest = larger(largest, size_in_balls(X));
     const auto row = [&](std::size_t k) {
         if (k == contact_row(scene.system).index) return SolvedMass{w.shown(Ball(0)), std::nullopt, std::nullopt};
         const PeakInBalls m = peak_of(stuck.X[k]);
@@ -124,7 +121,7 @@ bool write_stuck(const PointInBalls& p, const Scene<double>& scene, const Refere
     };
     const auto seen = [&](std::size_t k, const Ball& frame) { return peak_of({stuck.X[k].re + frame, stuck.X[k].im}); };
     write_masses(scene, q, p.scene.r, row, seen, w, s);
-    const Ball to = (p.scene.mu * *p.scene.beta - size_of(stuck.load)) * stuck.compliance;
+    const Ball to = (p.scene.mu * *p.scene.beta - size_in_balls(stuck.load)) * stuck.compliance;
     s.rest_interval = RestInterval{w.shown(-to), w.shown(to), std::nullopt};
     s.method.model = "stuck response";
     return true;

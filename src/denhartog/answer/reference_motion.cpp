@@ -67,8 +67,9 @@ MotionInBalls motion_at_rest(const PointInBalls& p) {
 
 MotionInBalls sliding_motion(const PointInBalls& p) {
     require_sliding(p);
-    const auto motion = std::make_shared<const SlidingMotionInBalls>(*p.responses, *p.scene.beta);
-    return [motion](const Ball& tau) { return motion->at(tau); };
+    return [r = *p.responses, motion = sliding_motion_in_balls(*p.responses, *p.scene.beta)](const Ball& tau) {
+        return state_in_balls(r, motion, tau);
+    };
 }
 
 // The samples; none where a number is not certain enough. A mass without a phase does not move.

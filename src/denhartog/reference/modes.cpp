@@ -192,6 +192,12 @@ NaturalModesInBalls natural_modes(const SceneInBalls& s) {
 
 } // namespace
 
+BallMatrix solution_of(const BallMatrix& A, const BallMatrix& b, const char* otherwise) {
+    BallMatrix x;
+    if (!solved(A, b, x)) throw Unproved(otherwise);
+    return x;
+}
+
 bool SceneInBalls::is_the_contact(slong k) const {
     for (slong n = 0; n < N(); ++n)
         if (!(n == k ? w(n) - Ball(1) : w(n)).is_zero()) return false;

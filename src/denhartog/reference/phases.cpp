@@ -25,9 +25,7 @@ BallMatrix inverse_of(const BallMatrix& M) {
         for (slong k = 0; k < M.rows(); ++k) inverse(k, k) = Ball(1) / M(k, k);
         return inverse;
     }
-    BallMatrix inverse;
-    if (!solved(M, unit_matrix(M.rows()), inverse)) throw Unproved("the mass matrix may be singular");
-    return inverse;
+    return solution_of(M, unit_matrix(M.rows()), "the mass matrix may be singular");
 }
 
 // e^(lambda tau) and its derivatives over n!, real and imaginary parts.
@@ -228,18 +226,18 @@ FastPhases::FastPhases(const ContactMechanics& s, int direction) : N_(s.N), lead
     if (!free_->are_simple()) throw Unproved("free motions are not told apart");
     in_time_ = free_->in_time();
     // y = C cos + S sin obeys y' = B y + G_c cos + G_s sin if B C - S = -G_c and B S + C = -G_s.
-    BallMatrix both(2 * K, 2 * K), force(2 * K, 1), turning, constant;
+    BallMatrix both(2 * K, 2 * K), force(2 * K, 1);
     put(both, 0, 0, B);
     put(both, K, K, B);
     put(both, K, 0, unit_matrix(K));
     put(both, 0, K, -unit_matrix(K));
     put(force, 0, 0, -part_of(G, 0, 0, K, 1));
     put(force, K, 0, -part_of(G, 0, 1, K, 1));
-    if (!solved(both, force, turning) || !solved(B, -part_of(G, 0, 2, K, 2), constant))
-        throw Unproved("the force may excite a resonance without damping");
+    constexpr const char* resonates = "the force may excite a resonance without damping";
+    const BallMatrix turning = solution_of(both, force, resonates);
     put(forced_, 0, 0, part_of(turning, 0, 0, K, 1));
     put(forced_, 0, 1, part_of(turning, K, 0, K, 1));
-    put(forced_, 0, 2, constant);
+    put(forced_, 0, 2, solution_of(B, -part_of(G, 0, 2, K, 2), resonates));
 }
 
 FastPhases::OverCoordinates FastPhases::taken_apart(const BallMatrix& row) const {

@@ -57,7 +57,7 @@ MassResponse<Ball> mass_in_balls(const ResponsesInBalls& r, const SteadyState<Ba
     // A mass that does not move, as far as the bits decide, has no instant of a largest displacement. By (41) to (43) |x_k| is
     // at most |V_dk| + beta |F_k|.
     const Ball F_throughout = r.friction.at(row, either(Ball(0), pi<Ball>())).rate(0);
-    const Ball throughout = root_of_positive(squared_modulus(r.V[row])) + beta * abs(F_throughout);
+    const Ball throughout = size_in_balls(r.V[row]) + beta * abs(F_throughout);
     if (throughout < abs(contact.X_j) * power_of_two(-ball_bits / 2)) {
         m.amplitude = either(Ball(0), throughout);
         m.instant = m.phase = widened(Ball(0), pi<Ball>());
@@ -95,24 +95,24 @@ BallMatrix harmonic_in_balls(const std::vector<Complex<Ball>>& X, slong N, const
     return state;
 }
 
-SlidingMotionInBalls::SlidingMotionInBalls(ResponsesInBalls r, const Ball& beta)
-    : r_(std::move(r)), motion_(contact_in_balls(r_, beta)) {
-    for (std::size_t k = 0; k < r_.contact() && !beta.is_zero(); ++k)
-        motion_.masses.push_back(start_of_mass_in_balls(r_, motion_, k, false));
+SteadyState<Ball> sliding_motion_in_balls(const ResponsesInBalls& r, const Ball& beta) {
+    SteadyState<Ball> motion = contact_in_balls(r, beta);
+    for (std::size_t k = 0; k < r.contact(); ++k) motion.masses.push_back(start_of_mass_in_balls(r, motion, k, false));
+    return motion;
 }
 
-BallMatrix SlidingMotionInBalls::at(const Ball& tau) const {
-    const auto N = static_cast<slong>(r_.contact());
-    if (motion_.beta.is_zero()) return harmonic_in_balls(r_.V, N, tau);
+BallMatrix state_in_balls(const ResponsesInBalls& r, const SteadyState<Ball>& motion, const Ball& tau) {
+    const auto N = static_cast<slong>(r.contact());
+    if (motion.beta.is_zero()) return harmonic_in_balls(r.V, N, tau);
     BallMatrix state(2 * N, 1);
-    const Ball pi = PiOf<Ball>::value(), from_maximum = tau - motion_.phi_j;
+    const Ball pi = PiOf<Ball>::value(), from_maximum = tau - motion.phi_j;
     const double half = std::floor(static_cast<double>(from_maximum) / static_cast<double>(pi));
     bool found = false;
     for (const double halves : {half - 1, half, half + 1}) { // an instant next to a turn may be on either side
         const Ball within = from_maximum - Ball(halves) * pi;
         if (within < Ball(0) || within > pi) continue;
         for (slong k = 0; k < N; ++k) {
-            const Series x = displacement_in_balls(r_, motion_.masses[k], motion_.beta, k, within);
+            const Series x = displacement_in_balls(r, motion.masses[k], motion.beta, k, within);
             for (const int n : {0, 1}) {
                 const Ball rate = std::fmod(halves, 2) == 0 ? x.rate(n) : -x.rate(n); // (25)
                 Ball& entry = state(n * N + k);
@@ -196,7 +196,7 @@ Boundary<Ball> boundary_in_balls(const SceneInBalls& s, const ResponsesInBalls& 
 std::optional<StuckInBalls> stuck_in_balls(const SceneInBalls& s) {
     // (K - M + i C) X + w f = p, w^T X = 0 in real parts and imaginary parts: unknown are X and the force f
     const slong N = s.N(), n = N + 1;
-    BallMatrix A = dynamic_stiffness(s, n), b(2 * n, 1), x, at_rest;
+    BallMatrix A = dynamic_stiffness(s, n), b(2 * n, 1), x;
     put(b, 0, 0, s.p);
     put(b, n, 0, s.p_i);
     for (const slong half : {slong(0), n}) {
@@ -204,11 +204,10 @@ std::optional<StuckInBalls> stuck_in_balls(const SceneInBalls& s) {
         put(A, half + N, half, transposed(s.w));
     }
     if (!solved(A, b, x)) return std::nullopt;
-    if (!solved(s.K, s.w, at_rest)) throw Unproved("the stiffness matrix is not proved regular");
     StuckInBalls out;
     for (slong k = 0; k < N; ++k) out.X.push_back({x(k), x(n + k)});
     out.load = {x(N), x(n + N)};
-    out.compliance = (transposed(s.w) * at_rest)(0);
+    out.compliance = (transposed(s.w) * solution_of(s.K, s.w, stiffness_is_open))(0);
     return out;
 }
 

@@ -33,18 +33,11 @@ namespace denhartog::reference {
 /// from a maximum of the force.
 [[nodiscard]] BallMatrix harmonic_in_balls(const std::vector<Complex<Ball>>& X, slong N, const Ball& tau);
 
-/// @brief The motion of all masses in the sliding regime, at any instant. @eq{25,41,44,45}
-class SlidingMotionInBalls {
-public:
-    /// @brief Of responses, at a friction ratio.
-    SlidingMotionInBalls(ResponsesInBalls r, const Ball& beta);
-    /// @brief Its state, as `harmonic_in_balls` has it.
-    [[nodiscard]] BallMatrix at(const Ball& tau) const;
+/// @brief The sliding motion: the contact, and the N masses where they start. @eq{38,39,44,45}
+[[nodiscard]] SteadyState<Ball> sliding_motion_in_balls(const ResponsesInBalls& r, const Ball& beta);
 
-private:
-    ResponsesInBalls r_;
-    SteadyState<Ball> motion_; // the masses where they start
-};
+/// @brief The state of the masses in that motion at any instant, as `harmonic_in_balls` has it. @eq{25,41}
+[[nodiscard]] BallMatrix state_in_balls(const ResponsesInBalls& r, const SteadyState<Ball>& motion, const Ball& tau);
 
 /// @brief The boundary from the response functions, without that of permanent sticking; (56) without damping ratios is (69).
 /// @eq{54,56,57,58,67,69}

@@ -170,9 +170,10 @@ private:
         const Ball& beta = *point_.scene.beta;
         const SteadyState<Ball> contact = contact_in_balls(responses(), beta);
         if (q.quantity == "displacement" || q.quantity == "motion_under_force") {
-            const SlidingMotionInBalls motion(responses(), beta);
-            if (q.quantity == "displacement") return {displacement(motion.at(Ball(q.tau) + contact.phi_j), k)};
-            return samples(q, k, [&](const Ball& tau) { return motion.at(tau); });
+            const SteadyState<Ball> motion = sliding_motion_in_balls(responses(), beta);
+            const auto at = [&](const Ball& tau) { return state_in_balls(responses(), motion, tau); };
+            if (q.quantity == "displacement") return {displacement(at(Ball(q.tau) + contact.phi_j), k)};
+            return samples(q, k, at);
         }
         if (quantity(q.quantity).absolute) {
             ResponsesInBalls seen = responses();
