@@ -190,7 +190,7 @@ private:
 
     [[nodiscard]] std::optional<bool> others_come_to_rest() const {
         if (s_.N == 1) return std::nullopt;
-        const std::shared_ptr<FastPhases>& free = s_.by_free_motions(0);
+        const std::shared_ptr<PhasesByFreeMotions>& free = s_.by_free_motions(0);
         if (free && free->die_out()) return true;
         if (arb_mat_is_zero(scene_.C.a) == 0) return std::nullopt;
         const BallMatrix at = places();

@@ -155,8 +155,8 @@ private:
     std::vector<ExponentialSeries> leaps_{}; // in all bits
     slong each_ = 1;                         // stretches a leap
     slong count_ = 1;
-    std::vector<ExponentialSeries> stretches_{}; // in few bits
-    std::shared_ptr<FastPhases> fast_{};         // instead of both, if the phase takes too many
+    std::vector<ExponentialSeries> stretches_{};  // in few bits
+    std::shared_ptr<PhasesByFreeMotions> fast_{}; // instead of both, if the phase takes too many
     BallMatrix Z_{};
     Ball length_{};
 };
