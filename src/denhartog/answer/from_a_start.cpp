@@ -176,7 +176,6 @@ namespace {
 
 using namespace reference;
 
-constexpr slong first_bits_of_motion = 128, most_bits_of_motion = 1024;
 constexpr double enough_of_largest = 1e-17; // error of a number before it is rounded, beside the largest of its kind
 
 // K^-1 s, zero without a constant load.
@@ -218,7 +217,7 @@ std::vector<Certified> place_of_rest(const SceneSource& source) {
     const Scene<double>& scene = source->in_double();
     std::vector<Certified> places;
     if (scene.static_load.empty()) return places;
-    require(with_enough_bits(source, first_bits_of_motion, most_bits_of_motion, [&](const SceneSource& paid, slong, bool last) {
+    require(with_enough_bits(source, first_bits, most_bits, [&](const SceneSource& paid, slong, bool last) {
         const BallMatrix x = static_displacements(paid, scene_as_given(paid).K);
         std::vector<Ball> all;
         for (slong k = 0; k < x.rows(); ++k) all.push_back(x(k));
@@ -238,7 +237,7 @@ FreeDecay free_decay(const SceneSource& source, const State& start, const std::o
     as_cycles.start = start;
     check(as_cycles, number_of_masses(scene.system));
     FreeDecay out;
-    require(with_enough_bits(source, first_bits_of_motion, most_bits_of_motion, [&](const SceneSource& paid, slong, bool last) {
+    require(with_enough_bits(source, first_bits, most_bits, [&](const SceneSource& paid, slong, bool last) {
         const SceneInBalls s = damped_scene_in_balls(paid);
         const BallMatrix at_rest = static_displacements(paid, s.K);
         BallMatrix y(s.N(), 1), y_prime(s.N(), 1);

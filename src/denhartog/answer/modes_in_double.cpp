@@ -107,7 +107,6 @@ namespace {
 
 using namespace reference;
 
-constexpr slong first_bits = 128, most_bits = 1024;
 constexpr double nearly_rounding = 1e-14; // relative error of a number, in place of its rounding to double
 
 Matrix<Bounded<double>> in_double(const BallMatrix& A) {

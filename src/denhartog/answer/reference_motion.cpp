@@ -177,7 +177,7 @@ Tried<std::vector<State>> samples_by_reference(const SceneSource& source, const 
                                                const std::vector<double>& tau, double tolerance,
                                                const std::function<std::vector<OrbitGuess>()>& made) {
     OrbitGuesses guesses(made);
-    return with_more_bits(source, 128, 1024, [&](const SceneSource& paid, slong bits, bool) {
+    return with_more_bits(source, first_bits, most_bits, [&](const SceneSource& paid, slong bits, bool) {
         const auto motion = [&] {
             if (solution.start) return motion_with_stops(paid, solution, tolerance, bits, guesses);
             const PointInBalls p = point_in_balls(paid, !solution.rest_interval);

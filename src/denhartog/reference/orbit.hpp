@@ -67,9 +67,6 @@ private:
     BallMatrix over_factorials_{}; // 1 / k! in column k
 };
 
-/// @brief The norm of A times a length up to which a series is summed at one go: it may widen a ball by the exponential of it.
-inline constexpr double longest_leap = 16;
-
 /// @brief The phases linearised over all unknowns of a box.
 struct Linearised {
     std::vector<Ball> lengths{};    ///< lengths of phases 1 to m in the middle of the box, at [0 .. m-1]
