@@ -50,7 +50,7 @@ TEST_CASE("a phase by its free motions ends as by the exponential of its matrix"
     for (const std::string& text : scenes)
         for (const int direction : {1, -1, 0}) {
             const ContactMechanics s = mechanics_of(text);
-            const FastPhases fast(s, direction);
+            const PhasesByFreeMotions fast(s, direction);
             for (const double length : {0.0, 0.03, 1.75}) {
                 INFO(text << ", direction " << direction << ", length " << length);
                 const BallMatrix expected = by_exponential(s, direction, Ball(length)),
@@ -79,7 +79,7 @@ TEST_CASE("a number over a phase has the rates of its matrix, at every instant o
             for (slong which = 0; which < s.n(); ++which) {
                 BallMatrix row(1, s.n());
                 row(0, which) = Ball(1);
-                const NumberInTime number = FastPhases(s, direction).number(row, some_state(s));
+                const NumberInTime number = PhasesByFreeMotions(s, direction).number(row, some_state(s));
                 const Series over = number(Ball::within(0.5, 0.625));
                 for (const double t : {0.5, 0.5625, 0.625}) {
                     const BallMatrix Z = by_exponential(s, direction, Ball(t));
@@ -135,10 +135,10 @@ TEST_CASE(
 
 TEST_CASE("free motions that coincide, and a resonance without damping, are not followed", "[reference][fast_phase]") {
     const Bits enough(128);
-    CHECK_THROWS_WITH(FastPhases(mechanics_of("one critical"), 1), Catch::Contains("free motions are not told apart"));
-    CHECK_THROWS_WITH(FastPhases(mechanics_of(R"(undamped {"r": 1, "beta": 0.1})"), 1),
+    CHECK_THROWS_WITH(PhasesByFreeMotions(mechanics_of("one critical"), 1), Catch::Contains("free motions are not told apart"));
+    CHECK_THROWS_WITH(PhasesByFreeMotions(mechanics_of(R"(undamped {"r": 1, "beta": 0.1})"), 1),
                       Catch::Contains("resonance without damping"));
-    CHECK_NOTHROW(FastPhases(mechanics_of(R"(one critical {"damping_ratios": 0.5})"), 1));
+    CHECK_NOTHROW(PhasesByFreeMotions(mechanics_of(R"(one critical {"damping_ratios": 0.5})"), 1));
 }
 
 TEST_CASE("long phases whose free motions coincide are followed by series", "[reference][fast_phase][orbit]") {

@@ -55,11 +55,11 @@ void check_in_double(const Scene<double>& scene) {
     const std::size_t N = number_of_masses(scene.system);
     for (std::size_t k = 0; k < N; ++k) {
         INFO("mass " << k + 1);
-        check_same(proved.amplitude[k], orbit.masses[k].amplitude, orbit.error_bound);
-        REQUIRE(proved.phase[k]);
-        check_same_angle(*proved.phase[k], orbit.masses[k].phase, 1e-7 + orbit.masses[k].spread, 2);
+        check_same(proved.masses[k].size, orbit.masses[k].amplitude, orbit.error_bound);
+        REQUIRE(proved.masses[k].phase);
+        check_same_angle(*proved.masses[k].phase, orbit.masses[k].phase, 1e-7 + orbit.masses[k].spread, 2);
     }
-    check_same(proved.amplitude[N], orbit.contact.amplitude, orbit.error_bound);
+    check_same(proved.masses[N].size, orbit.contact.amplitude, orbit.error_bound);
     for (std::size_t k = 0; k < N; ++k) check_same(proved.x[k], orbit.start.x[k], 4 * orbit.error_bound);
     REQUIRE(proved.stops.size() == orbit.stops.size());
     for (std::size_t n = 0; n < proved.stops.size(); ++n) {
@@ -125,10 +125,10 @@ TEST_CASE("a proved motion without stops is the closed form to 45 digits",
             REQUIRE(closed.slides);
             for (std::size_t k = 0; k < closed.masses.size(); ++k) {
                 const Ball& X = closed.masses[k].amplitude;
-                CHECK(apart(proved.amplitude[k], X) == 0);
-                CHECK(apart(proved.phase[k].value(), closed.masses[k].phase, 2 * pi<Ball>()) == 0);
-                CHECK(proved.amplitude[k].radius() < 1e-45 * X.high());
-                CHECK(proved.phase[k]->radius() < 1e-45);
+                CHECK(apart(proved.masses[k].size, X) == 0);
+                CHECK(apart(proved.masses[k].phase.value(), closed.masses[k].phase, 2 * pi<Ball>()) == 0);
+                CHECK(proved.masses[k].size.radius() < 1e-45 * X.high());
+                CHECK(proved.masses[k].phase->radius() < 1e-45);
             }
             ++compared;
         }
@@ -236,7 +236,7 @@ TEST_CASE("a wrong guess is refused", "[reference][orbit]") {
         for (double& event : wrong.events) event += 1.25;
         try { // Newton's method may find the way back, but to no other motion
             const OrbitInBalls found = proved_orbit(in_bits(scene), wrong, 128), right = proved_orbit(in_bits(scene), guess, 128);
-            CHECK((found.amplitude[0] - right.amplitude[0]).may_vanish());
+            CHECK((found.masses[0].size - right.masses[0].size).may_vanish());
         } catch (const Unproved&) {
             SUCCEED();
         }
@@ -273,27 +273,27 @@ TEST_CASE("a mass that no force reaches has no phase", "[reference][orbit]") {
     guess.x.push_back(0);
     guess.x_prime.push_back(0);
     const OrbitInBalls proved = proved_orbit(in_bits(scene), guess, 128);
-    CHECK(proved.amplitude[1].is_zero());
-    CHECK(!proved.phase[1]);
-    CHECK(proved.phase[0]);
+    CHECK(proved.masses[1].size.is_zero());
+    CHECK(!proved.masses[1].phase);
+    CHECK(proved.masses[0].phase);
 }
 
 TEST_CASE("where a mass is as far out at several instants its phase may be that of any", "[reference][orbit]") {
     const Scene<double> scene = scene_of(chain_of({1, 1}, {1, 1}, {0, 0}, 2, 2), 0.1, 0.9);
     const OrbitInBalls proved = proved_orbit(in_bits(scene), guess_for(scene), bits);
-    CHECK(proved.amplitude[0].radius() < 1e-15);
-    REQUIRE(proved.phase[0]);
-    CHECK(proved.phase[0]->radius() > 1); // mass 1 swings freely while the contact rests, and twice comes as far
-    REQUIRE(proved.phase[1]);
-    CHECK(proved.phase[1]->radius() < 1e-15);
+    CHECK(proved.masses[0].size.radius() < 1e-15);
+    REQUIRE(proved.masses[0].phase);
+    CHECK(proved.masses[0].phase->radius() > 1); // mass 1 swings freely while the contact rests, and twice comes as far
+    REQUIRE(proved.masses[1].phase);
+    CHECK(proved.masses[1].phase->radius() < 1e-15);
 }
 
 TEST_CASE("only the masses asked for are given", "[reference][orbit]") {
     const Scene<double> scene = scene_of(two_masses(), 0.3125, 0.25);
     const OrbitInBalls proved = proved_orbit(in_bits(scene), guess_for(scene), 128, {0}, false);
-    CHECK(proved.phase[0]);
-    CHECK(!proved.phase[1]);
-    CHECK(proved.phase[2]);
+    CHECK(proved.masses[0].phase);
+    CHECK(!proved.masses[1].phase);
+    CHECK(proved.masses[2].phase);
     CHECK(proved.multipliers.empty());
 }
 

@@ -61,10 +61,10 @@ TEST_CASE("in stick-slip double agrees with the proved motion, within the bound 
             ++compared;
             double error = 0, largest = 0;
             for (std::size_t k = 0; k < orbit.masses.size(); ++k) {
-                CHECK(exact.amplitude[k].radius() < 1e-42);
+                CHECK(exact.masses[k].size.radius() < 1e-42);
                 largest = std::max(largest, orbit.masses[k].amplitude);
-                error =
-                    std::max({error, apart(exact.amplitude[k], orbit.masses[k].amplitude), apart(exact.x[k], orbit.start.x[k])});
+                error = std::max(
+                    {error, apart(exact.masses[k].size, orbit.masses[k].amplitude), apart(exact.x[k], orbit.start.x[k])});
             }
             for (std::size_t n = 0; n < orbit.stops.size(); ++n) {
                 CHECK(apart(exact.stops[n].start, orbit.stops[n].start) < 1e-11);
@@ -99,7 +99,7 @@ TEST_CASE("the phase of a contact that stops is where it comes to rest, proved a
     const OrbitInBalls exact = proved(p, orbit);
     REQUIRE(exact.stops.size() == 2);
     const reference::StopInBalls& out = exact.stops[exact.stops[0].x > Ball(0) ? 0 : 1];
-    const Ball phase = exact.phase.back().value(), period = 2 * pi<Ball>();
+    const Ball phase = exact.masses.back().phase.value(), period = 2 * pi<Ball>();
     const Ball turned = phase - out.start, rest = turned - Ball(std::round(static_cast<double>(turned / period))) * period;
     CHECK(abs(rest).low() <= 0);
     CHECK(rest.radius() < 1e-44);

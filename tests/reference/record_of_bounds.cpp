@@ -121,7 +121,7 @@ std::vector<NamedNumber> radii_of_balls(const SceneSource& source) {
         add(*p.sticking);
     }
     if (p.boundary)
-        for (const Ball& limit : {p.boundary->exact, p.boundary->paper, p.boundary->approximate, p.boundary->S}) add(limit);
+        for (const Ball& limit : {p.boundary->exact, p.boundary->paper, p.boundary->approximate, p.boundary->S_exact}) add(limit);
     if (p.responses) {
         const ResponsesInBalls& r = *p.responses;
         for (std::size_t k = 0; k < r.V.size(); ++k) {
@@ -130,10 +130,9 @@ std::vector<NamedNumber> radii_of_balls(const SceneSource& source) {
         }
         add(r.H);
         if (*p.scene.beta < p.boundary->exact) {
-            const SlidingContactInBalls contact = contact_in_balls(r, *p.scene.beta);
+            const SteadyState<Ball> contact = contact_in_balls(r, *p.scene.beta);
             for (std::size_t k = 0; k < r.V.size(); ++k) {
-                const SlidingMassInBalls m =
-                    mass_in_balls(r, contact, *p.scene.beta, k, p.scene.is_the_contact(static_cast<slong>(k)));
+                const MassResponse<Ball> m = mass_in_balls(r, contact, k, p.scene.is_the_contact(static_cast<slong>(k)));
                 for (const Ball& number : {m.amplitude, m.phase, m.x0, m.v0, m.instant, m.amplitude_monoharmonic}) add(number);
             }
             return all;
@@ -147,10 +146,12 @@ std::vector<NamedNumber> radii_of_balls(const SceneSource& source) {
     const OrbitInBalls orbit = OrbitGuesses(made).first_proved(source->effort, [&](const OrbitGuess& guess) {
         return proved_orbit([&] { return damped_scene_in_balls(source); }, guess, bits);
     });
-    for (const std::vector<Ball>& numbers : {orbit.amplitude, orbit.x, orbit.x_prime, orbit.multipliers})
+    for (const std::vector<Ball>& numbers : {orbit.x, orbit.x_prime, orbit.multipliers})
         for (const Ball& number : numbers) add(number);
-    for (const std::optional<Ball>& phase : orbit.phase)
-        if (phase) add(*phase);
+    for (const PeakInBalls& mass : orbit.masses) {
+        add(mass.size);
+        if (mass.phase) add(*mass.phase);
+    }
     for (const StopInBalls& stop : orbit.stops)
         for (const Ball& number : {stop.start, stop.end, stop.x}) add(number);
     return all;

@@ -150,7 +150,7 @@ void survey_quantities(const SceneSource& source, const Truth& truth, SurveyOfBo
                               if (of == "U") take(truth.point.responses->U[k]);
                               if (of == "G") take(truth.point.responses->G[k]);
                               if (of == "H") take(truth.point.responses->H);
-                              if (of == "S") take(truth.point.boundary->S);
+                              if (of == "S") take(truth.point.boundary->S_exact);
                               if (of == "beta_lim") take(truth.point.boundary->exact);
                               if (of == "X_j") take(truth.contact.X_j);
                               if (of == "phi_j") take(truth.contact.phi_j, full_turns(1));

@@ -101,7 +101,7 @@ void survey_sums(const PointOfC& p, const Truth& truth, SurveyOfBounds& survey) 
         survey.take("C: G", G[k], G_error[k], truth.point.responses->G[k]);
     }
     survey.take("C: H_j", H, H_error, truth.point.responses->H);
-    survey.take("C: S_j", S, S_error, truth.point.boundary->S);
+    survey.take("C: S_j", S, S_error, truth.point.boundary->S_exact);
 }
 
 void survey_boundaries(const PointOfC& p, const Truth& truth, SurveyOfBounds& survey) {
@@ -130,7 +130,7 @@ void survey_sliding(const PointOfC& p, const Truth& truth, SurveyOfBounds& surve
         auto m = sized<dh_sliding_mass>(), e = sized<dh_sliding_mass>();
         done(dh_sliding_motion(p.system.get(), p.r, p.beta, p.mu, k + 1, &m));
         done(dh_sliding_motion_errors(p.system.get(), p.r, p.beta, p.mu, k + 1, &e));
-        const reference::SlidingMassInBalls& proved = truth.masses[k];
+        const MassResponse<Ball>& proved = truth.masses[k];
         survey.take("C: x0", m.initial_displacement, e.initial_displacement, proved.x0);
         survey.take("C: v0", m.initial_velocity, e.initial_velocity, proved.v0);
         survey.take("C: sliding amplitude", m.amplitude, e.amplitude, proved.amplitude);

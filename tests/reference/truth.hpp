@@ -14,11 +14,11 @@ namespace denhartog::tests {
 
 /// @brief The numbers of a point in balls, by the formulas alone.
 struct Truth {
-    PointInBalls point{};                                ///< matrices, response functions, boundaries
-    reference::ModesInBalls modes{};                     ///< modes; damping ratios as well where a damping matrix gives them
-    bool slides = false;                                 ///< whether beta is below the boundary
-    reference::SlidingContactInBalls contact{};          ///< in that case the contact
-    std::vector<reference::SlidingMassInBalls> masses{}; ///< and the masses
+    PointInBalls point{};                     ///< matrices, response functions, boundaries
+    reference::ModesInBalls modes{};          ///< modes; damping ratios as well where a damping matrix gives them
+    bool slides = false;                      ///< whether beta is below the boundary
+    SteadyState<Ball> contact{};              ///< in that case the contact
+    std::vector<MassResponse<Ball>> masses{}; ///< and the masses
 
     explicit Truth(const SceneSource& source)
         : point(point_of(source)), modes(reference::modes_in_balls(point.scene)), slides(beta() < point.boundary->exact) {
@@ -28,8 +28,7 @@ struct Truth {
         for (slong k = 0; k < point.scene.N(); ++k) {
             bool is_contact = true; // on a wall; of a contact between two masses each moves otherwise
             for (slong n = 0; n < point.scene.N(); ++n) is_contact = is_contact && point.scene.w(n).is_zero() == (n != k);
-            masses.push_back(
-                reference::mass_in_balls(*point.responses, contact, beta(), static_cast<std::size_t>(k), is_contact));
+            masses.push_back(reference::mass_in_balls(*point.responses, contact, static_cast<std::size_t>(k), is_contact));
         }
     }
 

@@ -108,5 +108,6 @@ TEST_CASE("masses beside a contact at rest are seen from the ground if a base mo
         const Solution s = solve(scene);
         REQUIRE(s.rest_interval);
         CHECK(s.from_ground.size() == (motion == BaseMotion::none ? 0 : 2));
+        CHECK(solve(scene, {.asked = Asked::amplitude}).from_ground.empty()); // that is of the whole motion
     }
 }

@@ -198,12 +198,12 @@ bool bracketed(const Bidiagonal& B, double sigma, std::size_t i, double margin) 
 
 void require_high_relative_accuracy(const Bidiagonal& B) {
     const std::size_t N = B.d.size();
-    const SingularValues found = bidiagonal_singular_values(B.d, B.e, all_rows(B.d.size()));
+    const NaturalModes found = bidiagonal_singular_values(B.d, B.e, all_rows(B.d.size()));
     const double margin = 4 * static_cast<double>(N) * std::numeric_limits<double>::epsilon();
     for (std::size_t i = 0; i < N; ++i) {
-        INFO("singular value " << i << " of " << N << ": " << tests::hexadecimal(found.sigma[i]) << ", d[0] "
+        INFO("singular value " << i << " of " << N << ": " << tests::hexadecimal(found.r_n[i]) << ", d[0] "
                                << tests::hexadecimal(B.d[0]));
-        REQUIRE(bracketed(B, found.sigma[i], i, margin));
+        REQUIRE(bracketed(B, found.r_n[i], i, margin));
     }
 }
 
@@ -212,11 +212,11 @@ void require_high_relative_accuracy(const Bidiagonal& B) {
 TEST_CASE("the count of singular values below a number notices a relative error of a few units in the last place",
           "[bidiagonal]") {
     const Bidiagonal B{{1e8, 1, 1e-8}, {1e8, 1}};
-    const SingularValues found = bidiagonal_singular_values(B.d, B.e, all_rows(B.d.size()));
+    const NaturalModes found = bidiagonal_singular_values(B.d, B.e, all_rows(B.d.size()));
     for (std::size_t i = 0; i < 3; ++i) {
-        REQUIRE(bracketed(B, found.sigma[i], i, 1e-15));
-        REQUIRE_FALSE(bracketed(B, found.sigma[i] * (1 + 4e-15), i, 1e-15));
-        REQUIRE_FALSE(bracketed(B, found.sigma[i] * (1 - 4e-15), i, 1e-15));
+        REQUIRE(bracketed(B, found.r_n[i], i, 1e-15));
+        REQUIRE_FALSE(bracketed(B, found.r_n[i] * (1 + 4e-15), i, 1e-15));
+        REQUIRE_FALSE(bracketed(B, found.r_n[i] * (1 - 4e-15), i, 1e-15));
     }
 }
 
@@ -260,19 +260,19 @@ TEST_CASE("right singular vectors are orthonormal and stretch to their singular 
     for (int trial = 0; trial < 40; ++trial) {
         const std::size_t N = 2 + random() % 20;
         const Bidiagonal B = random_bidiagonal(random, N, 3);
-        const SingularValues found = bidiagonal_singular_values(B.d, B.e, all_rows(B.d.size()));
+        const NaturalModes found = bidiagonal_singular_values(B.d, B.e, all_rows(B.d.size()));
         Matrix<double> dense = Matrix<double>::Zero(static_cast<Eigen::Index>(N), static_cast<Eigen::Index>(N));
         for (std::size_t i = 0; i < N; ++i) {
             dense(i, i) = B.d[i];
             if (i + 1 < N) dense(i, i + 1) = B.e[i];
         }
         const double eps = std::numeric_limits<double>::epsilon();
-        const Matrix<double> BV = dense * found.V;
+        const Matrix<double> BV = dense * found.phi;
         const Matrix<double> squares = BV.transpose() * BV;
         Matrix<double> residual = squares;
-        Matrix<double> identity = found.V.transpose() * found.V;
+        Matrix<double> identity = found.phi.transpose() * found.phi;
         for (std::size_t i = 0; i < N; ++i) {
-            residual(i, i) -= found.sigma[i] * found.sigma[i];
+            residual(i, i) -= found.r_n[i] * found.r_n[i];
             identity(i, i) -= 1;
         }
         INFO("N " << N << ", d[0] " << tests::hexadecimal(B.d[0]));

@@ -63,11 +63,10 @@ void count_precision_step();
     return amplitude <= error && error <= largest * units * unit_of<double>();
 }
 
-/// @brief Takes the motion of a contact that does not move as one mass out of the lists over masses, where it comes last.
-void take_contact_between(const System<double>& system, Solution& s);
-
-/// @brief Leaves of the masses in their order the one that was asked about, if it was one.
-void keep_asked_mass(const Question& question, Solution& s);
+/// @brief Brings the lists over all masses into the form in which answers have them. If one mass was asked about, it alone is left.
+/// The motion of a contact that does not move as one mass comes last, and is taken out. Masses are seen from the ground if the
+/// motion of all was asked for; those of a base that moves alone are absolute as they are.
+void set_lists(const System<double>& system, const Question& question, Solution& s);
 
 [[nodiscard]] inline Certified certified(const Bounded<double>& a) { return {a.x, a.e, {}}; } ///< a number with its bound
 [[nodiscard]] inline Certified exactly(double x) { return {x, 0, {}}; }                       ///< a number that is exact
@@ -93,11 +92,10 @@ template <class T>
     return motion == BaseMotion::with_wall ? T(T(1) / (r * r)) : T(1);
 }
 
-/// @brief The amplitude of the frame of the displacements, b; zero where they are absolute.
-[[nodiscard]] inline Bounded<double> amplitude_of_frame(const Scene<double>& scene) {
-    const BaseMotion motion = scene.system.base_motion;
-    if (motion == BaseMotion::none || motion == BaseMotion::alone) return Bounded<double>(0);
-    return *amplitude_of_base(motion, as_input(*scene.r));
+/// @brief The amplitude of the frame of the displacements, b; none where they are absolute.
+template <class T>
+[[nodiscard]] std::optional<T> amplitude_of_frame(BaseMotion motion, const T& r) {
+    return motion == BaseMotion::alone ? std::nullopt : amplitude_of_base(motion, r);
 }
 
 /// @brief A mass in its absolute motion, whose amplitude and phase have the bounds of the relative one's.

@@ -176,18 +176,16 @@ namespace {
 
 using namespace reference;
 
-constexpr slong first_bits_of_motion = 128, most_bits_of_motion = 1024;
 constexpr double enough_of_largest = 1e-17; // error of a number before it is rounded, beside the largest of its kind
 
 // K^-1 s, zero without a constant load.
 BallMatrix static_displacements(const SceneSource& source, const BallMatrix& K) {
     Scene<Ball> scene;
     source->in_balls(scene);
-    BallMatrix s(K.rows(), 1), x(K.rows(), 1);
-    if (scene.static_load.empty()) return x;
+    BallMatrix s(K.rows(), 1);
+    if (scene.static_load.empty()) return s;
     for (slong k = 0; k < K.rows(); ++k) s(k) = scene.static_load[static_cast<std::size_t>(k)];
-    if (!solved(K, s, x)) throw Unproved("the stiffness matrix is not proved regular");
-    return x;
+    return solution_of(K, s, stiffness_is_open);
 }
 
 Certified as_number(const Ball& x) { return printed(x, most_digits_of_a_double); }
@@ -219,7 +217,7 @@ std::vector<Certified> place_of_rest(const SceneSource& source) {
     const Scene<double>& scene = source->in_double();
     std::vector<Certified> places;
     if (scene.static_load.empty()) return places;
-    require(with_enough_bits(source, first_bits_of_motion, most_bits_of_motion, [&](const SceneSource& paid, slong, bool last) {
+    require(with_enough_bits(source, first_bits, most_bits, [&](const SceneSource& paid, slong, bool last) {
         const BallMatrix x = static_displacements(paid, scene_as_given(paid).K);
         std::vector<Ball> all;
         for (slong k = 0; k < x.rows(); ++k) all.push_back(x(k));
@@ -239,7 +237,7 @@ FreeDecay free_decay(const SceneSource& source, const State& start, const std::o
     as_cycles.start = start;
     check(as_cycles, number_of_masses(scene.system));
     FreeDecay out;
-    require(with_enough_bits(source, first_bits_of_motion, most_bits_of_motion, [&](const SceneSource& paid, slong, bool last) {
+    require(with_enough_bits(source, first_bits, most_bits, [&](const SceneSource& paid, slong, bool last) {
         const SceneInBalls s = damped_scene_in_balls(paid);
         const BallMatrix at_rest = static_displacements(paid, s.K);
         BallMatrix y(s.N(), 1), y_prime(s.N(), 1);

@@ -1,6 +1,5 @@
-// The motion of the masses while the contact is held, and where it may rest. Read `held_response` first: Section 4.3 for any contact.
-// After it comes (88) as printed. The errors of the equations come from `stick_slip/bounds_of_equations.cpp`. Declared in
-// `models_in_double.hpp`.
+// The motion of the masses while the contact is held, and where it may rest: `set_stuck_response`, by `held_response` of
+// `stick_slip/bounds_of_equations.cpp`. Before it comes (88) as printed. Declared in `models_in_double.hpp`.
 #include "denhartog/answer/models_in_double.hpp"
 
 #include <algorithm>
@@ -21,28 +20,6 @@ namespace denhartog {
 namespace {
 
 using std::abs;
-
-// The motion with the contact held at zero.
-template <class Number>
-struct HeldResponse {
-    std::vector<Complex<Number>> X; // of all masses
-    Number load;                    // on the contact, in size
-};
-
-// Section 4.3: (6) without the row of the contact moves the other masses, and that row gives the load on the contact.
-template <class Number>
-HeldResponse<Number> held_response(const StuckConfiguration& stuck, const HeldEquations<Number>& by, const Number& r) {
-    HeldResponse<Number> held{{by.others.size() + 1, {Number(0), Number(0)}}, modulus(by.row.load(r, by.others))};
-    for (std::size_t i = 0; i < by.others.size(); ++i) held.X[stuck.masses[i].index] = by.others[i];
-    std::optional<Number> re, im; // of mass a, which goes with those beside it
-    for (std::size_t n = 0; n < by.shares.size(); ++n) {
-        const Complex<Number>& X = held.X[stuck.contact.others[n].k];
-        add_times(re, by.shares[n], X.re);
-        add_times(im, by.shares[n], X.im);
-    }
-    if (re) held.X[stuck.contact.a] = {*re, *im};
-    return held;
-}
 
 // A number that is written as a double has to be one.
 void require_in_range(double number, int what) {
@@ -104,8 +81,9 @@ void set_stuck_response(const Scene<double>& scene, const StuckConfiguration& st
                         std::optional<Mass> only, Solution& s) {
     const System<double>& system = scene.system;
     const Matrix<double> error_of_C = errors_of_C(system, basis);
-    const HeldResponse<Bounded<double>> held = held_response(stuck, held_equations(scene, stuck, error_of_C), as_input(*scene.r));
-    const Bounded<double> compliance = compliance_of(stuck), frame = amplitude_of_frame(scene);
+    const HeldResponse held = held_response(scene, stuck, error_of_C);
+    const Bounded<double> compliance = compliance_of(stuck);
+    const std::optional<Bounded<double>> frame = amplitude_of_frame(system.base_motion, as_input(*scene.r));
     double largest = held.load.x * compliance.x; // no mass moves where the load acts on the contact
     for (const Complex<Bounded<double>>& X : held.X) largest = std::max(largest, modulus(X).x);
     const SolvedMass at_rest{exactly(0), std::nullopt, std::nullopt};
@@ -114,9 +92,7 @@ void set_stuck_response(const Scene<double>& scene, const StuckConfiguration& st
     s.relative_error = 0;
     for (std::size_t k = 0; k < held.X.size(); ++k) {
         const Complex<Bounded<double>>& X = held.X[k];
-        if (system.base_motion != BaseMotion::none)
-            s.from_ground.push_back(from_ground(mass_of({X.re + frame, X.im}, std::max(largest, frame.x)),
-                                                system.base_motion == BaseMotion::alone ? Bounded<double>(1) : frame));
+        if (frame) s.from_ground.push_back(from_ground(mass_of({X.re + *frame, X.im}, std::max(largest, frame->x)), *frame));
         const SolvedMass& m = s.masses.emplace_back(k == contact_row(system).index ? at_rest : mass_of(X, largest));
         if (!m.phase || (only && k != only->index)) continue;
         s.relative_error =

@@ -107,7 +107,6 @@ namespace {
 
 using namespace reference;
 
-constexpr slong first_bits = 128, most_bits = 1024;
 constexpr double nearly_rounding = 1e-14; // relative error of a number, in place of its rounding to double
 
 Matrix<Bounded<double>> in_double(const BallMatrix& A) {
@@ -295,7 +294,7 @@ Tried<ModeFunctionsInDouble> mode_functions_by_reference(const SceneSource& sour
             const auto n = static_cast<slong>(i);
             const Ball zeta = s.zeta.empty() ? D(n, n) * m.R[i] * s.r / 2 : s.zeta[i];
             const evaluation::ModeFunctions<Ball> f = functions_of_mode(m.R[i], zeta);
-            const Ball size = root_of_positive(squared_modulus(f.v));
+            const Ball size = size_in_balls(f.v);
             if (!size.finite() || !f.u.finite() || !f.g.finite()) throw Unproved(Why::may_be_pole);
             functions->push_back({{in_double(f.v.re), in_double(f.v.im)}, in_double(f.u), in_double(f.g)});
             for (const Bounded<double>& x : {in_double(size), functions->back().u, functions->back().g})

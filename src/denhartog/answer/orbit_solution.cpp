@@ -287,8 +287,8 @@ void set_motion_of_orbit(const Scene<double>& scene, const Question& question, E
     const bool all = question.asked == Asked::motion && !question.mass;
     const Contact& contact = solver.system().stuck.contact;
     const std::size_t j = solver.system().contact.index, N = orbit.start.x.size(), count = std::max(N, j + 1);
-    const Bounded<double> moves = all ? amplitude_of_frame(scene) : Bounded<double>(0);
-    const double frame = moves.x;
+    const auto base = all ? amplitude_of_frame(scene.system.base_motion, as_input(*scene.r)) : std::nullopt;
+    const double frame = base ? base->x : 0;
     OnOrbit on_orbit(solver, orbit);
     std::vector<MassMotion> absolute;
     if (frame > 0)
@@ -319,9 +319,7 @@ void set_motion_of_orbit(const Scene<double>& scene, const Question& question, E
     }
     on_orbit.frame = frame;
     s.from_ground.clear();
-    for (std::size_t k = 0; k < absolute.size(); ++k) s.from_ground.push_back(from_ground(solved(k, absolute[k]), moves));
-    for (std::size_t k = 0; all && scene.system.base_motion == BaseMotion::alone && k < N; ++k) // absolute as they are
-        s.from_ground.push_back(from_ground(s.masses[k], Bounded<double>(1)));
+    for (std::size_t k = 0; k < absolute.size(); ++k) s.from_ground.push_back(from_ground(solved(k, absolute[k]), *base));
     State start = orbit.start;
     for (std::vector<double>* part : {&start.x, &start.x_prime}) contact.append(*part);
     s.start.emplace();

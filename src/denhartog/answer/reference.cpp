@@ -22,23 +22,7 @@ using namespace reference;
 
 // The motion of the frame of the displacements, where absolute ones are wanted beside them; none where they are absolute.
 std::optional<Ball> frame_of(const Scene<double>& scene, const ReferenceQuestion& q, const Ball& r) {
-    const BaseMotion motion = scene.system.base_motion;
-    if (q.asked != Asked::motion || q.mass || motion == BaseMotion::none || motion == BaseMotion::alone) return std::nullopt;
-    return amplitude_of_base(motion, r);
-}
-
-// A mass as it is seen from the ground; its numbers have the bounds that are written beside them.
-MassFromGround from_ground(const Ball& amplitude, const std::optional<Ball>& phase, const Ball& base, const WrittenNumbers& w) {
-    MassFromGround seen{w.shown(amplitude), w.shown(amplitude / base), std::nullopt};
-    if (phase && !amplitude.is_zero()) seen.phase = w.shown(*phase);
-    return seen;
-}
-
-// Writes the amplitude of base or wall, and the masses as they are where their displacements are absolute.
-void write_base(const Scene<double>& scene, const ReferenceQuestion& q, const Ball& r, const WrittenNumbers& w, Solution& s) {
-    if (const std::optional<Ball> base = amplitude_of_base(scene.system.base_motion, r)) s.base_amplitude = w.shown(*base);
-    if (scene.system.base_motion != BaseMotion::alone || q.asked != Asked::motion || q.mass) return;
-    for (const SolvedMass& mass : s.masses) s.from_ground.push_back({mass.amplitude, mass.amplitude, mass.phase});
+    return q.asked != Asked::motion || q.mass ? std::nullopt : amplitude_of_frame(scene.system.base_motion, r);
 }
 
 // The regime of a friction ratio, as far as balls tell it.
@@ -81,29 +65,31 @@ void write_limits(const PointInBalls& p, bool must, WrittenNumbers& w, Solution&
     if (p.sticking) s.limits->sticking = number(*p.sticking);
 }
 
-// The size of a complex number, also of one that may be zero.
-Ball size_of(const Complex<Ball>& x) { return root_of_positive(squared_modulus(x)); }
+PeakInBalls peak_of(const Complex<Ball>& X) { return {size_in_balls(X), wrapped_in_balls(-argument(X))}; }
 
-// The masses that are asked about, and for a contact between two masses what it does itself.
-template <class Row>
-void write_masses(const Scene<double>& scene, const std::optional<Mass>& only, const Row& row, Solution& s) {
-    s.masses.clear();
-    const std::size_t N = number_of_masses(scene.system);
-    for (std::size_t k = 0; k < N; ++k)
-        if (!only || only->index == k) s.masses.push_back(row(k));
-    s.only = only;
-    if (contact_moves_apart(s) && !only) s.between = row(N);
+// Writes the masses that are asked about, with a contact that does not move as one mass behind them, by `row`; and by `seen` the
+// masses from the ground, if their frame moves: the numbers of these have the bounds that are written beside them.
+template <class Row, class Seen>
+void write_masses(const Scene<double>& scene, const ReferenceQuestion& q, const Ball& r, const Row& row, const Seen& seen,
+                  const WrittenNumbers& w, Solution& s) {
+    const std::size_t N = number_of_masses(scene.system), rows = contact_moves_apart(scene.system) ? N + 1 : N;
+    for (std::size_t k = 0; k < rows; ++k) s.masses.push_back(!q.mass || q.mass->index == k ? row(k) : SolvedMass{});
+    const std::optional<Ball> frame = frame_of(scene, q, r);
+    for (std::size_t k = 0; frame && k < N; ++k) {
+        const PeakInBalls mass = seen(k, *frame);
+        s.from_ground.push_back({w.shown(mass.size), w.shown(mass.size / *frame), std::nullopt});
+        if (mass.phase && !mass.size.is_zero()) s.from_ground.back().phase = w.shown(*mass.phase);
+    }
 }
 
 void write_sliding(const PointInBalls& p, const Scene<double>& scene, const ReferenceQuestion& q, WrittenNumbers& w,
                    Solution& s) {
     const ResponsesInBalls& r = *p.responses;
-    const SlidingContactInBalls contact = contact_in_balls(r, *p.scene.beta);
+    const SteadyState<Ball> contact = contact_in_balls(r, *p.scene.beta);
     Ball largest = contact.X_j;
-    for (std::size_t k = 0; k < r.contact(); ++k) largest = larger(largest, size_of(r.V[k]));
+    for (std::size_t k = 0; k < r.contact(); ++k) largest = larger(largest, size_in_balls(r.V[k]));
     const auto row = [&](std::size_t k) {
-        const bool is_contact = k == r.contact() || (!contact_moves_apart(s) && k == s.contact.index);
-        const SlidingMassInBalls m = mass_in_balls(r, contact, *p.scene.beta, k, is_contact);
+        const MassResponse<Ball> m = mass_in_balls(r, contact, k, k == contact_row(scene.system).index);
         SolvedMass out = w.mass(m.amplitude, m.phase, q.asked != Asked::amplitude, largest);
         if (q.asked != Asked::motion || !out.phase) return out;
         for (const Ball& x : {m.x0, m.v0, m.amplitude_monoharmonic}) w.beside(x, m.amplitude);
@@ -111,15 +97,13 @@ void write_sliding(const PointInBalls& p, const Scene<double>& scene, const Refe
                                     w.absolute(m.phase_monoharmonic)};
         return out;
     };
-    write_masses(scene, q.mass, row, s);
-    if (const std::optional<Ball> frame = frame_of(scene, q, p.scene.r)) {
-        ResponsesInBalls seen = r;
-        for (std::size_t k = 0; k < r.contact(); ++k) {
-            seen.V[k] = response_from_ground(r.V[k], scene.system.base_motion, *frame);
-            const SlidingMassInBalls m = mass_in_balls(seen, contact, *p.scene.beta, k, false);
-            s.from_ground.push_back(from_ground(m.amplitude, m.phase, *frame, w));
-        }
-    }
+    ResponsesInBalls absolute = r;
+    const auto seen = [&](std::size_t k, const Ball& frame) -> PeakInBalls {
+        absolute.V[k] = response_from_ground(r.V[k], scene.system.base_motion, frame);
+        const MassResponse<Ball> m = mass_in_balls(absolute, contact, k, false);
+        return {m.amplitude, m.phase};
+    };
+    write_masses(scene, q, p.scene.r, row, seen, w, s);
     s.method.model = "closed form";
 }
 
@@ -128,21 +112,16 @@ bool write_stuck(const PointInBalls& p, const Scene<double>& scene, const Refere
     const StuckInBalls& stuck = required_stuck(p);
     if (*p.scene.beta < *p.sticking) return false;
     if (!(*p.scene.beta >= *p.sticking)) throw Unproved({Why::may_be_boundary, 1});
-    Ball largest = stuck.compliance * size_of(stuck.load); // no mass moves where the load acts on the contact
-    for (const Complex<Ball>& X : stuck.X) largest = larger(largest, size_of(X));
+    Ball largest = stuck.compliance * size_in_balls(stuck.load); // no mass moves where the load acts on the contact
+    for (const Complex<Ball>& X : stuck.X) largest = larger(largest, size_in_balls(X));
     const auto row = [&](std::size_t k) {
-        const bool is_contact = k == stuck.X.size() || (!contact_moves_apart(s) && k == s.contact.index);
-        if (is_contact) return SolvedMass{w.shown(Ball(0)), std::nullopt, std::nullopt};
-        const Complex<Ball>& X = stuck.X[k];
-        return w.mass(size_of(X), wrapped_in_balls(-argument(X)), q.asked != Asked::amplitude, largest);
+        if (k == contact_row(scene.system).index) return SolvedMass{w.shown(Ball(0)), std::nullopt, std::nullopt};
+        const PeakInBalls m = peak_of(stuck.X[k]);
+        return w.mass(m.size, m.phase, q.asked != Asked::amplitude, largest);
     };
-    write_masses(scene, q.mass, row, s);
-    if (const std::optional<Ball> frame = frame_of(scene, q, p.scene.r))
-        for (Complex<Ball> X : stuck.X) {
-            X.re += *frame;
-            s.from_ground.push_back(from_ground(size_of(X), wrapped_in_balls(-argument(X)), *frame, w));
-        }
-    const Ball to = (p.scene.mu * *p.scene.beta - size_of(stuck.load)) * stuck.compliance;
+    const auto seen = [&](std::size_t k, const Ball& frame) { return peak_of({stuck.X[k].re + frame, stuck.X[k].im}); };
+    write_masses(scene, q, p.scene.r, row, seen, w, s);
+    const Ball to = (p.scene.mu * *p.scene.beta - size_in_balls(stuck.load)) * stuck.compliance;
     s.rest_interval = RestInterval{w.shown(-to), w.shown(to), std::nullopt};
     s.method.model = "stuck response";
     return true;
@@ -178,11 +157,12 @@ void set_regime_by_stops(const PointInBalls& p, const OrbitInBalls& o, Solution&
 void write_orbit(const OrbitInBalls& o, const Scene<double>& scene, const Ball& r, const ReferenceQuestion& q, WrittenNumbers& w,
                  Solution& s) {
     Ball largest(0);
-    for (const Ball& each : o.amplitude) largest = larger(largest, each);
-    const auto row = [&](std::size_t k) { return w.mass(o.amplitude[k], o.phase[k], q.asked != Asked::amplitude, largest); };
-    write_masses(scene, q.mass, row, s);
-    if (const std::optional<Ball> frame = frame_of(scene, q, r))
-        for (const PeakInBalls& each : o.from_ground) s.from_ground.push_back(from_ground(each.size, each.phase, *frame, w));
+    for (const PeakInBalls& each : o.masses) largest = larger(largest, each.size);
+    const auto row = [&](std::size_t k) {
+        return w.mass(o.masses[k].size, o.masses[k].phase, q.asked != Asked::amplitude, largest);
+    };
+    const auto seen = [&](std::size_t k, const Ball&) -> const PeakInBalls& { return o.from_ground[k]; };
+    write_masses(scene, q, r, row, seen, w, s);
     for (const StopInBalls& stop : o.stops) s.stops.push_back({w.shown(stop.start), w.shown(stop.end), w.shown(stop.x)});
     s.start.emplace();
     for (std::size_t k = 0; k < o.x.size(); ++k) {
@@ -224,8 +204,8 @@ bool attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, 
     s.mu = w.shown(p.scene.mu);
     if (p.scene.beta) s.beta = w.shown(*p.scene.beta);
     s.contact = scene.system.contact;
-    s.contact_with = scene.system.contact_with;
-    s.contact_direction = scene.system.contact_direction;
+    if (const std::optional<Ball> base = amplitude_of_base(scene.system.base_motion, p.scene.r))
+        s.base_amplitude = w.shown(*base);
     if (p.boundary) write_limits(p, q.asked == Asked::motion || q.asked == Asked::regime || !p.scene.beta, w, s);
     if (p.scene.beta) {
         if (p.boundary) write_regime(p, s);
@@ -255,7 +235,7 @@ bool attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, 
     } else {
         s.method.model = "boundary of the sliding regime";
     }
-    write_base(scene, q, p.scene.r, w, s);
+    set_lists(scene.system, q, s);
     s.relative_error = w.largest_error();
     s.method.precision = "reference";
     s.method.why = {Why::proved, bits};

@@ -67,8 +67,9 @@ MotionInBalls motion_at_rest(const PointInBalls& p) {
 
 MotionInBalls sliding_motion(const PointInBalls& p) {
     require_sliding(p);
-    const auto motion = std::make_shared<const SlidingMotionInBalls>(*p.responses, *p.scene.beta);
-    return [motion](const Ball& tau) { return motion->at(tau); };
+    return [r = *p.responses, motion = sliding_motion_in_balls(*p.responses, *p.scene.beta)](const Ball& tau) {
+        return state_in_balls(r, motion, tau);
+    };
 }
 
 // The samples; none where a number is not certain enough. A mass without a phase does not move.
@@ -176,7 +177,7 @@ Tried<std::vector<State>> samples_by_reference(const SceneSource& source, const 
                                                const std::vector<double>& tau, double tolerance,
                                                const std::function<std::vector<OrbitGuess>()>& made) {
     OrbitGuesses guesses(made);
-    return with_more_bits(source, 128, 1024, [&](const SceneSource& paid, slong bits, bool) {
+    return with_more_bits(source, first_bits, most_bits, [&](const SceneSource& paid, slong bits, bool) {
         const auto motion = [&] {
             if (solution.start) return motion_with_stops(paid, solution, tolerance, bits, guesses);
             const PointInBalls p = point_in_balls(paid, !solution.rest_interval);

@@ -69,7 +69,7 @@ bool counts_as_modal(const ModesInBalls& m, const BallMatrix& D, double toleranc
 
 // (56) of the modes by themselves, where the coupling by a damping matrix makes no difference to (69) that anybody could measure.
 std::optional<Ball> paper_limit_of_modes(const SceneInBalls& s, const Ball& exact) {
-    const auto b = if_proved([&]() -> std::optional<BoundaryInBalls> {
+    const auto b = if_proved([&]() -> std::optional<Boundary<Ball>> {
                        ModesInBalls m = modes_in_balls(s);
                        const BallMatrix D = damping_of_modes(s, m);
                        if (!hardly_couples(D, Ball(hardly_coupled))) return std::nullopt;

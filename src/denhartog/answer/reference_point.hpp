@@ -79,7 +79,7 @@ private:
 struct PointInBalls {
     reference::SceneInBalls scene{};                        ///< the scene, with its damping matrix
     std::optional<reference::ResponsesInBalls> responses{}; ///< its response functions; none at a pole
-    std::optional<reference::BoundaryInBalls> boundary{};   ///< the boundary of the sliding regime; none at a pole
+    std::optional<Boundary<Ball>> boundary{};               ///< the boundary of the sliding regime; none at a pole
     std::optional<reference::StuckInBalls> stuck{};         ///< the response with the contact held; none where that may resonate
     std::optional<Ball> sticking{};                         ///< the friction ratio from which the contact can rest for ever
 };
@@ -130,6 +130,9 @@ void require_sliding(const PointInBalls& p);
 
 /// @brief Bits of a decimal digit.
 inline constexpr double bits_of_digit = 3.3219280948873626;
+
+/// @brief Bits of what is handed out as doubles: with the first a proof begins, and with the last it ends.
+inline constexpr slong first_bits = 128, most_bits = 1024;
 
 /// @brief Bits with which a proof of so many digits begins.
 [[nodiscard]] inline slong bits_for(int digits) { return static_cast<slong>(std::max(128.0, bits_of_digit * digits + 64)); }

@@ -117,20 +117,15 @@ ModeSums<Number> sums_from_ground(const ModeSums<Number>& s, std::size_t N, Base
     return seen;
 }
 
-std::vector<MassFromGround> masses_from_ground(const Scene<double>& scene, const ModeSums<Number>& sums,
-                                               const SteadyState<Number>& state, Effort* effort) {
+// From a frame that moves by b; none where displacements are absolute.
+std::vector<MassFromGround> masses_from_ground(const System<double>& system, const std::optional<Number>& b,
+                                               const ModeSums<Number>& sums, const Number& beta, Effort* effort) {
     std::vector<MassFromGround> seen;
-    const BaseMotion base = scene.system.base_motion;
-    const std::size_t N = number_of_masses(scene.system);
-    const Number b = amplitude_of_frame(scene);
-    const auto add = [&](const SteadyState<Number>& of, const Number& amplitude) {
-        for (std::size_t k = 0; k < N; ++k) seen.push_back(from_ground(solved_mass(of.masses[k], false), amplitude));
-    };
-    if (base == BaseMotion::none) return seen;
-    if (base == BaseMotion::alone)
-        add(state, Number(1));
-    else
-        add(SearchedSums(sums_from_ground(sums, N, base, b), effort).steady_state(state.beta, std::nullopt, true), b);
+    if (!b) return seen;
+    const std::size_t N = number_of_masses(system);
+    SearchedSums from_there(sums_from_ground(sums, N, system.base_motion, *b), effort);
+    const SteadyState<Number> state = from_there.steady_state(beta, std::nullopt, true);
+    for (std::size_t k = 0; k < N; ++k) seen.push_back(from_ground(solved_mass(state.masses[k], false), *b));
     return seen;
 }
 
@@ -216,7 +211,9 @@ Solution sliding_solution(const SceneSource& source, const Question& question, s
         const SteadyState<Number> state = at.steady_state(as_input(*scene.beta), question.mass, true);
         attempted.relative = std::max(attempted.relative, error_of_masses(state, question.mass));
         for (const MassResponse<Number>& m : state.masses) s.masses.push_back(solved_mass(m, asked == Asked::motion));
-        if (asked == Asked::motion && !question.mass) s.from_ground = masses_from_ground(scene, at.sums(), state, effort);
+        if (asked == Asked::motion && !question.mass)
+            s.from_ground = masses_from_ground(scene.system, amplitude_of_frame(scene.system.base_motion, as_input(*scene.r)),
+                                               at.sums(), state.beta, effort);
         model = "closed form";
     }
     s.method = {model, "double", verdict(attempted, aim)};

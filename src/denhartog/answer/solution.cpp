@@ -21,28 +21,24 @@ double error_of_displacements(const SolvedMass& m) {
     return std::max({m.sliding->x0.error, m.sliding->v0.error, m.amplitude.error, m.sliding->amplitude_monoharmonic.error});
 }
 
-void take_contact_between(const System<double>& system, Solution& s) {
-    if (!contact_moves_apart(system)) return;
+void set_lists(const System<double>& system, const Question& question, Solution& s) {
     s.contact_with = system.contact_with;
     s.contact_direction = system.contact_direction;
-    if (!s.only && !s.masses.empty()) {
-        s.between = s.masses.back();
-        s.masses.pop_back();
-    }
+    const std::size_t N = number_of_masses(system);
+    const auto keep = [&](std::vector<SolvedMass>& masses) {
+        if (question.mass && masses.size() > 1) masses = {masses[question.mass->index]};
+        if (masses.size() > N) masses.pop_back();
+    };
+    if (!question.mass && s.masses.size() > N) s.between = s.masses.back();
+    if (!s.masses.empty()) s.only = question.mass;
+    keep(s.masses);
+    for (OtherMotion& motion : s.motions) keep(motion.masses);
     if (s.start)
-        for (std::vector<Certified>* part : {&s.start->x, &s.start->x_prime}) part->pop_back();
-    if (!s.only)
-        for (OtherMotion& motion : s.motions) motion.masses.pop_back();
-}
-
-void keep_asked_mass(const Question& question, Solution& s) {
-    if (!question.mass) return;
-    s.from_ground.clear();
-    if (!s.only && !s.masses.empty()) {
-        s.masses = {s.masses[question.mass->index]};
-        s.only = question.mass;
-    }
-    for (OtherMotion& motion : s.motions) motion.masses = {motion.masses[question.mass->index]};
+        for (std::vector<Certified>* part : {&s.start->x, &s.start->x_prime}) part->resize(N);
+    const bool whole = question.asked == Asked::motion && !question.mass;
+    if (!whole) s.from_ground.clear();
+    if (!whole || system.base_motion != BaseMotion::alone) return;
+    for (const SolvedMass& mass : s.masses) s.from_ground.push_back({mass.amplitude, mass.amplitude, mass.phase});
 }
 
 const SolvedMass& mass_of(const Solution& s, Mass k) {

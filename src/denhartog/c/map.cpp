@@ -78,6 +78,7 @@ PointAnswer answer_at(const PreparedSystem& prepared, double r, double beta, con
     if (!found.is_answered()) return answer;
     const std::vector<MassFromGround>& seen = found.value->from_ground;
     for (const Mass k : masses) {
+        if (k.index >= number_of_masses(prepared.scene().system)) break; // others of many systems have it
         if (question.asked != Asked::motion)
             answer.masses.push_back(mass_of(*found.value, k));
         else if (k.index < seen.size())
@@ -125,17 +126,20 @@ Question question_of(const dh_points& points, int digits, int from_ground, const
     return question;
 }
 
-// Answers point after point, on threads, and writes all of them at the end; `masses` is the room for masses in the output.
-template <class Request>
-void solve_all(const Request& request, const dh_points& points, std::size_t masses,
-               const std::function<PointAnswer(std::size_t n)>& answer) {
+// Answers point after point, on threads, and writes all of them at the end; `system_at` gives the system of a point, prepared.
+template <class Request, class SystemAt>
+void solve_all(const Request& request, const dh_points& points, const Question& question, const std::vector<Mass>& masses,
+               const SystemAt& system_at) {
+    const Allowance allowed = allowance();
     Report report(request.progress, request.context, request.count);
     Progress progress(std::ref(report));
     std::vector<PointAnswer> answers(request.count);
     const std::size_t pieces = (request.count + points_at_a_time - 1) / points_at_a_time;
     parallel_for(pieces, threads_of(request.threads), [&](std::size_t piece) {
         const std::size_t from = piece * points_at_a_time, to = std::min(from + points_at_a_time, request.count);
-        for (std::size_t n = from; n < to && !report.stop; ++n) answers[n] = answer(n);
+        for (std::size_t n = from; n < to && !report.stop; ++n)
+            answers[n] = answer_at(system_at(n), element(request.r, request.r_step, n),
+                                   element(request.beta, request.beta_step, n), question, masses, allowed);
         progress.add(to - from);
         return !report.stop;
     });
@@ -143,7 +147,7 @@ void solve_all(const Request& request, const dh_points& points, std::size_t mass
     for (std::size_t n = 0; n < request.count; ++n) {
         const auto at = static_cast<std::ptrdiff_t>(n);
         write_point(answers[n].point, at * points.step, points.status, points.regime, points.stops, points.periods);
-        write_masses(answers[n], masses, at * points.masses_step, points);
+        write_masses(answers[n], masses.size(), at * points.masses_step, points);
     }
 }
 
@@ -222,11 +226,7 @@ int dh_solve_points(const dh_system* system, const dh_points_request* given, con
         const Question question = question_of(*points, request->digits, request->from_ground, masses);
         const PreparedSystem prepared =
             prepare(with_static_friction(system->prepared.source, request->mu), question, Prepared::every_regime);
-        const Allowance allowed = allowance();
-        solve_all(*request, *points, masses.size(), [&](std::size_t n) {
-            return answer_at(prepared, element(request->r, request->r_step, n), element(request->beta, request->beta_step, n),
-                             question, masses, allowed);
-        });
+        solve_all(*request, *points, question, masses, [&](std::size_t) -> const PreparedSystem& { return prepared; });
     });
 }
 
@@ -241,21 +241,14 @@ int dh_solve_systems(const dh_systems_request* given, const dh_points* points) n
         const auto [least, largest] = numbers_of_masses(*request);
         for (std::size_t n = 0; n < request->count; ++n)
             check_base(element(request->systems, request->system_step, n), request->from_ground);
-        const std::vector<Mass> largest_masses =
+        const std::vector<Mass> masses =
             masses_from(request->mass_count, request->masses, request->masses != nullptr ? least : largest);
         const Question question = question_of(*points, request->digits, request->from_ground,
-                                              request->masses != nullptr ? largest_masses : std::vector<Mass>());
-        const Allowance allowed = allowance();
-        solve_all(*request, *points, largest_masses.size(), [&](std::size_t n) {
+                                              request->masses != nullptr ? masses : std::vector<Mass>());
+        solve_all(*request, *points, question, masses, [&](std::size_t n) {
             const PreparedSystem& prepared = element(request->systems, request->system_step, n)->prepared;
             const double mu = element(request->mu, request->mu_step, n);
-            std::vector<Mass> masses = largest_masses;
-            if (request->masses == nullptr) masses.resize(number_of_masses(prepared.scene().system));
-            const auto ask = [&](const PreparedSystem& at_mu) {
-                return answer_at(at_mu, element(request->r, request->r_step, n), element(request->beta, request->beta_step, n),
-                                 question, masses, allowed);
-            };
-            return mu == 1 ? ask(prepared) : ask(with_static_friction(prepared, mu));
+            return mu == 1 ? prepared : with_static_friction(prepared, mu);
         });
     });
 }

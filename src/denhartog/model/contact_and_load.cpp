@@ -5,16 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <utility>
 
 #include "denhartog/evaluation/contact.hpp"
-#include "denhartog/formulas/system.hpp"
 
 namespace denhartog {
 namespace {
-
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // The rest that rounding took of a diagonal entry of K, the sum of two springs of a chain.
 double rest_of_stiffness(const System<double>& s, const Matrix<double>& K, std::size_t k) {
@@ -68,21 +64,6 @@ Matrix<double> with_contact(const Contact& held, const Matrix<double>& A, const 
 }
 
 } // namespace
-
-Matrix<double> mass_matrix(const System<double>& s) {
-    if (s.mass_matrix.size() > 0) return s.mass_matrix;
-    const auto N = static_cast<Eigen::Index>(s.mass_ratios.size());
-    Matrix<double> M = Matrix<double>::Zero(N, N);
-    for (Eigen::Index k = 0; k < N; ++k) M(k, k) = s.mass_ratios[static_cast<std::size_t>(k)];
-    return M;
-}
-
-Matrix<double> stiffness_matrix(const System<double>& s) {
-    if (s.stiffness_matrix.size() > 0) return s.stiffness_matrix;
-    const auto N = static_cast<Eigen::Index>(s.stiffness_ratios.size());
-    const std::vector<double> entries = paper::chain_stiffness_matrix(std::span<const double>(s.stiffness_ratios));
-    return Eigen::Map<const RowMajor>(entries.data(), N, N);
-}
 
 std::vector<double> error_of_load(const System<double>& s) {
     if (s.load_phases.empty()) return s.load_error;

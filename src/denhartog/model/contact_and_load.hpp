@@ -10,17 +10,37 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 
 #include "denhartog/formulas/complex.hpp"
+#include "denhartog/formulas/system.hpp"
 #include "denhartog/scene/scene.hpp"
 
 namespace denhartog {
 
-/// @brief The mass matrix of a system, N x N, in units of m_1.
-[[nodiscard]] Matrix<double> mass_matrix(const System<double>& s);
+/// @brief A matrix of the formulas, which give its entries row by row.
+template <class T>
+[[nodiscard]] Matrix<T> to_matrix(const std::vector<T>& entries, std::size_t N) {
+    using RowMajor = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    return Eigen::Map<const RowMajor>(entries.data(), static_cast<Eigen::Index>(N), static_cast<Eigen::Index>(N));
+}
 
-/// @brief The stiffness matrix of a system, N x N, in units of k_1. @eq{73}
-[[nodiscard]] Matrix<double> stiffness_matrix(const System<double>& s);
+/// @brief The mass matrix of a system, N x N, in units of m_1.
+template <class T>
+[[nodiscard]] Matrix<T> mass_matrix(const System<T>& s) {
+    if (s.mass_matrix.size() > 0) return s.mass_matrix;
+    const auto N = static_cast<Eigen::Index>(s.mass_ratios.size());
+    Matrix<T> M = Matrix<T>::Constant(N, N, T(0));
+    for (Eigen::Index k = 0; k < N; ++k) M(k, k) = s.mass_ratios[static_cast<std::size_t>(k)];
+    return M;
+}
+
+/// @brief The stiffness matrix of a system, N x N, in units of k_1. @eq{1,73}
+template <class T>
+[[nodiscard]] Matrix<T> stiffness_matrix(const System<T>& s) {
+    if (s.stiffness_matrix.size() > 0) return s.stiffness_matrix;
+    return to_matrix<T>(paper::chain_stiffness_matrix(std::span<const T>(s.stiffness_ratios)), s.stiffness_ratios.size());
+}
 
 /// @brief The row of the contact: that of its mass against a wall.
 template <class T>

@@ -25,18 +25,10 @@ namespace {
 using std::abs;
 using std::sqrt;
 
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-/// A row-major array of the formulas as a matrix.
-Matrix<double> to_matrix(const std::vector<double>& entries, std::size_t N) {
-    return Eigen::Map<const RowMajor>(entries.data(), static_cast<Eigen::Index>(N), static_cast<Eigen::Index>(N));
-}
-
 /// A matrix as a row-major array of the formulas.
 std::vector<double> to_array(const Matrix<double>& A) {
-    std::vector<double> entries(static_cast<std::size_t>(A.size()));
-    Eigen::Map<RowMajor>(entries.data(), A.rows(), A.cols()) = A;
-    return entries;
+    const Matrix<double> rows = A.transpose();
+    return {rows.data(), rows.data() + rows.size()};
 }
 
 /// The mass ratios where the masses are coupled by nothing but springs; empty else.
@@ -46,15 +38,6 @@ std::vector<double> lumped_masses(const System<double>& s) {
     if (is_diagonal(s.mass_matrix))
         for (const double mass : s.mass_matrix.diagonal()) gamma.push_back(mass);
     return gamma;
-}
-
-void require_finite(const ModalBasis<double>& basis) {
-    using std::isfinite;
-    for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
-        bool all = isfinite(basis.r_n[i]) && basis.r_n[i] > 0 && isfinite(basis.zeta[i]);
-        for (Eigen::Index k = 0; k < basis.phi.rows(); ++k) all = all && isfinite(basis.phi(k, static_cast<Eigen::Index>(i)));
-        if (!all) throw PrecisionError({Why::mode_out_of_range, i + 1}, Outcome::out_of_range);
-    }
 }
 
 // Distance of A B from B A, over the sizes of both.
@@ -150,7 +133,7 @@ ModalBasis<double> modal_basis(const System<double>& s, Effort* effort) {
         basis.phi.conservativeResize(basis.phi.rows() + further.rows(), Eigen::NoChange);
         basis.phi.bottomRows(further.rows()) = further;
     }
-    require_finite(basis);
+    require_finite(basis.r_n, basis.phi, Why::mode_out_of_range);
     return basis;
 }
 
@@ -159,7 +142,7 @@ ModalBasis<double> modal_basis_at(const System<double>& s, const std::vector<Mas
     NaturalModes modes = chain_modes(s.mass_ratios, s.stiffness_ratios, masses, effort);
     ++work_counted.eigen_solves;
     ModalBasis<double> basis{std::move(modes.r_n), std::move(modes.phi), s.damping_ratios};
-    require_finite(basis);
+    require_finite(basis.r_n, basis.phi, Why::mode_out_of_range);
     return basis;
 }
 

@@ -210,20 +210,21 @@ double shift_for(DiagonalBlock& block, const Estimate& found, int N) {
 }
 
 /// Values positive and ascending, vectors with them.
-SingularValues in_order(const std::vector<double>& d, const Matrix<double>& V, long sweeps) {
+NaturalModes in_order(const std::vector<double>& d, const Matrix<double>& V) {
     const std::size_t N = d.size();
     std::vector<std::size_t> order(N);
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return abs(d[a]) < abs(d[b]); });
-    SingularValues result{std::vector<double>(N), Matrix<double>(V.rows(), V.cols()), sweeps};
+    NaturalModes result{std::vector<double>(N), Matrix<double>(V.rows(), V.cols())};
     for (std::size_t i = 0; i < N; ++i) {
-        result.sigma[i] = abs(d[order[i]]);
-        result.V.col(i) = V.col(order[i]);
+        result.r_n[i] = abs(d[order[i]]);
+        result.phi.col(i) = V.col(order[i]);
     }
     return result;
 }
 
 constexpr int most_sweeps = 40;
+constexpr double least_contrast_of_masses = 1024; // the largest mass over the least, from which modes are graded
 
 double along(const Matrix<double>& A, Eigen::Index p, Eigen::Index q) {
     double sum = 0;
@@ -284,8 +285,8 @@ std::optional<GradedStiffness> graded_stiffness(const Matrix<double>& L, const M
 
 } // namespace
 
-SingularValues bidiagonal_singular_values(std::vector<double> d, std::vector<double> e, const std::vector<std::size_t>& rows,
-                                          Effort* effort) {
+NaturalModes bidiagonal_singular_values(std::vector<double> d, std::vector<double> e, const std::vector<std::size_t>& rows,
+                                        Effort* effort) {
     const std::size_t N = d.size();
     Matrix<double> V = Matrix<double>::Zero(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(N));
     for (std::size_t n = 0; n < rows.size(); ++n) V(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(rows[n])) = 1.0;
@@ -293,7 +294,6 @@ SingularValues bidiagonal_singular_values(std::vector<double> d, std::vector<dou
     const double rotations_allowed =
         2.0 * std::numeric_limits<double>::digits * static_cast<double>(N) * static_cast<double>(N) + 1000;
     double rotations = 0;
-    long sweeps = 0;
     DiagonalBlock block{d, e, V, N, 0, false};
     std::size_t end = N;
     while (true) {
@@ -315,9 +315,8 @@ SingularValues bidiagonal_singular_values(std::vector<double> d, std::vector<dou
             sweep_without_shift(block);
         else
             sweep_with_shift(block, shift);
-        ++sweeps;
     }
-    return in_order(d, V, sweeps);
+    return in_order(d, V);
 }
 
 NaturalModes chain_modes(const std::vector<double>& gamma, const std::vector<double>& kappa, const std::vector<Mass>& masses,
@@ -325,9 +324,9 @@ NaturalModes chain_modes(const std::vector<double>& gamma, const std::vector<dou
     Bidiagonal F = bidiagonal_of(gamma, kappa);
     std::vector<std::size_t> rows;
     for (const Mass& mass : masses) rows.push_back(F.reversed ? gamma.size() - 1 - mass.index : mass.index);
-    SingularValues solved = bidiagonal_singular_values(std::move(F.d), std::move(F.e), rows, effort);
-    for (std::size_t n = 0; n < masses.size(); ++n) solved.V.row(static_cast<Eigen::Index>(n)) /= sqrt(gamma[masses[n].index]);
-    return {std::move(solved.sigma), std::move(solved.V)};
+    NaturalModes modes = bidiagonal_singular_values(std::move(F.d), std::move(F.e), rows, effort);
+    for (std::size_t n = 0; n < masses.size(); ++n) modes.phi.row(static_cast<Eigen::Index>(n)) /= sqrt(gamma[masses[n].index]);
+    return modes;
 }
 
 NaturalModes chain_modes(const std::vector<double>& gamma, const std::vector<double>& kappa, Effort* effort) {
@@ -350,9 +349,9 @@ std::optional<NaturalModes> graded_modes(const Matrix<double>& L, const Matrix<d
     orthogonalise(A, V, effort);
     std::vector<double> sizes;
     for (Eigen::Index i = 0; i < N; ++i) sizes.push_back(sqrt(along(A, i, i)));
-    SingularValues found = in_order(sizes, V, 0);
-    for (Eigen::Index k = 0; k < N; ++k) found.V.row(k) /= L(k, k);
-    return NaturalModes{std::move(found.sigma), std::move(found.V)};
+    NaturalModes modes = in_order(sizes, V);
+    for (Eigen::Index k = 0; k < N; ++k) modes.phi.row(k) /= L(k, k);
+    return modes;
 }
 
 NaturalModes general_modes(const Matrix<double>& L, const Matrix<double>& K, Effort* effort) {
@@ -365,6 +364,12 @@ NaturalModes general_modes(const Matrix<double>& L, const Matrix<double>& K, Eff
     for (std::size_t i = 0; i < modes.r_n.size(); ++i) modes.r_n[i] = sqrt(solved.values[i]);
     modes.phi = divided_by_transpose(L, solved.vectors);
     return modes;
+}
+
+void require_finite(const std::vector<double>& r_n, const Matrix<double>& phi, Why why) {
+    for (std::size_t i = 0; i < r_n.size(); ++i)
+        if (!(std::isfinite(r_n[i]) && r_n[i] > 0 && phi.col(static_cast<Eigen::Index>(i)).allFinite()))
+            throw PrecisionError({why, i + 1}, Outcome::out_of_range);
 }
 
 void fix_signs(Matrix<double>& phi) {

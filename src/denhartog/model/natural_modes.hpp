@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "denhartog/number/effort.hpp"
+#include "denhartog/number/why.hpp"
 #include "denhartog/scene/scene.hpp"
 
 namespace denhartog {
@@ -36,9 +37,6 @@ struct NaturalModes {
 /// lowest from zero, or the iteration does not converge. @eq{14,15}
 [[nodiscard]] NaturalModes general_modes(const Matrix<double>& L, const Matrix<double>& K, Effort* effort = nullptr);
 
-/// @brief Ratio of the largest mass to the least from which modes are graded.
-inline constexpr double least_contrast_of_masses = 1024;
-
 /// @brief The factor by which springs multiply relative errors of their entries on the way to those of squared natural frequencies:
 /// the trace of the inverse of K, its rows and columns scaled to a diagonal of ones. None where modes are not graded: L is not
 /// diagonal, the masses are not very different, or differ by less than the factor.
@@ -53,18 +51,15 @@ inline constexpr double least_contrast_of_masses = 1024;
 [[nodiscard]] std::optional<NaturalModes> graded_modes(const Matrix<double>& L, const Matrix<double>& K,
                                                        Effort* effort = nullptr);
 
+/// @brief PrecisionError for the first mode that is beyond the range of a double; `why` is the sentence that says so.
+void require_finite(const std::vector<double>& r_n, const Matrix<double>& phi, Why why);
+
 /// @brief Fixes the signs of mode shapes: positive is the first component that has more than three eighths of the size of the
 /// largest.
 void fix_signs(Matrix<double>& phi);
 
-/// @brief Singular values, ascending, with their right singular vectors.
-struct SingularValues {
-    std::vector<double> sigma; ///< singular values, ascending, N values
-    Matrix<double> V;          ///< rows of the right singular vectors; column i belongs to sigma[i]
-    long sweeps = 0;           ///< QR sweeps that it took
-};
-
-/// @brief Singular values of the upper bidiagonal matrix with diagonal d and superdiagonal e, with V of the rows wanted.
+/// @brief Singular values of the upper bidiagonal matrix with diagonal d and superdiagonal e, ascending, as natural frequency ratios;
+/// the right singular vectors as mode shapes, of which there are the rows wanted.
 ///
 /// Implicit-zero-shift QR iteration, J. Demmel and W. Kahan, "Accurate singular values of bidiagonal matrices", SIAM J. Sci.
 /// Stat. Comput. 11 (1990) 873-912. The entries of a bidiagonal matrix determine each of its singular values to the relative
@@ -72,7 +67,7 @@ struct SingularValues {
 /// a shift costs a factor of largest over smallest value of its block and is used only where that factor is at most 4 N. d has N
 /// >= 1 values, finite and not zero, and e has N - 1. The values cost N^2, a row another N^2; each sweep is paid from a budget.
 /// PrecisionError where the iteration does not converge.
-[[nodiscard]] SingularValues bidiagonal_singular_values(std::vector<double> d, std::vector<double> e,
-                                                        const std::vector<std::size_t>& rows, Effort* effort = nullptr);
+[[nodiscard]] NaturalModes bidiagonal_singular_values(std::vector<double> d, std::vector<double> e,
+                                                      const std::vector<std::size_t>& rows, Effort* effort = nullptr);
 
 } // namespace denhartog

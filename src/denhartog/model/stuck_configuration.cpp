@@ -97,15 +97,6 @@ void set_modes(const RoundedModes& held, StuckConfiguration& stuck) {
     stuck.modes_diagonalise_damping = is_diagonal(held.damping);
 }
 
-void require_finite(const StuckConfiguration& stuck) {
-    using std::isfinite;
-    for (std::size_t i = 0; i < stuck.r_n.size(); ++i) {
-        bool all = isfinite(stuck.r_n[i]) && stuck.r_n[i] > 0;
-        for (const double entry : stuck.phi.col(static_cast<Eigen::Index>(i))) all = all && isfinite(entry);
-        if (!all) throw PrecisionError({Why::stuck_mode_out_of_range, i + 1}, Outcome::out_of_range);
-    }
-}
-
 } // namespace
 
 StuckConfiguration stuck_configuration(const System<double>& s, const ModalBasis<double>& basis, const RoundedModes* held,
@@ -140,7 +131,7 @@ StuckConfiguration stuck_configuration(const System<double>& s, const ModalBasis
         set_modes(*held, stuck);
     else
         set_modes(s, stuck, effort);
-    require_finite(stuck);
+    require_finite(stuck.r_n, stuck.phi, Why::stuck_mode_out_of_range);
     stuck.shapes(others, Eigen::all) = stuck.phi;
     stuck.contact.hold(stuck.shapes);
     stuck.momentum(Eigen::all, others) = transpose_times(stuck.phi, stuck.M);

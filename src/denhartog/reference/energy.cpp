@@ -12,8 +12,6 @@ Number operator-(const Number& a, const Number& b) { return {a.re - b.re, a.im -
 Number operator/(const Number& a, const Number& b) { return Ball(Ball(1) / squared_modulus(b)) * (a * Number{b.re, -b.im}); }
 Number turned_back(const Ball& tau) { return {cos(tau), -sin(tau)}; } // e^(-i tau)
 
-Ball magnitude(const Number& x) { return root_of_positive(squared_modulus(x)); } // also of a number that may be zero
-
 Number load_on(const SceneInBalls& s, slong k) { return {s.p(k), s.p_i.rows() > 0 ? s.p_i(k) : Ball(0)}; }
 
 // A^-1 p and A^-1 w: the harmonic motions that the load and a unit force on the contact make by themselves, of the masses first
@@ -81,7 +79,7 @@ void balance(const SceneInBalls& s, const std::vector<Number>& X, const ForceOnB
     for (std::size_t k = 0; k < X.size(); ++k) {
         const Number p = load_on(s, static_cast<slong>(k));
         work += p.im * X[k].re - p.re * X[k].im;
-        e.at_most += pi<Ball>() * magnitude(p) * magnitude(X[k]);
+        e.at_most += pi<Ball>() * size_in_balls(p) * size_in_balls(X[k]);
         work -= 2 * d * force.row_of_v[k] * X[k].re;
     }
     e.dampers = pi<Ball>() * (work + d * force.part_of_d_prime) - e.contact;
@@ -117,28 +115,26 @@ EnergiesInBalls energies_of_sliding(const SceneInBalls& s, const ResponsesInBall
     const Ball& beta = *s.beta;
     const HarmonicMotions A(s);
     const ForceOnBase force(s, d);
-    const SlidingContactInBalls contact = contact_in_balls(r, beta);
+    const SteadyState<Ball> motion = sliding_motion_in_balls(r, beta);
     EnergiesInBalls e;
-    e.amplitude = contact.X_j;
+    e.amplitude = motion.X_j;
     e.friction = beta;
-    e.contact = 4 * beta * contact.X_j;
+    e.contact = 4 * beta * motion.X_j;
     e.by_textbooks = A.by_textbooks(beta);
     // The velocity is minus the sine of the time from the maximum of the contact, in sign.
-    const std::vector<Number> X = A.with(Ball(4 * beta / pi<Ball>()) * times_i(turned_back(contact.phi_j)));
+    const std::vector<Number> X = A.with(Ball(4 * beta / pi<Ball>()) * times_i(turned_back(motion.phi_j)));
     balance(s, X, force, d, e);
     if (force.none) return e;
     if (beta.is_zero()) {
-        e.on_base = magnitude(force.of(X));
+        e.on_base = size_in_balls(force.of(X));
         return e;
     }
-    std::vector<SlidingMassInBalls> start;
-    for (std::size_t k = 0; k < r.contact(); ++k) start.push_back(start_of_mass_in_balls(r, contact, beta, k, false));
     const LargestBothWays largest = largest_size_of([&](const Ball& tau) {
-        const Series t = Series::time(tau) + Series(contact.phi_j);
+        const Series t = Series::time(tau) + Series(motion.phi_j);
         Series sum = Series(Ball(-force.part_of_d)) * cos(t) + Series(force.part_of_d_prime) * sin(t);
-        for (std::size_t k = 0; k < start.size(); ++k) {
+        for (std::size_t k = 0; k < motion.masses.size(); ++k) {
             if (force.row_of_x[k].is_zero() && force.row_of_v[k].is_zero()) continue;
-            const Series x = displacement_in_balls(r, start[k], beta, k, tau);
+            const Series x = displacement_in_balls(r, motion.masses[k], beta, k, tau);
             sum = sum + Series(force.row_of_x[k]) * x + Series(force.row_of_v[k]) * x.derivative();
         }
         return sum;
@@ -200,9 +196,9 @@ EnergiesInBalls energies_of_orbit(const SceneInBalls& s, const OrbitInPhases& mo
 EnergiesInBalls energies_of_rest(const SceneInBalls& s, const StuckInBalls& stuck, const Ball& d) {
     const ForceOnBase force(s, d);
     EnergiesInBalls e;
-    e.friction = magnitude(stuck.load);
+    e.friction = size_in_balls(stuck.load);
     balance(s, stuck.X, force, d, e);
-    if (!force.none) e.on_base = magnitude(force.of(stuck.X));
+    if (!force.none) e.on_base = size_in_balls(force.of(stuck.X));
     return e;
 }
 

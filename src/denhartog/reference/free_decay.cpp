@@ -36,8 +36,8 @@ std::optional<Ball> first_fall(const CurveInBalls& c, int order, double a = 0, d
 
 // b A^-1 b less what a displacement of the contact takes of it: the square of the largest b y of all y with y A y = 1, w y = 0.
 Ball largest_square(const BallMatrix& A, const BallMatrix& w, const BallMatrix& b) {
-    BallMatrix A_to_b, A_to_w;
-    if (!solved(A, b, A_to_b) || !solved(A, w, A_to_w)) throw Unproved("a matrix is not proved regular");
+    const BallMatrix A_to_b = solution_of(A, b, "a matrix is not proved regular"),
+                     A_to_w = solution_of(A, w, "a matrix is not proved regular");
     const Ball across = (transposed(w) * A_to_b)(0);
     return (transposed(b) * A_to_b)(0) - across * across / (transposed(w) * A_to_w)(0);
 }
@@ -55,7 +55,7 @@ public:
                          load_of_rates = transposed(part_of(s_.load, 0, s_.N, 1, s_.N)) / s_.sigma;
         mass_ = scene.M * (scene.r * scene.r);
         if (s_.N > 1) reach_ = largest_square(scene.K, scene.w, load_of_places) + largest_square(mass_, scene.w, load_of_rates);
-        if (!solved(scene.K, scene.w, at_unit_force_)) throw Unproved("the stiffness matrix is not proved regular");
+        at_unit_force_ = solution_of(scene.K, scene.w, stiffness_is_open);
         compliance_ = (transposed(scene.w) * at_unit_force_)(0);
     }
 
@@ -190,7 +190,7 @@ private:
 
     [[nodiscard]] std::optional<bool> others_come_to_rest() const {
         if (s_.N == 1) return std::nullopt;
-        const std::shared_ptr<FastPhases>& free = s_.by_free_motions(0);
+        const std::shared_ptr<PhasesByFreeMotions>& free = s_.by_free_motions(0);
         if (free && free->die_out()) return true;
         if (arb_mat_is_zero(scene_.C.a) == 0) return std::nullopt;
         const BallMatrix at = places();

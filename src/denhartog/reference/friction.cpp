@@ -55,9 +55,7 @@ FrictionInTime friction_of_modes(const ModesInBalls& m, const std::vector<Fricti
 
 // (65): the sum of (w^T psi_i)^2 over the modes is w^T M^-1 w / r^2.
 Ball acceleration_of_contact(const SceneInBalls& s) {
-    BallMatrix a;
-    if (!solved(s.M, s.w, a)) throw Unproved("the mass matrix is not proved regular");
-    return (transposed(s.w) * a)(0) / (s.r * s.r);
+    return (transposed(s.w) * solution_of(s.M, s.w, mass_is_open))(0) / (s.r * s.r);
 }
 
 // z' = A z + b between two turns of the contact, z = (x, x'); b is the acceleration by a unit force on the contact.
@@ -69,14 +67,10 @@ StateMatrix state_matrix(const SceneInBalls& s) {
     const slong N = s.N();
     StateMatrix m{BallMatrix(2 * N, 2 * N), BallMatrix(2 * N, 1)};
     const BallMatrix mass = s.M * (s.r * s.r); // (7)
-    BallMatrix stiffness, damping, at_rest;
-    if (!solved(mass, s.K, stiffness) || !solved(mass, s.C * s.r, damping))
-        throw Unproved("the mass matrix is not proved regular");
-    if (!solved(s.K, s.w, at_rest)) throw Unproved("the stiffness matrix is not proved regular");
     put(m.A, 0, N, unit_matrix(N));
-    put(m.A, N, 0, -stiffness);
-    put(m.A, N, N, -damping);
-    put(m.rest, 0, 0, at_rest);
+    put(m.A, N, 0, -solution_of(mass, s.K, mass_is_open));
+    put(m.A, N, N, -solution_of(mass, s.C * s.r, mass_is_open));
+    put(m.rest, 0, 0, solution_of(s.K, s.w, stiffness_is_open));
     return m;
 }
 
@@ -140,10 +134,8 @@ void add_states(const SceneInBalls& s, const StateMatrix& m, FrictionInTime& f) 
     // With more bits the eigenvalues of so fast a system may prove distinct, which costs less.
     if (!(4 * halvings_of(m.A, pi<Ball>()) < static_cast<double>(ball_bits)))
         throw Unproved("a mode is too fast for the state to be followed");
-    BallMatrix begin;
     const BallMatrix once = unit_matrix(2 * N) + state_after(m.A, pi<Ball>(), s.effort);
-    if (!solved(once, m.rest, begin)) throw Unproved("a free motion may mirror itself after half a period");
-    begin = begin * Ball(-2);
+    const BallMatrix begin = solution_of(once, m.rest, "a free motion may mirror itself after half a period") * Ball(-2);
     f.constant.assign(static_cast<std::size_t>(N) + 1, Ball(0));
     f.weight.assign(static_cast<std::size_t>(N) + 1, std::vector<Ball>(2 * N));
     for (slong k = 0; k < N; ++k) {
@@ -160,10 +152,10 @@ void add_states(const SceneInBalls& s, const StateMatrix& m, FrictionInTime& f) 
 
 std::vector<Complex<Ball>> harmonic_response(const SceneInBalls& s, const BallMatrix& force, const BallMatrix& imaginary) {
     const slong N = s.N();
-    BallMatrix b(2 * N, 1), X;
+    BallMatrix b(2 * N, 1);
     put(b, 0, 0, force);
     put(b, N, 0, imaginary);
-    if (!solved(dynamic_stiffness(s, N), b, X)) throw Unproved("the load may excite a resonance without damping");
+    const BallMatrix X = solution_of(dynamic_stiffness(s, N), b, "the load may excite a resonance without damping");
     std::vector<Complex<Ball>> out;
     for (slong i = 0; i < N; ++i) out.push_back({X(i), X(N + i)});
     Complex<Ball>& contact = out.emplace_back();

@@ -1,4 +1,4 @@
-// The equations of motion and their natural modes, proved. `in_matrices` has (1), (8) and (73), `natural_modes` (15): it
+// The equations of motion and their natural modes, proved. Read `natural_modes`, (15): it
 // makes the matrix nearly diagonal and bounds what is left; modes that are not proved distinct stay together in a cluster.
 // `damping_matrix_in_balls` is (19).
 #include "denhartog/reference/modes.hpp"
@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <span>
 
-#include "denhartog/formulas/system.hpp"
 #include "denhartog/model/contact_and_load.hpp"
 
 namespace denhartog::reference {
@@ -20,26 +18,6 @@ BallMatrix in_balls(const Matrix<Ball>& A) {
     for (Eigen::Index i = 0; i < A.rows(); ++i)
         for (Eigen::Index k = 0; k < A.cols(); ++k) out(i, k) = A(i, k);
     return out;
-}
-
-// (8) without the factor r^2: mass ratios on the diagonal, or the matrix that the scene gives.
-BallMatrix masses_of(const System<Ball>& s) {
-    if (s.mass_matrix.size() > 0) return in_balls(s.mass_matrix);
-    const auto N = static_cast<slong>(s.mass_ratios.size());
-    BallMatrix M(N, N);
-    for (slong k = 0; k < N; ++k) M(k, k) = s.mass_ratios[k];
-    return M;
-}
-
-// (1) with the stiffness ratios (73), or the matrix that the scene gives.
-BallMatrix stiffnesses_of(const System<Ball>& s) {
-    if (s.stiffness_matrix.size() > 0) return in_balls(s.stiffness_matrix);
-    const std::vector<Ball> entries = paper::chain_stiffness_matrix(std::span<const Ball>(s.stiffness_ratios));
-    const auto N = static_cast<slong>(s.stiffness_ratios.size());
-    BallMatrix K(N, N);
-    for (slong i = 0; i < N; ++i)
-        for (slong k = 0; k < N; ++k) K(i, k) = entries[i * N + k];
-    return K;
 }
 
 constexpr std::size_t most_kept = 8; // natural modes of one system: a few precisions, with the contact free and held
@@ -214,6 +192,12 @@ NaturalModesInBalls natural_modes(const SceneInBalls& s) {
 
 } // namespace
 
+BallMatrix solution_of(const BallMatrix& A, const BallMatrix& b, const char* otherwise) {
+    BallMatrix x;
+    if (!solved(A, b, x)) throw Unproved(otherwise);
+    return x;
+}
+
 bool SceneInBalls::is_the_contact(slong k) const {
     for (slong n = 0; n < N(); ++n)
         if (!(n == k ? w(n) - Ball(1) : w(n)).is_zero()) return false;
@@ -233,11 +217,7 @@ BallMatrix dynamic_stiffness(const SceneInBalls& s, slong n) {
 
 SceneInBalls in_matrices(const Scene<Ball>& scene) {
     const System<Ball>& s = scene.system;
-    SceneInBalls out{masses_of(s), stiffnesses_of(s)};
-    if (s.damping_matrix.size() > 0)
-        out.C = in_balls(s.damping_matrix);
-    else
-        out.zeta = s.damping_ratios;
+    SceneInBalls out{in_balls(mass_matrix(s)), in_balls(stiffness_matrix(s)), in_balls(s.damping_matrix), s.damping_ratios};
     out.w = out.p = BallMatrix(out.N(), 1);
     if (!s.load_phases.empty()) out.p_i = out.p;
     const std::vector<Ball> direction = contact_vector(s);

@@ -47,6 +47,14 @@ template <class Compute>
     }
 }
 
+/// @brief The solution of \f$ Ax=b \f$; Unproved, for the reason that is told, where A may be singular.
+[[nodiscard]] BallMatrix solution_of(const BallMatrix& A, const BallMatrix& b, const char* otherwise);
+inline constexpr const char* mass_is_open = "the mass matrix is not proved regular";           ///< a reason of these
+inline constexpr const char* stiffness_is_open = "the stiffness matrix is not proved regular"; ///< another
+
+/// @brief The size of a complex number that may be zero.
+[[nodiscard]] inline Ball size_in_balls(const Complex<Ball>& x) { return root_of_positive(squared_modulus(x)); }
+
 class KeptModes;
 
 /// @brief A scene, every number a ball.

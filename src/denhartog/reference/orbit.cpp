@@ -292,17 +292,11 @@ OrbitInBalls proved_orbit(const std::function<SceneInBalls()>& scene, const Orbi
     OrbitInBalls r;
     r.mirrored = orbit.at.mirrored;
     r.periods = orbit.at.periods;
-    r.amplitude.resize(s.N + 1);
-    r.phase.resize(r.amplitude.size());
-    const auto set = [&](slong k, const PeakInBalls& peak) {
-        r.amplitude[k] = peak.size;
-        r.phase[k] = peak.phase;
-    };
-    const PeakInBalls contact = peak_of_contact(orbit);
-    set(s.N, contact);
+    r.masses.resize(s.N);
+    const PeakInBalls& contact = r.masses.emplace_back(peak_of_contact(orbit));
     for (slong k = 0; k < s.N; ++k) {
         if (!masses.empty() && std::ranges::find(masses, static_cast<std::size_t>(k)) == masses.end()) continue;
-        set(k, s.on_a_wall && k == s.lead ? contact : peak_of_mass(orbit, motion.phases, k));
+        r.masses[k] = s.on_a_wall && k == s.lead ? contact : peak_of_mass(orbit, motion.phases, k);
     }
     for (slong k = 0; frame && k < s.N; ++k) r.from_ground.push_back(peak_of_mass(orbit, motion.phases, k, *frame));
     r.stops = stops_of(orbit);

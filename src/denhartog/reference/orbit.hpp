@@ -67,9 +67,6 @@ private:
     BallMatrix over_factorials_{}; // 1 / k! in column k
 };
 
-/// @brief The norm of A times a length up to which a series is summed at one go: it may widen a ball by the exponential of it.
-inline constexpr double longest_leap = 16;
-
 /// @brief The phases linearised over all unknowns of a box.
 struct Linearised {
     std::vector<Ball> lengths{};    ///< lengths of phases 1 to m in the middle of the box, at [0 .. m-1]
@@ -155,8 +152,8 @@ private:
     std::vector<ExponentialSeries> leaps_{}; // in all bits
     slong each_ = 1;                         // stretches a leap
     slong count_ = 1;
-    std::vector<ExponentialSeries> stretches_{}; // in few bits
-    std::shared_ptr<FastPhases> fast_{};         // instead of both, if the phase takes too many
+    std::vector<ExponentialSeries> stretches_{};  // in few bits
+    std::shared_ptr<PhasesByFreeMotions> fast_{}; // instead of both, if the phase takes too many
     BallMatrix Z_{};
     Ball length_{};
 };
@@ -173,8 +170,8 @@ void require_friction(const ProvedOrbit& orbit, const std::vector<PhaseInStretch
 
 /// @brief A displacement that is largest in size, and its instant.
 struct PeakInBalls {
-    Ball size{};                 ///< the largest size
-    std::optional<Ball> phase{}; ///< lag behind the force in (-pi, pi], as in `MassMotion`; empty if it never moves
+    Ball size{};                 ///< the largest size; units of P / k_1
+    std::optional<Ball> phase{}; ///< lag behind the force in (-pi, pi], as in `MassMotion`; empty if no force ever moves it
 };
 
 /// @brief The largest displacement of the contact: at a place where it comes to rest or turns.
@@ -237,13 +234,9 @@ struct StopInBalls {
 
 /// @brief A periodic motion with stops, or with turns without a stop, proved.
 struct OrbitInBalls {
-    bool mirrored = false; ///< whether it mirrors itself after half its period, Eq. (25)
-    int periods = 1;       ///< its period in periods of the force
-    /// N + 1 values: largest |x_k| of each mass, then of the contact, |w^T x|; units of P / k_1. Zero if it was not asked for.
-    std::vector<Ball> amplitude{};
-    /// N + 1 values: lag behind the force in (-pi, pi], as in `MassMotion`; empty for a mass that no force reaches, and where it
-    /// was not asked for
-    std::vector<std::optional<Ball>> phase{};
+    bool mirrored = false;                  ///< whether it mirrors itself after half its period, Eq. (25)
+    int periods = 1;                        ///< its period in periods of the force
+    std::vector<PeakInBalls> masses{};      ///< N + 1 values: the masses, then the contact; zero where one was not asked for
     std::vector<PeakInBalls> from_ground{}; ///< N values, of the masses as they are seen from the ground; empty if not asked for
     std::vector<StopInBalls> stops{};       ///< within the period, starts ascending in [0, 2 pi periods)
     std::vector<Ball> x{};                  ///< displacements of the masses at tau = 0, where the force is largest

@@ -10,9 +10,10 @@
 namespace denhartog::reference {
 namespace {
 
-constexpr slong many_leaps = 24;   // of all phases, beyond which these are followed by their free motions, if these are known
-constexpr slong most_leaps = 4096; // beyond which series are too many
-constexpr int most_rounds = 60;    // of linearising anew, until Newton's method is near
+constexpr double longest_leap = 16; // norm of A times its length: a series summed at one go may widen a ball by its exponential
+constexpr slong many_leaps = 24;    // of all phases, beyond which these are followed by their free motions, if these are known
+constexpr slong most_leaps = 4096;  // beyond which series are too many
+constexpr int most_rounds = 60;     // of linearising anew, until Newton's method is near
 constexpr int most_halvings = 12;
 constexpr slong bits_a_phase = 5; // about what a phase widens balls by, and some more
 

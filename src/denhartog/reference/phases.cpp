@@ -1,6 +1,7 @@
 // The state at the end of a phase. `ContactMechanics` makes the matrices of (6). `after_sliding` has (21) for each mode, if
 // each moves by itself. `FreeMotions` solves z' = B z by simple eigenvalues, which it proves: `shares_of` splits a state
-// among them, `weights` and `weighted_sum` put a number together again. `FastPhases` adds to it what force and friction bring.
+// among them, `weights` and `weighted_sum` put a number together again. `PhasesByFreeMotions` adds what force and friction
+// bring.
 #include "denhartog/reference/phases.hpp"
 
 #include <algorithm>
@@ -25,9 +26,7 @@ BallMatrix inverse_of(const BallMatrix& M) {
         for (slong k = 0; k < M.rows(); ++k) inverse(k, k) = Ball(1) / M(k, k);
         return inverse;
     }
-    BallMatrix inverse;
-    if (!solved(M, unit_matrix(M.rows()), inverse)) throw Unproved("the mass matrix may be singular");
-    return inverse;
+    return solution_of(M, unit_matrix(M.rows()), "the mass matrix may be singular");
 }
 
 // e^(lambda tau) and its derivatives over n!, real and imaginary parts.
@@ -211,7 +210,8 @@ std::shared_ptr<Remembered<std::vector<Series>>> FreeMotions::in_time() const {
     });
 }
 
-FastPhases::FastPhases(const ContactMechanics& s, int direction) : N_(s.N), lead_(s.lead), slides_(direction != 0), w_(s.w) {
+PhasesByFreeMotions::PhasesByFreeMotions(const ContactMechanics& s, int direction)
+    : N_(s.N), lead_(s.lead), slides_(direction != 0), w_(s.w) {
     const BallMatrix A = s.phase(direction);
     for (slong k = 0; k < 2 * N_; ++k)
         if (slides_ || (k != lead_ && k != N_ + lead_)) place_.push_back(k);
@@ -228,21 +228,21 @@ FastPhases::FastPhases(const ContactMechanics& s, int direction) : N_(s.N), lead
     if (!free_->are_simple()) throw Unproved("free motions are not told apart");
     in_time_ = free_->in_time();
     // y = C cos + S sin obeys y' = B y + G_c cos + G_s sin if B C - S = -G_c and B S + C = -G_s.
-    BallMatrix both(2 * K, 2 * K), force(2 * K, 1), turning, constant;
+    BallMatrix both(2 * K, 2 * K), force(2 * K, 1);
     put(both, 0, 0, B);
     put(both, K, K, B);
     put(both, K, 0, unit_matrix(K));
     put(both, 0, K, -unit_matrix(K));
     put(force, 0, 0, -part_of(G, 0, 0, K, 1));
     put(force, K, 0, -part_of(G, 0, 1, K, 1));
-    if (!solved(both, force, turning) || !solved(B, -part_of(G, 0, 2, K, 2), constant))
-        throw Unproved("the force may excite a resonance without damping");
+    constexpr const char* resonates = "the force may excite a resonance without damping";
+    const BallMatrix turning = solution_of(both, force, resonates);
     put(forced_, 0, 0, part_of(turning, 0, 0, K, 1));
     put(forced_, 0, 1, part_of(turning, K, 0, K, 1));
-    put(forced_, 0, 2, constant);
+    put(forced_, 0, 2, solution_of(B, -part_of(G, 0, 2, K, 2), resonates));
 }
 
-FastPhases::OverCoordinates FastPhases::taken_apart(const BallMatrix& row) const {
+PhasesByFreeMotions::OverCoordinates PhasesByFreeMotions::taken_apart(const BallMatrix& row) const {
     OverCoordinates parts{BallMatrix(1, static_cast<slong>(place_.size())), BallMatrix(1, inputs_count)};
     for (slong c = 0; c < 3; ++c) parts.u(0, c) = row(0, 2 * N_ + c);
     for (std::size_t i = 0; i < place_.size(); ++i) {
@@ -255,20 +255,20 @@ FastPhases::OverCoordinates FastPhases::taken_apart(const BallMatrix& row) const
     return parts;
 }
 
-BallMatrix FastPhases::inputs(const BallMatrix& Z) const {
+BallMatrix PhasesByFreeMotions::inputs(const BallMatrix& Z) const {
     BallMatrix u(inputs_count, 1);
     for (slong c = 0; c < 3; ++c) u(c) = Z(2 * N_ + c);
     for (slong k = 0; k < N_; ++k) u(3) += w_(k) * Z(k);
     return u;
 }
 
-std::vector<ComplexBall> FastPhases::shares_at(const BallMatrix& Z, const BallMatrix& u) const {
+std::vector<ComplexBall> PhasesByFreeMotions::shares_at(const BallMatrix& Z, const BallMatrix& u) const {
     BallMatrix y = forced_ * u;
     for (std::size_t i = 0; i < place_.size(); ++i) y(static_cast<slong>(i)) = Z(place_[i]) - y(static_cast<slong>(i));
     return free_->shares_of(y);
 }
 
-BallMatrix FastPhases::state(const BallMatrix& Z, const Ball& length) const {
+BallMatrix PhasesByFreeMotions::state(const BallMatrix& Z, const Ball& length) const {
     const BallMatrix u = inputs(Z);
     const std::vector<ComplexBall> shares = shares_at(Z, u);
     BallMatrix later = Z, then = u;
@@ -292,7 +292,7 @@ BallMatrix FastPhases::state(const BallMatrix& Z, const Ball& length) const {
     return later;
 }
 
-BallMatrix FastPhases::propagator(const Ball& length) const {
+BallMatrix PhasesByFreeMotions::propagator(const Ball& length) const {
     const slong n = 2 * N_ + 3;
     BallMatrix E(n, n);
     for (slong c = 0; c < n; ++c) {
@@ -303,7 +303,7 @@ BallMatrix FastPhases::propagator(const Ball& length) const {
     return E;
 }
 
-NumberInTime FastPhases::number(const BallMatrix& row, const BallMatrix& Z) const {
+NumberInTime PhasesByFreeMotions::number(const BallMatrix& row, const BallMatrix& Z) const {
     const OverCoordinates parts = taken_apart(row);
     const BallMatrix u = inputs(Z), row_of_u = parts.y * forced_ + parts.u;
     const std::vector<Ball> weights = free_->weights(parts.y, shares_at(Z, u));
@@ -317,17 +317,17 @@ NumberInTime FastPhases::number(const BallMatrix& row, const BallMatrix& Z) cons
     };
 }
 
-bool FastPhases::die_out() const {
+bool PhasesByFreeMotions::die_out() const {
     std::size_t damped = 0;
     while (damped < place_.size() && free_->lambda(damped).re() < Ball(0)) ++damped;
     return damped == place_.size();
 }
 
-const std::shared_ptr<FastPhases>& ContactMechanics::by_free_motions(int direction) const {
-    std::optional<std::shared_ptr<FastPhases>>& kind = fast[direction + 1];
+const std::shared_ptr<PhasesByFreeMotions>& ContactMechanics::by_free_motions(int direction) const {
+    std::optional<std::shared_ptr<PhasesByFreeMotions>>& kind = free_motions[direction + 1];
     if (kind) return *kind;
     const Bits all(bits);
-    kind = if_proved([&] { return std::make_shared<FastPhases>(*this, direction); }).value_or(nullptr);
+    kind = if_proved([&] { return std::make_shared<PhasesByFreeMotions>(*this, direction); }).value_or(nullptr);
     return *kind;
 }
 

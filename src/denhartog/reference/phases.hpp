@@ -1,6 +1,6 @@
-// The motion of a scene with one contact, phase by phase: one matrix for sliding forward, one for sliding back and one for sticking
-// are all there is of the mechanics, (6). A phase is followed by the exponential of its matrix; by its modes (20) while it slides,
-// if damping leaves these by themselves; or by its free motions, if it is long beside the fastest of them.
+// The motion of a scene with one contact, phase by phase. The mechanics (6) are three matrices: for sliding forward, for sliding
+// back and for sticking. A phase is followed by the exponential of its matrix; by its modes (20) while it slides, if damping
+// leaves these by themselves; or by its free motions, if it is long beside the fastest of them.
 #pragma once
 
 #include <functional>
@@ -48,10 +48,10 @@ struct ContactMechanics;
 //
 // The coordinates y are those of the state that move freely: all while the contact slides; while it sticks all but those of the
 // mass on which w is largest, which follow from the others. They obey y' = B y + G u, where u is (cos tau, sin tau, 1, w^T x).
-class FastPhases {
+class PhasesByFreeMotions {
 public:
     // Throws Unproved if free motions are not proved distinct, or the force may be in resonance with one without damping.
-    FastPhases(const ContactMechanics& s, int direction);
+    PhasesByFreeMotions(const ContactMechanics& s, int direction);
 
     // The state at the end of a phase.
     [[nodiscard]] BallMatrix state(const BallMatrix& Z, const Ball& length) const;
@@ -99,8 +99,9 @@ struct ContactMechanics {
     std::optional<ModesInBalls> sliding{}; // none unless modes below critical damping move by themselves, proved distinct
     BallMatrix shapes{}, from_state{};     // of these: psi_ki, and its inverse, by (17)
     Effort* effort;
-    slong bits = ball_bits;                                          // of the scene
-    mutable std::optional<std::shared_ptr<FastPhases>> fast[3] = {}; // sought when first needed
+    slong bits = ball_bits; // of the scene
+    // For each direction, found when first needed.
+    mutable std::optional<std::shared_ptr<PhasesByFreeMotions>> free_motions[3] = {};
 
     // The length of a state.
     [[nodiscard]] slong n() const { return 2 * N + 3; }
@@ -110,13 +111,13 @@ struct ContactMechanics {
     [[nodiscard]] BallMatrix propagator(int direction, const Ball& h) const;
     // States at the end of a phase of sliding by the modes, a column each, from those at its start.
     [[nodiscard]] BallMatrix after_sliding(const BallMatrix& Z, const Ball& length, int direction) const;
-    // Phases of a kind by their free motions; null if these are not proved distinct, or the force may excite one without damping.
-    [[nodiscard]] const std::shared_ptr<FastPhases>& by_free_motions(int direction) const;
+    // Phases of a kind by their free motions; null if these are not proved distinct, or the force may excite an undamped one.
+    [[nodiscard]] const std::shared_ptr<PhasesByFreeMotions>& by_free_motions(int direction) const;
     // Displacement and velocity of the contact, w^T x and w^T x' / sigma, as rows over Z.
     [[nodiscard]] BallMatrix place() const;
     [[nodiscard]] BallMatrix speed() const;
-    // The number that is zero at the end of a phase: the velocity of a contact that slides, or the load on a contact that sticks less static
-    // friction, (74); as a row over Z. The directions are those of the phases before and after.
+    // The number that is zero at the end of a phase, as a row over Z: the velocity of a contact that slides, or the load on one
+    // that sticks less static friction, (74). The directions are those of the phases before and after.
     [[nodiscard]] BallMatrix ending(int before, int after) const;
 
 private:

@@ -15,32 +15,35 @@
 #include "denhartog/formulas/superposition.hpp"
 
 namespace denhartog::reference {
-SlidingContactInBalls contact_in_balls(const ResponsesInBalls& r, const Ball& beta) {
+SteadyState<Ball> contact_in_balls(const ResponsesInBalls& r, const Ball& beta) {
     const std::size_t j = r.contact();
-    return {paper::displacement_transmissibility_of_contact(r.V[j], r.U[j], r.G[j], beta),
-            wrapped_in_balls(paper::phase_of_contact(r.V[j], r.U[j], beta))};
+    return {beta,
+            paper::displacement_transmissibility_of_contact(r.V[j], r.U[j], r.G[j], beta),
+            wrapped_in_balls(paper::phase_of_contact(r.V[j], r.U[j], beta)),
+            {}};
 }
 
-SlidingMassInBalls start_of_mass_in_balls(const ResponsesInBalls& r, const SlidingContactInBalls& contact, const Ball& beta,
-                                          std::size_t row, bool is_contact) {
+MassResponse<Ball> start_of_mass_in_balls(const ResponsesInBalls& r, const SteadyState<Ball>& contact, std::size_t row,
+                                          bool is_contact) {
     const std::size_t j = r.contact();
-    SlidingMassInBalls m;
+    const Ball& beta = contact.beta;
+    MassResponse<Ball> m;
     m.x0 = is_contact ? contact.X_j : paper::initial_displacement(r.V[row], r.V[j], r.U[j], r.G[row], beta);
     m.v0 = is_contact ? Ball(0) : paper::initial_velocity(r.V[row], r.V[j], r.U[j], r.U[row], beta);
     return m;
 }
 
-Series displacement_in_balls(const ResponsesInBalls& r, const SlidingMassInBalls& m, const Ball& beta, std::size_t row,
+Series displacement_in_balls(const ResponsesInBalls& r, const MassResponse<Ball>& m, const Ball& beta, std::size_t row,
                              const Ball& tau) {
     const Series F = r.friction.at(row, tau);
     return paper::displacement<Series>(Series::time(tau), m.x0, m.v0, r.G[row], r.U[row], beta, F);
 }
 
-SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContactInBalls& contact, const Ball& beta,
-                                 std::size_t row, bool is_contact) {
+MassResponse<Ball> mass_in_balls(const ResponsesInBalls& r, const SteadyState<Ball>& contact, std::size_t row, bool is_contact) {
     const std::size_t j = r.contact();
-    if (is_contact) return {contact.X_j, contact.phi_j, contact.X_j, Ball(0), Ball(0), contact.X_j, contact.phi_j};
-    SlidingMassInBalls m = start_of_mass_in_balls(r, contact, beta, row, is_contact);
+    const Ball& beta = contact.beta;
+    if (is_contact) return {contact.X_j, Ball(0), contact.X_j, Ball(0), contact.phi_j, contact.X_j, contact.phi_j};
+    MassResponse<Ball> m = start_of_mass_in_balls(r, contact, row, is_contact);
     m.amplitude_monoharmonic = paper::displacement_transmissibility(r.V[row], r.V[j], r.U[j], r.U[row], r.G[row], beta);
     m.phase_monoharmonic = wrapped_in_balls(contact.phi_j + paper::phase_behind_contact(m.x0, m.v0));
     if (beta.is_zero()) { // without friction the motion is harmonic, and lags by minus the angle of V_dk
@@ -54,7 +57,7 @@ SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContact
     // A mass that does not move, as far as the bits decide, has no instant of a largest displacement. By (41) to (43) |x_k| is
     // at most |V_dk| + beta |F_k|.
     const Ball F_throughout = r.friction.at(row, either(Ball(0), pi<Ball>())).rate(0);
-    const Ball throughout = root_of_positive(squared_modulus(r.V[row])) + beta * abs(F_throughout);
+    const Ball throughout = size_in_balls(r.V[row]) + beta * abs(F_throughout);
     if (throughout < abs(contact.X_j) * power_of_two(-ball_bits / 2)) {
         m.amplitude = either(Ball(0), throughout);
         m.instant = m.phase = widened(Ball(0), pi<Ball>());
@@ -92,24 +95,24 @@ BallMatrix harmonic_in_balls(const std::vector<Complex<Ball>>& X, slong N, const
     return state;
 }
 
-SlidingMotionInBalls::SlidingMotionInBalls(ResponsesInBalls r, const Ball& beta)
-    : r_(std::move(r)), beta_(beta), contact_(contact_in_balls(r_, beta)) {
-    for (std::size_t k = 0; k < r_.contact() && !beta_.is_zero(); ++k)
-        start_.push_back(start_of_mass_in_balls(r_, contact_, beta_, k, false));
+SteadyState<Ball> sliding_motion_in_balls(const ResponsesInBalls& r, const Ball& beta) {
+    SteadyState<Ball> motion = contact_in_balls(r, beta);
+    for (std::size_t k = 0; k < r.contact(); ++k) motion.masses.push_back(start_of_mass_in_balls(r, motion, k, false));
+    return motion;
 }
 
-BallMatrix SlidingMotionInBalls::at(const Ball& tau) const {
-    const auto N = static_cast<slong>(r_.contact());
-    if (beta_.is_zero()) return harmonic_in_balls(r_.V, N, tau);
+BallMatrix state_in_balls(const ResponsesInBalls& r, const SteadyState<Ball>& motion, const Ball& tau) {
+    const auto N = static_cast<slong>(r.contact());
+    if (motion.beta.is_zero()) return harmonic_in_balls(r.V, N, tau);
     BallMatrix state(2 * N, 1);
-    const Ball pi = PiOf<Ball>::value(), from_maximum = tau - contact_.phi_j;
+    const Ball pi = PiOf<Ball>::value(), from_maximum = tau - motion.phi_j;
     const double half = std::floor(static_cast<double>(from_maximum) / static_cast<double>(pi));
     bool found = false;
     for (const double halves : {half - 1, half, half + 1}) { // an instant next to a turn may be on either side
         const Ball within = from_maximum - Ball(halves) * pi;
         if (within < Ball(0) || within > pi) continue;
         for (slong k = 0; k < N; ++k) {
-            const Series x = displacement_in_balls(r_, start_[k], beta_, k, within);
+            const Series x = displacement_in_balls(r, motion.masses[k], motion.beta, k, within);
             for (const int n : {0, 1}) {
                 const Ball rate = std::fmod(halves, 2) == 0 ? x.rate(n) : -x.rate(n); // (25)
                 Ball& entry = state(n * N + k);
@@ -134,19 +137,12 @@ bool is_hidden(const FunctionOfTime& Z, const FunctionOfTime& n, const Ball& U) 
     return 64 * size(Z(tau).rate(0)) < larger(size(U), size(n(tau).rate(0)));
 }
 
-Ball largest_demand(const ResponsesInBalls& r, LargestInBalls& found) {
+LargestInBalls largest_demand(const ResponsesInBalls& r) {
     const Ball U = r.U[r.contact()];
     const auto n = [&](const Ball& tau) { return numerator(U, r.friction.of(r.contact(), (*r.friction.shared)(tau)), tau); };
     const auto Z = [&](const Ball& tau) { return r.friction.rate_and_third(r.contact(), (*r.friction.shared)(tau)); };
     const bool hides = !r.friction.modes.empty() && is_hidden(Z, n, U);
-    found = largest_over_sine(n, hides ? FunctionOfTime(Z) : FunctionOfTime());
-    return found.value;
-}
-
-// The largest value of (57) of a mode that may be damped critically: R^2 times the demand of one mass with r = R.
-Ball largest_about_critical(const Ball& R, const Ball& zeta, Effort* effort) {
-    LargestInBalls found;
-    return R * R * largest_demand(responses_of_one_mass(R, zeta, effort), found);
+    return largest_over_sine(n, hides ? FunctionOfTime(Z) : FunctionOfTime());
 }
 
 // (56): each mode by itself.
@@ -154,11 +150,11 @@ Ball sum_of_largest(const ResponsesInBalls& r) {
     const ModesInBalls& m = r.modes;
     std::vector<Ball> largest;
     for (std::size_t i = 0; i < m.R.size(); ++i) {
-        if (!is_told_from_critical(m.zeta[i])) {
-            largest.push_back(largest_about_critical(m.R[i], m.zeta[i], m.effort));
+        const Ball R = m.R[i];
+        if (!is_told_from_critical(m.zeta[i])) { // the mode is one mass with r = R
+            largest.push_back(R * R * largest_demand(responses_of_one_mass(R, m.zeta[i], m.effort)).value);
             continue;
         }
-        const Ball R = m.R[i];
         const FrictionMotionOfMode mode(R, m.zeta[i]);
         Remembered<Series> F([&](const Ball& tau) {
             pay(m.effort, cost_of_evaluations(1));
@@ -176,30 +172,31 @@ bool same(const BallMatrix& x, const BallMatrix& y) { return arb_mat_eq(x.a, y.a
 
 } // namespace
 
-BoundaryInBalls boundary_in_balls(const SceneInBalls& s, const ResponsesInBalls& r) {
+Boundary<Ball> boundary_in_balls(const SceneInBalls& s, const ResponsesInBalls& r) {
     const std::size_t j = r.contact();
-    LargestInBalls found;
-    BoundaryInBalls b;
-    b.S = largest_demand(r, found);
+    const LargestInBalls found = largest_demand(r);
+    Boundary<Ball> b{};
+    b.S_exact = found.value;
+    b.instant = found.instant;
     const Ball held = paper::static_friction_demand(r.H, s.mu, r.squares);
-    b.exact = paper::friction_ratio_limit(r.V[j], r.U[j], larger(b.S, held));
+    b.exact = paper::friction_ratio_limit(r.V[j], r.U[j], larger(b.S_exact, held));
     // With one mode (56) is the maximum that was found; with a damping matrix see `paper_limit_of_modes`.
-    const Ball S_paper = r.modes.R.size() > 1 ? sum_of_largest(r) : b.S;
-    b.paper = paper::friction_ratio_limit(r.V[j], r.U[j], larger(S_paper, held));
+    b.S_paper = r.modes.R.size() > 1 ? sum_of_largest(r) : b.S_exact;
+    b.paper = paper::friction_ratio_limit(r.V[j], r.U[j], larger(b.S_paper, held));
     b.approximate = paper::friction_ratio_limit(r.V[j], r.U[j], held);
-    if (found.instant.is_zero())
+    if (b.instant.is_zero())
         b.binding = s.mu == Ball(1) ? BindingCondition::both : BindingCondition::static_friction;
-    else if (b.S > held)
-        b.binding = BindingCondition::velocity;
-    else if (b.S < held)
-        b.binding = BindingCondition::static_friction;
+    else // both where the bits do not tell
+        b.binding = b.S_exact > held   ? BindingCondition::velocity
+                    : b.S_exact < held ? BindingCondition::static_friction
+                                       : BindingCondition::both;
     return b;
 }
 
 std::optional<StuckInBalls> stuck_in_balls(const SceneInBalls& s) {
     // (K - M + i C) X + w f = p, w^T X = 0 in real parts and imaginary parts: unknown are X and the force f
     const slong N = s.N(), n = N + 1;
-    BallMatrix A = dynamic_stiffness(s, n), b(2 * n, 1), x, at_rest;
+    BallMatrix A = dynamic_stiffness(s, n), b(2 * n, 1), x;
     put(b, 0, 0, s.p);
     put(b, n, 0, s.p_i);
     for (const slong half : {slong(0), n}) {
@@ -207,11 +204,10 @@ std::optional<StuckInBalls> stuck_in_balls(const SceneInBalls& s) {
         put(A, half + N, half, transposed(s.w));
     }
     if (!solved(A, b, x)) return std::nullopt;
-    if (!solved(s.K, s.w, at_rest)) throw Unproved("the stiffness matrix is not proved regular");
     StuckInBalls out;
     for (slong k = 0; k < N; ++k) out.X.push_back({x(k), x(n + k)});
     out.load = {x(N), x(n + N)};
-    out.compliance = (transposed(s.w) * at_rest)(0);
+    out.compliance = (transposed(s.w) * solution_of(s.K, s.w, stiffness_is_open))(0);
     return out;
 }
 

@@ -7,76 +7,42 @@
 #include <vector>
 
 #include "denhartog/reference/friction.hpp"
-#include "denhartog/sliding/regime_at_point.hpp"
+#include "denhartog/sliding/steady_state.hpp"
 
 namespace denhartog::reference {
-/// @brief Motion of a mass in the sliding regime.
-struct SlidingMassInBalls {
-    Ball amplitude{};              ///< largest |x_k|, Eqs. (46), (47)
-    Ball phase{};                  ///< its phase, Eq. (47); radians in (-pi, pi]
-    Ball x0{};                     ///< displacement at tau = 0, where that of the contact is largest, Eq. (44)
-    Ball v0{};                     ///< velocity there, Eq. (45)
-    Ball instant{};                ///< time in [0, pi] of the largest |x_k|, Eq. (47)
-    Ball amplitude_monoharmonic{}; ///< Eq. (52)
-    Ball phase_monoharmonic{};     ///< phi_j + phi_kj, Eq. (53)
-};
-
-/// @brief The contact in the sliding regime.
-struct SlidingContactInBalls {
-    Ball X_j{};   ///< amplitude of the contact, Eq. (38)
-    Ball phi_j{}; ///< its phase, Eq. (39); radians in (-pi, pi]
-};
-
-/// @brief The contact, below the boundary of beta. @eq{38,39}
-[[nodiscard]] SlidingContactInBalls contact_in_balls(const ResponsesInBalls& r, const Ball& beta);
+/// @brief The contact, below the boundary of beta, without the masses. @eq{38,39}
+[[nodiscard]] SteadyState<Ball> contact_in_balls(const ResponsesInBalls& r, const Ball& beta);
 
 /// @brief A mass at tau = 0, where the displacement of the contact is largest: `x0` and `v0`, and nothing else. Row N is the
 /// contact; a mass may move as the contact does.
 /// @eq{44,45}
-[[nodiscard]] SlidingMassInBalls start_of_mass_in_balls(const ResponsesInBalls& r, const SlidingContactInBalls& contact,
-                                                        const Ball& beta, std::size_t row, bool is_contact);
+[[nodiscard]] MassResponse<Ball> start_of_mass_in_balls(const ResponsesInBalls& r, const SteadyState<Ball>& contact,
+                                                        std::size_t row, bool is_contact);
 
 /// @brief The displacement of a mass and its derivatives at an instant in [0, pi], or over a stretch. @eq{41}
-[[nodiscard]] Series displacement_in_balls(const ResponsesInBalls& r, const SlidingMassInBalls& m, const Ball& beta,
+[[nodiscard]] Series displacement_in_balls(const ResponsesInBalls& r, const MassResponse<Ball>& m, const Ball& beta,
                                            std::size_t row, const Ball& tau);
 
 /// @brief One mass, with the largest displacement proved.
 /// @eq{41,44,45,46,47,50,51,52,53}
 /// @throws Unproved if a maximum is not settled
-[[nodiscard]] SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContactInBalls& contact, const Ball& beta,
-                                               std::size_t row, bool is_contact);
+[[nodiscard]] MassResponse<Ball> mass_in_balls(const ResponsesInBalls& r, const SteadyState<Ball>& contact, std::size_t row,
+                                               bool is_contact);
 
 /// @brief A harmonic motion, \f$ \mathrm{Re}(X_k\mathrm e^{\mathrm i\tau}) \f$: N displacements, then N velocities, 2 N x 1. tau counts
 /// from a maximum of the force.
 [[nodiscard]] BallMatrix harmonic_in_balls(const std::vector<Complex<Ball>>& X, slong N, const Ball& tau);
 
-/// @brief The motion of all masses in the sliding regime, at any instant. @eq{25,41,44,45}
-class SlidingMotionInBalls {
-public:
-    /// @brief Of responses, at a friction ratio.
-    SlidingMotionInBalls(ResponsesInBalls r, const Ball& beta);
-    /// @brief Its state, as `harmonic_in_balls` has it.
-    [[nodiscard]] BallMatrix at(const Ball& tau) const;
+/// @brief The sliding motion: the contact, and the N masses where they start. @eq{38,39,44,45}
+[[nodiscard]] SteadyState<Ball> sliding_motion_in_balls(const ResponsesInBalls& r, const Ball& beta);
 
-private:
-    ResponsesInBalls r_;
-    Ball beta_;
-    SlidingContactInBalls contact_;
-    std::vector<SlidingMassInBalls> start_{};
-};
+/// @brief The state of the masses in that motion at any instant, as `harmonic_in_balls` has it. @eq{25,41}
+[[nodiscard]] BallMatrix state_in_balls(const ResponsesInBalls& r, const SteadyState<Ball>& motion, const Ball& tau);
 
-/// @brief The friction ratios that end the sliding regime at a frequency ratio.
-struct BoundaryInBalls {
-    Ball exact{};       ///< (69) with the maximum over tau of the sum over modes
-    Ball paper{};       ///< (69) with (56), the sum of the maxima of the modes; `exact` without damping ratios
-    Ball approximate{}; ///< (67)
-    Ball S{};           ///< the maximum over tau of the sum over modes of the function in (57)
-    BindingCondition binding = BindingCondition::both; ///< which condition of (54) ends the regime first
-};
-
-/// @brief The boundary from the response functions. @eq{54,56,57,58,67,69}
+/// @brief The boundary from the response functions, without that of permanent sticking; (56) without damping ratios is (69).
+/// @eq{54,56,57,58,67,69}
 /// @throws Unproved if a maximum is not settled
-[[nodiscard]] BoundaryInBalls boundary_in_balls(const SceneInBalls& s, const ResponsesInBalls& r);
+[[nodiscard]] Boundary<Ball> boundary_in_balls(const SceneInBalls& s, const ResponsesInBalls& r);
 
 /// @brief The motion with the contact held.
 struct StuckInBalls {

@@ -58,12 +58,6 @@ BoundedMatrix solved(const BoundedMatrix& L, BoundedMatrix X) {
     return X;
 }
 
-BoundedMatrix identity(Eigen::Index N) {
-    BoundedMatrix one = BoundedMatrix::Constant(N, N, Bounded<double>(0));
-    for (Eigen::Index i = 0; i < N; ++i) one(i, i) = Bounded<double>(1);
-    return one;
-}
-
 Matrix<double> values(const BoundedMatrix& A) {
     return A.unaryExpr([](const Bounded<double>& entry) { return entry.x; });
 }
@@ -130,8 +124,8 @@ void CoupledFriction::set_coordinates(const System<double>& system, double r) {
     error_of_A_ = size_of_errors(A);
     if (!boost::math::isfinite(size_of_A_) || !boost::math::isfinite(error_of_A_))
         throw PrecisionError(Why::rate_out_of_range, Outcome::out_of_range);
-    const BoundedMatrix inverse_of_G = with_contact(solved(G, identity(N)), system);
-    const BoundedMatrix velocity = with_contact(solved(L, identity(N)), system);
+    const BoundedMatrix inverse_of_G = with_contact(solved(G, BoundedMatrix::Identity(N, N)), system);
+    const BoundedMatrix velocity = with_contact(solved(L, BoundedMatrix::Identity(N, N)), system);
     BoundedMatrix displacement = inverse_of_G;
     for (Bounded<double>& entry : displacement.reshaped()) entry *= bounded_r;
     displacement_ = {values(displacement), errors(displacement)};

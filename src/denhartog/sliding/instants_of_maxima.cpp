@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "denhartog/evaluation/batch_forms.hpp"
+#include "denhartog/formulas/motion.hpp"
 #include "denhartog/number/why.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/bounded_modes.hpp"
@@ -258,6 +259,14 @@ T newton_step(const evaluation::MotionOfMass<T>& at) {
 // Largest step in the wrong direction, if the error of the step hides its direction.
 double may_lead_back(double) { return 0; }
 Bounded<double> may_lead_back(const Bounded<double>& step) { return {std::max(0.0, step.e - std::abs(step.x))}; }
+
+// Amplitude and phase (47) of a mass whose largest displacement, in size, and its instant are known.
+template <class T>
+void set_maximum(MassResponse<T>& m, const T& phi_j, const T& instant, const T& displacement) {
+    m.instant = instant;
+    m.amplitude = displacement < 0 ? T(-displacement) : displacement;
+    m.phase = wrapped(paper::phase_of_mass(phi_j, instant, displacement < 0 ? 1 : 0));
+}
 
 // The maximum next to an instant: one more step of Newton's method, with a bound of what the step neglects. The motion continues
 // mirrored at both ends of the half-period. A step out of it at one end is a step into it at the other, and an end from which

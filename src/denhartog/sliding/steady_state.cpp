@@ -1,5 +1,5 @@
-// Motion of the masses as long as the contact slides. `steady_state_without_maxima` is (38), (39), (44), (45), (52), (53);
-// `set_maximum` adds amplitude and phase (47) of a mass whose largest displacement is known, and `motions` is (46) at any instants.
+// Motion of the masses as long as the contact slides. `steady_state_without_maxima` is (38), (39), (44), (45), (52), (53), and
+// `motions` is (46) at any instants. The largest displacements come from `instants_of_maxima.cpp`.
 #include "denhartog/sliding/steady_state.hpp"
 
 #include <cmath>
@@ -7,7 +7,6 @@
 
 #include "denhartog/evaluation/contact.hpp"
 #include "denhartog/evaluation/mass.hpp"
-#include "denhartog/formulas/motion.hpp"
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/number/why.hpp"
 #include "denhartog/scene/point_rules.hpp"
@@ -28,13 +27,6 @@ T wrapped(const T& angle) {
     if (a > pi<T>()) a -= turn;
     if (a <= -pi<T>()) a += turn;
     return a;
-}
-
-template <class T>
-void set_maximum(MassResponse<T>& m, const T& phi_j, const T& instant, const T& displacement) {
-    m.instant = instant;
-    m.amplitude = displacement < 0 ? T(-displacement) : displacement;
-    m.phase = wrapped(paper::phase_of_mass(phi_j, instant, displacement < 0 ? 1 : 0));
 }
 
 template <class T>
@@ -90,21 +82,12 @@ std::vector<Motion<T>> motions(const ModeSums<T>& s, const SteadyState<T>& state
     return all;
 }
 
-template <class T>
-Motion<T> motion(const ModeSums<T>& s, const SteadyState<T>& state, const T& tau) {
-    return motions(s, state, std::span<const T>(&tau, 1)).front();
-}
-
 template double wrapped(const double&);
 template Bounded<double> wrapped(const Bounded<double>&);
-template void set_maximum(MassResponse<double>&, const double&, const double&, const double&);
-template void set_maximum(MassResponse<Bounded<double>>&, const Bounded<double>&, const Bounded<double>&, const Bounded<double>&);
 template SteadyState<Bounded<double>> steady_state_without_maxima(const ModeSums<Bounded<double>>&, const Bounded<double>&);
 template SteadyState<double> steady_state_without_maxima(const ModeSums<double>&, const double&);
 template std::vector<Motion<Bounded<double>>> motions(const ModeSums<Bounded<double>>&, const SteadyState<Bounded<double>>&,
                                                       std::span<const Bounded<double>>);
-template Motion<Bounded<double>> motion(const ModeSums<Bounded<double>>&, const SteadyState<Bounded<double>>&,
-                                        const Bounded<double>&);
-template Motion<double> motion(const ModeSums<double>&, const SteadyState<double>&, const double&);
+template std::vector<Motion<double>> motions(const ModeSums<double>&, const SteadyState<double>&, std::span<const double>);
 
 } // namespace denhartog

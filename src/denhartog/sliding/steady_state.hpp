@@ -49,18 +49,15 @@ struct Motion {
 template <class T>
 [[nodiscard]] SteadyState<T> steady_state_without_maxima(const ModeSums<T>& sums, const T& beta);
 
-/// @brief Amplitude and phase of a mass whose largest displacement, in size, and its instant are known. @eq{47}
-template <class T>
-void set_maximum(MassResponse<T>& mass, const T& phi_j, const T& instant, const T& displacement);
-
-/// @brief Motion of all masses at any instant, of which zero is at a maximum of x_j: (46) over the half-period and antisymmetric
+/// @brief Motion of all masses at instants, of which zero is at a maximum of x_j: (46) over the half-period and antisymmetric
 /// beyond. @eq{41,46}
 template <class T>
-[[nodiscard]] Motion<T> motion(const ModeSums<T>& sums, const SteadyState<T>& state, const T& tau);
-
-/// @brief Motion of all masses at many instants. @eq{41,46}
-template <class T>
 [[nodiscard]] std::vector<Motion<T>> motions(const ModeSums<T>& sums, const SteadyState<T>& state, std::span<const T> tau);
+
+/// @brief Motion of all masses at one instant. @eq{41,46}
+[[nodiscard]] inline Motion<double> motion(const ModeSums<double>& sums, const SteadyState<double>& state, double tau) {
+    return motions(sums, state, std::span<const double>(&tau, 1)).front();
+}
 
 /// @brief An angle in radians wrapped to (-pi, pi].
 template <class T>

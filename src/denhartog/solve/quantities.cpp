@@ -121,13 +121,13 @@ struct InHalfPeriod {
 void add_motion(const PointInBalls& p, std::span<const double> tau, Quantities<Bounded<double>>& q) {
     const ResponsesInBalls& r = *p.responses;
     const Ball& beta = *p.scene.beta;
-    const SlidingContactInBalls contact = contact_in_balls(r, beta);
+    const SteadyState<Ball> contact = contact_in_balls(r, beta);
     q.X_j = in_double(contact.X_j);
     q.phi_j = in_double(contact.phi_j);
-    std::vector<SlidingMassInBalls> starts;
+    std::vector<MassResponse<Ball>> starts;
     for (std::size_t k = 0; k < r.contact(); ++k) {
         const bool is_contact = p.scene.is_the_contact(static_cast<slong>(k));
-        const SlidingMassInBalls& m = starts.emplace_back(start_of_mass_in_balls(r, contact, beta, k, is_contact));
+        const MassResponse<Ball>& m = starts.emplace_back(start_of_mass_in_balls(r, contact, k, is_contact));
         q.x_size.push_back(in_double(root_of_positive(m.x0 * m.x0 + m.v0 * m.v0))); // (52), also of a mass that does not move
     }
     for (const double instant : tau) {
@@ -149,7 +149,7 @@ Quantities<Bounded<double>> numbers_of(const PointInBalls& p, std::span<const do
         q.G.push_back(in_double(r.G[k]));
     }
     q.H_j = in_double(r.H);
-    q.S = in_double(p.boundary->S);
+    q.S = in_double(p.boundary->S_exact);
     q.beta_lim = in_double(p.boundary->exact);
     if (!p.scene.beta || *p.scene.beta >= p.boundary->exact) return q;
     if (!(*p.scene.beta < p.boundary->exact)) throw Unproved({Why::may_be_boundary, 0});

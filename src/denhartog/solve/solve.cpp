@@ -264,9 +264,8 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
             if (!task.moving) task.moving = moving_in_double(source, task.known);
             s.motions = other_motions(task.scene, *task.moving, task.known.basis, source->effort);
         }
-        keep_asked_mass(question, s);
     }
-    take_contact_between(p.scene().system, s);
+    set_lists(p.scene().system, question, s);
     return found;
 }
 

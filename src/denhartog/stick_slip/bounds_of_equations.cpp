@@ -1,5 +1,5 @@
 // Bounds of what the equations of a motion with stops are made of in double: of the modes, in `contact_system`; of (6) with the
-// contact held, in `held_equations`, which needs what errors of the modes make of the damping matrix, `errors_of_C`.
+// contact held, in `held_response`, which needs what errors of the modes make of the damping matrix, `errors_of_C`.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -66,8 +66,7 @@ ContactSystem contact_system(const System<double>& s, const ModalBasis<Bounded<d
     return out;
 }
 
-HeldEquations<Bounded<double>> held_equations(const Scene<double>& scene, const StuckConfiguration& stuck,
-                                              Matrix<double> error_of_C) {
+HeldResponse held_response(const Scene<double>& scene, const StuckConfiguration& stuck, Matrix<double> error_of_C) {
     const std::size_t N = stuck.masses.size() + 1, a = stuck.contact.a;
     std::vector<Complex<double>> p = complex_load(scene.system);
     std::vector<double> error_of_p = error_of_load(scene.system);
@@ -81,26 +80,36 @@ HeldEquations<Bounded<double>> held_equations(const Scene<double>& scene, const 
         if (!error_of_p.empty()) errors.push_back(error_of_p[k.index]);
         others.push_back(static_cast<Eigen::Index>(k.index));
     }
-    HeldEquations<Bounded<double>> held;
+    const Bounded<double> r = as_input(*scene.r);
+    std::vector<Complex<Bounded<double>>> moving;
     if (N > 1)
-        held.others = harmonic_responses(
-            harmonic_system(stuck.M, stuck.C, stuck.K, error_of_C(others, others), as_input(*scene.r)), forces, errors);
+        moving = harmonic_responses(harmonic_system(stuck.M, stuck.C, stuck.K, error_of_C(others, others), r), forces, errors);
+    HeldResponse held{std::vector<Complex<Bounded<double>>>(N), {}};
+    HeldRow<Bounded<double>> row;
     for (std::size_t i = 0; i + 1 < N; ++i) {
-        if (!std::isfinite(held.others[i].re.e + held.others[i].im.e)) throw DomainError(Why::held_system_resonates);
+        if (!std::isfinite(moving[i].re.e + moving[i].im.e)) throw DomainError(Why::held_system_resonates);
+        held.X[stuck.masses[i].index] = moving[i];
         const double c = stuck.c_j[i],
                      error_of_c = std::abs(stuck.contact.over(error_of_C(static_cast<Eigen::Index>(a), others[i])));
-        held.row.c.emplace_back(c, error_of_c + unit_of<double>() * std::abs(c));
-        held.row.k.push_back(as_input(stuck.k_j[i]));
-        held.row.m.push_back(as_input(stuck.m_j[i]));
+        row.c.emplace_back(c, error_of_c + unit_of<double>() * std::abs(c));
+        row.k.push_back(as_input(stuck.k_j[i]));
+        row.m.push_back(as_input(stuck.m_j[i]));
     }
-    for (const BesideContact& other : stuck.contact.others) // 1 and -1 are exact
-        held.shares.push_back(std::abs(other.share) == 1 ? Bounded<double>(other.share) : as_input(other.share));
+    std::optional<Bounded<double>> re, im; // of mass a, which goes with those beside it
+    for (const BesideContact& other : stuck.contact.others) {
+        const Bounded<double> share =
+            std::abs(other.share) == 1 ? Bounded<double>(other.share) : as_input(other.share); // +-1: exact
+        add_times(re, share, held.X[other.k].re);
+        add_times(im, share, held.X[other.k].im);
+    }
+    if (re) held.X[a] = {*re, *im};
     const Complex<double> direct = direct_load(stuck, scene.system.load);
     const bool as_given = std::abs(stuck.contact.w_a) == 1;
     const auto bounded = [error_of_direct, as_given](double part) {
         return part == 1 && as_given ? Bounded<double>(1) : Bounded<double>(part, as_input(part).e + error_of_direct);
     };
-    held.row.direct = {bounded(direct.re), bounded(direct.im)};
+    row.direct = {bounded(direct.re), bounded(direct.im)};
+    held.load = modulus(row.load(r, moving));
     return held;
 }
 

@@ -56,18 +56,16 @@ struct HeldRow {
     }
 };
 
-/// @brief The response with the contact held at zero, by (6) without its row.
-template <class Number>
-struct HeldEquations {
-    std::vector<Complex<Number>> others; ///< complex amplitudes of the masses that move freely
-    HeldRow<Number> row;                 ///< the row that was left out
-    std::vector<Number> shares;          ///< of a contact that is not of one mass: what mass a goes with each mass beside it
+/// @brief The response with the contact held at zero, with bounds.
+struct HeldResponse {
+    std::vector<Complex<Bounded<double>>> X; ///< complex amplitudes of all masses
+    Bounded<double> load;                    ///< on the contact, in size
 };
 
-/// @brief These with bounds, of a damping matrix whose entries may be off by `error_of_C`. DomainError where the load excites the
-/// resonance of an undamped stuck mode.
-[[nodiscard]] HeldEquations<Bounded<double>> held_equations(const Scene<double>& scene, const StuckConfiguration& stuck,
-                                                            Matrix<double> error_of_C);
+/// @brief Section 4.3 for any contact: (6) without the row of the contact moves the other masses, and that row gives the load
+/// on the contact. The entries of the damping matrix may be off by `error_of_C`. DomainError where the load excites the resonance
+/// of an undamped stuck mode.
+[[nodiscard]] HeldResponse held_response(const Scene<double>& scene, const StuckConfiguration& stuck, Matrix<double> error_of_C);
 
 /// @brief Bounds of what errors of the modes make of the damping matrix (19), zero where the matrix was given.
 [[nodiscard]] Matrix<double> errors_of_C(const System<double>& s, const ModalBasis<Bounded<double>>& basis);

@@ -116,9 +116,9 @@ Motion library_motion(const Scene<double>& scene) {
     set_events(motion, proved, j);
     set_samples(motion, N, j, [&](const Ball& tau) { return proved.at(tau); });
     for (std::size_t k = 0; k < N; ++k) {
-        motion.amplitude.push_back(number(numbers.amplitude[k]));
+        motion.amplitude.push_back(number(numbers.masses[k].size));
         motion.phase.emplace_back();
-        if (numbers.phase[k]) motion.phase.back() = number(*numbers.phase[k]);
+        if (numbers.masses[k].phase) motion.phase.back() = number(*numbers.masses[k].phase);
     }
     Event furthest{Real50(0), 0, 0, Real50(0)}; // where the contact turns or comes to rest; of equal ones the first
     for (const Event& e : motion.events)

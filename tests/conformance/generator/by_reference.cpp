@@ -75,7 +75,7 @@ public:
         if (name == "first_damping_function") return {responses().U[k]};
         if (name == "second_damping_function") return {responses().G[k]};
         if (name == "H_j") return {responses().H};
-        if (name == "S_j") return {point_.boundary->S};
+        if (name == "S_j") return {point_.boundary->S_exact};
         if (name == "beta_lim_exact") return {point_.boundary->exact};
         if (name == "beta_lim_paper") return {point_.boundary->paper};
         if (name == "beta_lim_approximate") return {point_.boundary->approximate};
@@ -168,19 +168,20 @@ private:
 
     [[nodiscard]] std::vector<Ball> of_sliding(const ProtocolQuestion& q, std::size_t k) const {
         const Ball& beta = *point_.scene.beta;
-        const SlidingContactInBalls contact = contact_in_balls(responses(), beta);
+        const SteadyState<Ball> contact = contact_in_balls(responses(), beta);
         if (q.quantity == "displacement" || q.quantity == "motion_under_force") {
-            const SlidingMotionInBalls motion(responses(), beta);
-            if (q.quantity == "displacement") return {displacement(motion.at(Ball(q.tau) + contact.phi_j), k)};
-            return samples(q, k, [&](const Ball& tau) { return motion.at(tau); });
+            const SteadyState<Ball> motion = sliding_motion_in_balls(responses(), beta);
+            const auto at = [&](const Ball& tau) { return state_in_balls(responses(), motion, tau); };
+            if (q.quantity == "displacement") return {displacement(at(Ball(q.tau) + contact.phi_j), k)};
+            return samples(q, k, at);
         }
         if (quantity(q.quantity).absolute) {
             ResponsesInBalls seen = responses();
             seen.V[k] = response_from_ground(seen.V[k], base_motion(), base());
-            const SlidingMassInBalls absolute = mass_in_balls(seen, contact, beta, k, false);
+            const MassResponse<Ball> absolute = mass_in_balls(seen, contact, k, false);
             return from_ground(q, absolute.amplitude, absolute.phase);
         }
-        return numbers_of_sliding(mass_in_balls(responses(), contact, beta, k, is_contact(k)), q.quantity);
+        return numbers_of_sliding(mass_in_balls(responses(), contact, k, is_contact(k)), q.quantity);
     }
 
     [[nodiscard]] std::vector<Ball> of_orbit(const ProtocolQuestion& q, std::size_t k) {
@@ -192,8 +193,9 @@ private:
         const bool frame_moves = base_motion() == BaseMotion::with_wall || base_motion() == BaseMotion::wall;
         if (!orbit_) orbit_ = proved_orbit(scene, *guess_, bits_, {}, false, frame_moves ? std::optional(base()) : std::nullopt);
         if (quantity(q.quantity).absolute) return from_ground(q, orbit_->from_ground[k].size, orbit_->from_ground[k].phase);
-        if (q.quantity == "amplitude") return {orbit_->amplitude[k]};
-        if (q.quantity == "phase") return orbit_->phase[k] ? std::vector<Ball>{*orbit_->phase[k]} : std::vector<Ball>{};
+        if (q.quantity == "amplitude") return {orbit_->masses[k].size};
+        if (q.quantity == "phase")
+            return orbit_->masses[k].phase ? std::vector<Ball>{*orbit_->masses[k].phase} : std::vector<Ball>{};
         if (q.quantity == "stops_per_period") return {Ball(orbit_->stops.size())};
         if (q.quantity != "stop_durations") return {};
         std::vector<Ball> lengths;
