@@ -265,8 +265,6 @@ bool attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, 
 
 } // namespace
 
-bool has_reference() { return true; }
-
 AnswerByReference solution_by_reference(const SceneSource& source, const ReferenceQuestion& question,
                                         const std::function<std::vector<OrbitGuess>()>& made) {
     ReferenceQuestion q = question;
