@@ -1,6 +1,5 @@
 // The answer of the reference. Read `attempt`: the regime by the boundaries first, then the motion of the regime, (38) to
 // (53), the stuck response or an orbit, each written by one function.
-#if DENHARTOG_REFERENCE
 #include "denhartog/answer/reference.hpp"
 
 #include <algorithm>
@@ -284,4 +283,3 @@ AnswerByReference solution_by_reference(const SceneSource& source, const Referen
 }
 
 } // namespace denhartog
-#endif
