@@ -288,7 +288,8 @@ void ask_points(Choices& c, const dh_system* system, std::size_t N) {
                                      all ? nullptr : &mass,
                                      static_cast<unsigned>(1 + c.of(2)),
                                      end_at,
-                                     &calls_left};
+                                     &calls_left,
+                                     c.rarely()};
         const dh_map_result result{sizeof result,
                                    length,
                                    1,
@@ -299,7 +300,8 @@ void ask_points(Choices& c, const dh_system* system, std::size_t N) {
                                    length * masses,
                                    masses,
                                    1,
-                                   c.rarely() ? nullptr : amplitude.data()};
+                                   c.rarely() ? nullptr : amplitude.data(),
+                                   c.rarely() ? phase.data() : nullptr};
         ok = answered(dh_map(system, c.rarely() ? nullptr : &request, &result),
                       {DH_ERROR_NULL, DH_ERROR_SIZE, DH_ERROR_INPUT, DH_ERROR_PRECISION, DH_ERROR_MEMORY}, "map");
     } else {
@@ -315,7 +317,8 @@ void ask_points(Choices& c, const dh_system* system, std::size_t N) {
                                         all ? nullptr : &mass,
                                         static_cast<unsigned>(1 + c.of(2)),
                                         end_at,
-                                        &calls_left};
+                                        &calls_left,
+                                        c.rarely()};
         const dh_points points{sizeof points, 1, status.data(),    nullptr, stops.data(), nullptr,
                                masses,        1, amplitude.data(), nullptr, phase.data(), nullptr};
         ok = answered(dh_solve_points(system, &request, c.rarely() ? nullptr : &points),
@@ -361,7 +364,8 @@ void ask_systems(Choices& c, const dh_system* system, std::size_t N) {
                                      all ? nullptr : &mass,
                                      static_cast<unsigned>(1 + c.of(2)),
                                      end_at,
-                                     &calls_left};
+                                     &calls_left,
+                                     c.rarely()};
     const auto step = static_cast<std::ptrdiff_t>(masses);
     const dh_points points{sizeof points, 1, status.data(),    nullptr, nullptr,      nullptr,
                            step,          1, amplitude.data(), nullptr, phase.data(), nullptr};

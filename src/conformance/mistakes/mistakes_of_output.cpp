@@ -53,7 +53,7 @@ void take_sine(Value& value, const ProtocolQuestion& q) {
         return;
     }
     if (q.samples % 4 != 0) throw NoPlainAnswer();
-    std::ranges::rotate(value.numbers, value.numbers.end() - q.samples / 4);
+    std::rotate(value.numbers.begin(), value.numbers.end() - q.samples / 4, value.numbers.end());
 }
 
 std::optional<Value> from_contact(const ProtocolQuestion& q) {

@@ -1,6 +1,5 @@
 // The answer of the reference. Read `attempt`: the regime by the boundaries first, then the motion of the regime, (38) to
 // (53), the stuck response or an orbit, each written by one function.
-#if DENHARTOG_REFERENCE
 #include "denhartog/answer/reference.hpp"
 
 #include <algorithm>
@@ -245,8 +244,6 @@ bool attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, 
 
 } // namespace
 
-bool has_reference() { return true; }
-
 AnswerByReference solution_by_reference(const SceneSource& source, const ReferenceQuestion& question,
                                         const std::function<std::vector<OrbitGuess>()>& made) {
     ReferenceQuestion q = question;
@@ -266,4 +263,3 @@ AnswerByReference solution_by_reference(const SceneSource& source, const Referen
 }
 
 } // namespace denhartog
-#endif

@@ -14,9 +14,6 @@
 
 namespace denhartog {
 
-/// @brief True if the library was built with the reference. @return false of one built with `DENHARTOG_REFERENCE=OFF`
-[[nodiscard]] bool has_reference();
-
 /// @brief A question to the reference: the digits, or those by default, are all certain in the answer, and every number is
 /// proved.
 struct ReferenceQuestion : Question {

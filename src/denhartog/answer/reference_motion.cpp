@@ -1,6 +1,5 @@
 // Further questions about the motion of an answer, proved: samples of it, what it dissipates, and the invariant points of a
 // system. Each begins with the point of the answer in enough bits, see `reference_point.cpp`.
-#if DENHARTOG_REFERENCE
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -236,4 +235,3 @@ std::vector<InvariantPointsOfMass<Certified>> invariant_points(const SceneSource
 }
 
 } // namespace denhartog
-#endif

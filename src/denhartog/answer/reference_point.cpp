@@ -1,6 +1,5 @@
 // A point of a scene in the bits of the moment. Read `point_in_balls`, whose damping is that of
 // `scene_in_balls`. `with_enough_bits` doubles the bits until that is enough, and `WrittenNumbers` writes what is proved.
-#if DENHARTOG_REFERENCE
 #include "denhartog/answer/reference_point.hpp"
 
 #include <mpfr.h>
@@ -282,4 +281,3 @@ void WrittenNumbers::count(const Ball& error) {
 }
 
 } // namespace denhartog
-#endif

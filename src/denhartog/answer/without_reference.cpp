@@ -15,8 +15,6 @@ const Refusal none{Outcome::digits_missing, Why::no_reference};
 
 } // namespace
 
-bool has_reference() { return false; }
-
 AnswerByReference solution_by_reference(const SceneSource&, const ReferenceQuestion&,
                                         const std::function<std::vector<OrbitGuess>()>&) {
     return {{none}};
