@@ -97,8 +97,11 @@ struct MixedOscillators {
 void check_coupled_motion(double unit) {
     const MixedOscillators mixed;
     for (const auto asked : {CoupledMotion::Asked::instants_of_one_start, CoupledMotion::Asked::many_starts}) {
-        CoupledMotion motion(mixed.A, double(4.5), asked, nullptr);
+        CoupledMotion motion(mixed.A, double(4.5), asked, nullptr), another = motion;
         motion.start(mixed.start());
+        another.start(mixed.start());
+        (void)another.at(0.3);
+        another.start(-2 * mixed.start()); // nothing is left of the start before
         for (const double t : {0.0, 0.001, 0.3, 0.31, 2.5, 0.3, 7.0, 40.0}) {
             INFO("t = " << t << ", many starts: " << (asked == CoupledMotion::Asked::many_starts));
             const Column expected = mixed.closed_form(double(t)), found = motion.at(double(t));
@@ -106,6 +109,7 @@ void check_coupled_motion(double unit) {
             const double allowed = 64 * (1 + double(t) * double(4.5)) * unit;
             CHECK((found - expected).cwiseAbs().maxCoeff() <= allowed);
             CHECK((carried.col(0) - expected).cwiseAbs().maxCoeff() <= allowed);
+            CHECK(another.at(t) == -2 * found);
         }
     }
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "denhartog/model/detail/product_of_doubles.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number.hpp"
 
@@ -21,15 +22,6 @@ constexpr std::size_t most_series = 64;         // kept at a time
 std::size_t doublings_in_half_period(double rate) {
     const double steps = static_cast<double>(pi<double>() * rate);
     return steps > 1 && std::isfinite(steps) ? static_cast<std::size_t>(std::ilogb(steps)) + 1 : 0;
-}
-
-Column sum_of(const PowerSeries& series, double s) {
-    Column sum = series.terms.col(series.count - 1);
-    for (Eigen::Index k = series.count - 2; k >= 0; --k) {
-        const double* const term = series.terms.col(k).data();
-        for (Eigen::Index i = 0; i < sum.size(); ++i) sum(i) = term[i] + s * sum(i);
-    }
-    return sum;
 }
 
 } // namespace
@@ -48,9 +40,9 @@ CoupledMotion::CoupledMotion(const Matrix<double>& A, double rate, Asked asked, 
     }
 }
 
-void CoupledMotion::start(Column z) {
-    state_ = std::move(z);
-    series_.clear();
+void CoupledMotion::start(const Column& z) {
+    state_ = z;
+    known_ = 0;
 }
 
 Column CoupledMotion::rates(const Column& z) const {
@@ -63,16 +55,19 @@ Column CoupledMotion::rates(const Column& z) const {
     return rates;
 }
 
-Column CoupledMotion::at(double t) {
-    const std::optional<std::uint64_t> n = steps_in(t);
-    if (!n) return state_ * std::numeric_limits<double>::quiet_NaN();
-    return sum_of(series_after(*n), part_after(*n, t));
+const Column& CoupledMotion::at(double t) {
+    if (t == 0) return state_;
+    if (const std::optional<std::uint64_t> n = steps_in(t))
+        sum_up(series_after(*n), part_after(*n, t));
+    else
+        now_ = state_ * std::numeric_limits<double>::quiet_NaN();
+    return now_;
 }
 
 Matrix<double> CoupledMotion::carried(double t, Matrix<double> z) {
     const std::optional<std::uint64_t> n = steps_in(t);
     if (!n) return z * std::numeric_limits<double>::quiet_NaN();
-    leap_over(*n, z);
+    leap_over(*n, z.data(), z.cols());
     const double s = part_after(*n, t) / rate_;
     std::vector<double> scaled = entries_;
     for (double& entry : scaled) entry *= s;
@@ -86,15 +81,16 @@ void CoupledMotion::spend_products(Eigen::Index count) const {
 
 // Forms a term of a series from the one before, a factor times its product with the matrix that has the given entries in the
 // places of A's, and adds it. True if the sum changes.
-bool CoupledMotion::add_term(const std::vector<double>& entries, double factor, const double* before, double* term,
-                             double* sum) const {
+bool CoupledMotion::add_term(const double* entry, double factor, const double* before, double* term, double* sum) const {
     bool changes = false;
-    for (std::size_t row = 0, entry = 0; row < ends_.size(); ++row) {
+    const Eigen::Index* column = columns_.data();
+    const double* const first = entry;
+    for (std::size_t row = 0; row < ends_.size(); ++row) {
         double each(0);
-        for (; entry < ends_[row]; ++entry) each += entries[entry] * before[columns_[entry]];
+        for (const double* const end = first + ends_[row]; entry != end; ++entry, ++column) each += *entry * before[*column];
         term[row] = each * factor;
         const double next = sum[row] + term[row];
-        changes = changes || next != sum[row];
+        changes |= next != sum[row];
         sum[row] = next;
     }
     return changes;
@@ -110,7 +106,7 @@ Matrix<double> CoupledMotion::growth(const std::vector<double>& entries, Matrix<
         const double inverse = 1.0 / k;
         grows = false;
         for (Eigen::Index column = 0; column < z.cols(); ++column)
-            grows |= add_term(entries, inverse, z.col(column).data(), next.col(column).data(), sum.col(column).data());
+            grows |= add_term(entries.data(), inverse, z.col(column).data(), next.col(column).data(), sum.col(column).data());
         z.swap(next);
     }
     return sum;
@@ -146,39 +142,58 @@ std::optional<std::uint64_t> CoupledMotion::steps_in(double t) const {
 // The rest of a time after n steps, as a part of a step.
 double CoupledMotion::part_after(std::uint64_t n, double t) const { return (t - static_cast<double>(n) / rate_) * rate_; }
 
-template <class Numbers>
-void CoupledMotion::leap_over(std::uint64_t n, Numbers& z) {
-    for (std::size_t k = 0; n >> k != 0; ++k)
-        if ((n >> k & 1) != 0) z += product(leap(k), z);
+// Carries columns over n steps.
+void CoupledMotion::leap_over(std::uint64_t n, double* z, Eigen::Index columns) {
+    leapt_.resize(static_cast<std::size_t>(rows() * columns));
+    for (std::size_t k = 0; n >> k != 0; ++k) {
+        if ((n >> k & 1) == 0) continue;
+        product_of_doubles({leap(k).data(), rows(), rows(), rows()}, {z, rows(), columns, rows()}, leapt_.data());
+        for (std::size_t i = 0; i < leapt_.size(); ++i) z[i] += leapt_[i];
+    }
 }
 
-// The terms of exp(A s / rate) z for s up to 1, a column each, as many as s = 1 needs.
-PowerSeries CoupledMotion::terms_from(const Column& z) const {
+// The state in a part of a step by its series.
+void CoupledMotion::sum_up(const PowerSeries& series, double s) {
+    now_.resize(rows());
+    for (Eigen::Index i = 0; i < rows(); ++i) {
+        double sum = series.terms(i, series.count - 1);
+        for (Eigen::Index k = series.count - 2; k >= 0; --k) sum = series.terms(i, k) + s * sum;
+        now_(i) = sum;
+    }
+}
+
+// The terms of exp(A s / rate) for s up to 1 and the state now, a column each, as many as s = 1 needs.
+void CoupledMotion::form_terms(PowerSeries& series) {
     constexpr Eigen::Index first_room = 32;
-    Matrix<double> terms(z.size(), first_room);
-    terms.col(0) = z;
-    Column sum = z;
-    Eigen::Index k = 1;
-    for (bool grows = true; grows && k <= most_terms; ++k) {
+    Matrix<double>& terms = series.terms;
+    if (terms.size() == 0) terms.resize(rows(), first_room);
+    terms.col(0) = now_;
+    sum_.assign(now_.begin(), now_.end());
+    series.count = 1;
+    for (bool grows = true; grows && series.count <= most_terms; ++series.count) {
+        const Eigen::Index k = series.count;
         if (k == terms.cols()) terms.conservativeResize(Eigen::NoChange, 2 * k);
         const double inverse = 1 / (static_cast<int>(k) * rate_);
-        grows = add_term(entries_, inverse, terms.col(k - 1).data(), terms.col(k).data(), sum.data());
+        grows = add_term(entries_.data(), inverse, terms.col(k - 1).data(), terms.col(k).data(), sum_.data());
     }
-    return {std::move(terms), k};
 }
 
 // The series over the step after n of them.
 const PowerSeries& CoupledMotion::series_after(std::uint64_t n) {
-    const auto known = series_.find(n);
-    if (known != series_.end()) return known->second;
-    if (series_.size() >= most_series) series_.clear();
+    for (std::size_t k = known_; k-- > 0;)
+        if (series_[k].step == n) return series_[k];
+    if (known_ >= most_series) known_ = 0;
     if (n == 0 || n > single_steps_) {
-        Column z = state_;
-        leap_over(n, z);
-        return series_.emplace(n, terms_from(z)).first->second;
+        now_ = state_;
+        leap_over(n, now_.data(), 1);
+    } else {
+        sum_up(series_after(n - 1), 1.0);
     }
-    const Column z = sum_of(series_after(n - 1), 1.0);
-    return series_.emplace(n, terms_from(z)).first->second;
+    if (known_ == series_.size()) series_.emplace_back();
+    PowerSeries& series = series_[known_++];
+    series.step = n;
+    form_terms(series);
+    return series;
 }
 
 } // namespace denhartog

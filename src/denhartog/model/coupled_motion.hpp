@@ -9,7 +9,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -21,8 +20,9 @@ namespace denhartog {
 
 /// @brief A power series in a part of a step.
 struct PowerSeries {
-    Matrix<double> terms; ///< a column for each power, and some that are not used
-    Eigen::Index count;   ///< columns in use
+    std::uint64_t step = 0; ///< whole steps before it
+    Matrix<double> terms{}; ///< a column for each power, and some that are not used
+    Eigen::Index count = 0; ///< columns in use
 };
 
 /// @brief The motion of a linear system.
@@ -41,10 +41,10 @@ public:
 
     void pay_no_more() { effort_ = nullptr; } ///< what follows is not paid for
 
-    void start(Column z); ///< starts at t = 0 with a state
+    void start(const Column& z); ///< starts at t = 0 with a state
 
-    /// @brief The state at time t from the start; not a number where t has no digits left for a step.
-    [[nodiscard]] Column at(double t);
+    /// @brief The state at time t from the start, until the next call; not a number where t has no digits left for a step.
+    [[nodiscard]] const Column& at(double t);
 
     /// @brief The rate \f$ Az \f$ of a state.
     [[nodiscard]] Column rates(const Column& z) const;
@@ -64,15 +64,15 @@ public:
 private:
     [[nodiscard]] Eigen::Index rows() const { return static_cast<Eigen::Index>(ends_.size()); }
     void spend_products(Eigen::Index count) const;
-    bool add_term(const std::vector<double>& entries, double factor, const double* before, double* term, double* sum) const;
+    bool add_term(const double* entry, double factor, const double* before, double* term, double* sum) const;
     [[nodiscard]] Matrix<double> growth(const std::vector<double>& entries, Matrix<double> z) const;
     [[nodiscard]] Matrix<double> doubled(const Matrix<double>& grown) const;
     const Matrix<double>& leap(std::size_t k);
     [[nodiscard]] std::optional<std::uint64_t> steps_in(double t) const;
     [[nodiscard]] double part_after(std::uint64_t n, double t) const;
-    template <class Numbers>
-    void leap_over(std::uint64_t n, Numbers& z);
-    [[nodiscard]] PowerSeries terms_from(const Column& z) const;
+    void leap_over(std::uint64_t n, double* z, Eigen::Index columns);
+    void sum_up(const PowerSeries& series, double s);
+    void form_terms(PowerSeries& series);
     const PowerSeries& series_after(std::uint64_t n);
 
     // Entries of A that are not zero, row by row. Most are zero: half of the rows say that a velocity is one.
@@ -83,9 +83,12 @@ private:
     double rate_ = 1.0;                 // steps a unit of time
     std::uint64_t single_steps_ = 0;    // so many are made one by one
     Effort* const* effort_ = nullptr;
-    Column state_;                                // at the start
-    std::vector<Matrix<double>> leaps_;           // as `leap` has them
-    std::map<std::uint64_t, PowerSeries> series_; // as `series_after` has them
+    Column state_;                      // at the start
+    Column now_;                        // the state that was asked for last
+    std::vector<Matrix<double>> leaps_; // as `leap` has them
+    std::vector<PowerSeries> series_;   // as `series_after` has them, and behind them those of earlier starts, to be written over
+    std::size_t known_ = 0;             // series of this start
+    std::vector<double> sum_, leapt_;   // working space
 };
 
 } // namespace denhartog

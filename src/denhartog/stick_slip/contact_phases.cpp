@@ -25,6 +25,7 @@ void LinearMotion::resize(std::size_t n) {
     coordinates_.resize(n);
     starts_.resize(n);
     free_.resize(n);
+    free_at_start_.resize(n);
 }
 
 void LinearMotion::set_force(const std::vector<Complex<double>>& load, double r2) {
@@ -39,8 +40,11 @@ void LinearMotion::set_force(const std::vector<Complex<double>>& load, double r2
 }
 
 void LinearMotion::prepare() {
-    for (std::size_t i = 0; i < size(); ++i) coordinates_[i] = evaluation::driven_coordinate(omega_0[i], gap[i], decay[i], F[i]);
-    free_at_ = -1;
+    for (std::size_t i = 0; i < size(); ++i) {
+        coordinates_[i] = evaluation::driven_coordinate(omega_0[i], gap[i], decay[i], F[i]);
+        free_at_start_[i] = free_at(0, i);
+    }
+    free_t_ = -1;
     if (!coupled()) return;
     const auto n = static_cast<Eigen::Index>(size());
     Matrix<double> A = Matrix<double>::Zero(rows(), rows());
@@ -61,34 +65,34 @@ void LinearMotion::prepare() {
 
 void LinearMotion::start(double tau) {
     tau_0_ = tau;
-    const SineCosine<double> at_start = sine_cosine(tau);
+    at_start_ = sine_cosine(tau);
     differentiated_ = false;
     for (std::size_t i = 0; i < size(); ++i) {
         at_rest_[i] = G[i] / (omega_0[i] * omega_0[i]);
         const InitialValues<double> now{q[0][i], q[1][i]};
-        const auto [sin_0, cos_0] = at_force(at_start, i);
+        const auto [sin_0, cos_0] = at_force(at_start_, i);
         starts_[i] = {evaluation::free_start(now, at_rest_[i], coordinates_[i].X, cos_0, sin_0), at_rest_[i], cos_0, sin_0};
     }
     if (!coupled()) return;
-    Column z(rows());
-    z << column(q[0]) - column(at_rest_), column(q[1]), at_start.c, at_start.s;
-    together_.start(std::move(z));
+    together_at_start_.resize(rows());
+    together_at_start_ << column(q[0]) - column(at_rest_), column(q[1]), at_start_.c, at_start_.s;
+    together_.start(together_at_start_);
 }
 
 void LinearMotion::move_to(double t) {
     differentiated_ = false;
-    now_ = sine_cosine(tau_0_ + t);
+    now_ = t == 0 ? at_start_ : sine_cosine(tau_0_ + t);
     if (coupled()) {
-        const Column z = together_.at(t);
+        const Column& z = together_.at(t);
         const auto n = static_cast<Eigen::Index>(size());
         column(q[0]) = column(at_rest_) + z.head(n);
         column(q[1]) = z.segment(n, n);
         return;
     }
-    free_at_ = t;
+    free_t_ = t;
     for (std::size_t i = 0; i < size(); ++i) {
         const evaluation::DrivenCoordinate<double>& c = coordinates_[i];
-        free_[i] = evaluation::free_motion(t, c.R, c.zeta, c.w);
+        free_[i] = t == 0 ? free_at_start_[i] : free_at(t, i);
         const SineCosine<double> at = at_force(now_, i);
         const InitialValues<double> now = evaluation::motion_of_coordinate(free_[i], t, c, starts_[i], at.c, at.s);
         q[0][i] = now.eta_0;
@@ -133,12 +137,12 @@ void LinearMotion::carry(double t, Matrix<double>& dq, Matrix<double>& dp) {
         return;
     }
     for (std::size_t i = 0; i < size(); ++i) {
-        const evaluation::DrivenCoordinate<double>& c_i = coordinates_[i];
-        const evaluation::FreeMotion<double> free = t == free_at_ ? free_[i] : evaluation::free_motion(t, c_i.R, c_i.zeta, c_i.w);
+        const double R = coordinates_[i].R;
+        const evaluation::FreeMotion<double> free = t == free_t_ ? free_[i] : free_at(t, i);
         for (Eigen::Index c = 0; c < dq.cols(); ++c) {
             const double x = dq(i, c), v = dp(i, c);
-            dq(i, c) = x * free.d + v * (c_i.R * free.q);
-            dp(i, c) = x * free.d_prime + v * (c_i.R * free.q_prime);
+            dq(i, c) = x * free.d + v * (R * free.q);
+            dp(i, c) = x * free.d_prime + v * (R * free.q_prime);
         }
     }
 }
@@ -192,8 +196,8 @@ void ExactSolver::start_phase(int direction, double tau) {
     LinearMotion& part = motion_of(direction);
     const double r2 = e_.r * e_.r;
     const Matrix<double>& momentum = direction == 0 ? system_->stuck.momentum : system_->momentum;
-    column(part.q[0]).noalias() = momentum * column(z_.x);
-    column(part.q[1]).noalias() = momentum * column(z_.x_prime);
+    column(part.q[0]).noalias() = momentum.lazyProduct(column(z_.x));
+    column(part.q[1]).noalias() = momentum.lazyProduct(column(z_.x_prime));
     if (direction != 0) {
         column(sliding_.G) = -direction * e_.beta / r2 * system_->contact_shape;
         if (!system_->constant.modal.empty()) column(sliding_.G) += column(system_->constant.modal) / r2;
@@ -208,10 +212,10 @@ void ExactSolver::start_phase(int direction, double tau) {
 void ExactSolver::masses_of(int direction, int order, std::vector<double>& out) const {
     out.resize(N_);
     if (direction != 0) {
-        column(out).noalias() = system_->basis.phi * column(sliding_.q[order]);
+        column(out).noalias() = system_->basis.phi.lazyProduct(column(sliding_.q[order]));
         return;
     }
-    column(out).noalias() = system_->stuck.shapes * column(sticking_.q[order]);
+    column(out).noalias() = system_->stuck.shapes.lazyProduct(column(sticking_.q[order]));
     if (order == 0)
         for (std::size_t k = 0; k < N_; ++k) out[k] += rest_ * system_->stuck.carried[k];
     else if (const Contact& contact = system_->stuck.contact; !contact.others.empty())

@@ -94,19 +94,24 @@ private:
         const std::array<double, 4> wave{at.c, -at.s, -at.c, at.s};
         return order == 0 ? F[i] * wave[0] + G[i] : F[i] * wave[static_cast<std::size_t>(order)];
     }
+    [[nodiscard]] evaluation::FreeMotion<double> free_at(double t, std::size_t i) const {
+        return evaluation::free_motion(t, coordinates_[i].R, coordinates_[i].zeta, coordinates_[i].w);
+    }
     // Of the coupled system: z = (q less that at rest, q', cos tau, sin tau) obeys z' = A z.
     [[nodiscard]] Eigen::Index rows() const { return 2 * static_cast<Eigen::Index>(size()) + 2; }
 
     double tau_0_;
-    SineCosine<double> now_;      // of tau at the instant last evaluated
-    bool differentiated_ = false; // whether q holds all derivatives, at the instant at_
+    SineCosine<double> at_start_, now_; // of tau at the start, and at the instant last evaluated
+    bool differentiated_ = false;       // whether q holds all derivatives, at the instant at_
     double at_;
     CoordinateValues<double> at_rest_;                                   // where the constant force would hold the coordinates
     CoordinateValues<evaluation::DrivenCoordinate<double>> coordinates_; // prepared for any start
     CoordinateValues<evaluation::DrivenStart<double>> starts_;           // the last start
-    CoordinateValues<evaluation::FreeMotion<double>> free_;              // the free motions at free_at_, whatever the start
-    double free_at_ = -1;
-    CoupledMotion together_; // all coordinates if D couples them
+    // The free motions at t = 0 and at free_t_, whatever the start.
+    CoordinateValues<evaluation::FreeMotion<double>> free_at_start_, free_;
+    double free_t_ = -1;
+    CoupledMotion together_;   // all coordinates if D couples them
+    Column together_at_start_; // their state
 };
 
 /// @brief End of a phase.
