@@ -165,7 +165,7 @@ TEST_CASE("the scores in the repository are what the solvers give") {
         if (std::filesystem::exists(programs / name))
             samples.push_back({"'" + (programs / name).string() + "' " + arguments + scenes + " --every 6", method, setting});
         else
-            SKIPPED(name << " is not built, as its solver is not there");
+            SKIPPED(name << " is not built, as its package is missing");
     };
     add_if_built("benchmark-cvode", "1e-9", "SUNDIALS CVODE", "tolerance 1e-9");
     add_if_built("benchmark-siconos", "256", "Siconos, Moreau-Jean", "256 steps a period");

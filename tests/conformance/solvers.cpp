@@ -1,4 +1,4 @@
-// The time integrators of the conformance kit: what their shared part answers, read through a pipe.
+// The time integrators of the conformance kit, asked through a pipe.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double near = 1e-9; // the adapters integrate with tolerance 1e-12; periods add up, and phases are flat
+constexpr double near = 1e-9; // tolerances are 1e-12; errors add up over periods, and a largest displacement is flat
 
 // The adapters stand beside the program.
 std::filesystem::path file_of(const std::string& adapter) {
@@ -23,10 +23,10 @@ std::filesystem::path file_of(const std::string& adapter) {
 
 std::string adapter(const std::string& name) { return "'" + file_of(name).string() + "'"; }
 
-// Whether an adapter of somebody else's solver was built.
-bool is_built(const std::string& name) {
+// Whether an adapter of somebody else's solver was built; else the test is skipped.
+bool is_built_or_skipped(const std::string& name) {
     if (std::filesystem::exists(file_of(name))) return true;
-    SKIPPED(name << " is not built, as its solver is not there");
+    SKIPPED(name << " is not built, as its package is missing");
     return false;
 }
 
@@ -175,7 +175,7 @@ TEST_CASE("with mu > 1 integration leads to the motion from rest, and not to one
     REQUIRE(given[1].at("value").size() == 2);
     const Json& shorter = truth.at("stops").at(0);
     check_near(given[1].at("value")[0], shorter.at("end").get<double>() - shorter.at("start").get<double>(), "shorter stop");
-    // This motion returns after three periods.
+    // The motion of the next scene returns after three periods only.
     const Json of_three = one_mass(0.015625, 3.5, 0.40625, 0.078125);
     CHECK(solved(of_three).at("periods") == 3);
     CHECK(answers(adapter("paper_algorithm_adapter"), {question(of_three, "amplitude", 1)})[0].contains("skip"));
@@ -218,19 +218,17 @@ TEST_CASE("a solver whose package is missing skips every question by the package
     for (const Json& answer : given) CHECK(answer.at("skip") == "not installed: libsundials-dev");
 }
 
-} // namespace denhartog::tests
-
 TEST_CASE("CVODE under the conformance kit is right in every regime", "[eq:6][eq:74]") {
-    if (!is_built("cvode_adapter")) return;
+    if (!is_built_or_skipped("cvode_adapter")) return;
     check_against_solve(three_masses({0.03125, 0.0625, 0.09375}, 1, 1.125, 0.03125), "continuous", "cvode_adapter");
     check_against_solve(three_masses({0.03125, 0.0625, 0.09375}, 1.375, 0.375, 0.296875), "stick_slip", "cvode_adapter");
     check_against_solve(three_masses({0.03125, 0.0625, 0.09375}, 1, 1.125, 2), "permanent_sticking", "cvode_adapter");
-    // Next to each extremum of the force the load leaves what friction holds for less than a step.
+    // Near each extremum of the force the load exceeds static friction for less than a step.
     check_against_solve(one_mass(0.015625, 1, 0.0625, 0.59375), "stick_slip", "cvode_adapter");
 }
 
 TEST_CASE("Siconos under the conformance kit is as near as its steps allow", "[eq:6][eq:74]") {
-    if (!is_built("siconos_adapter")) return;
+    if (!is_built_or_skipped("siconos_adapter")) return;
     const Json scene = one_mass(0.0625, 1, 0.25, 0.75);
     const Json truth = solved(scene), &stop = truth.at("stops").at(0);
     const std::vector<Json> given =
@@ -239,3 +237,5 @@ TEST_CASE("Siconos under the conformance kit is as near as its steps allow", "[e
     CHECK(given[1].at("value").at(0).get<double>() ==
           Approx(stop.at("end").get<double>() - stop.at("start").get<double>()).epsilon(1e-4));
 }
+
+} // namespace denhartog::tests

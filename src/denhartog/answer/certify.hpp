@@ -63,10 +63,10 @@ void count_precision_step();
     return amplitude <= error && error <= largest * units * unit_of<double>();
 }
 
-/// @brief Brings the lists over all masses into the form in which answers have them. If one mass was asked about, it alone is left.
-/// The motion of a contact that does not move as one mass comes last, and is taken out. Masses are seen from the ground if the
-/// motion of all was asked for; those of a base that moves alone are absolute as they are.
-void set_lists(const System<double>& system, const Question& question, Solution& s);
+/// @brief Brings the lists over masses into the form in which answers have them. If one mass was asked about, only that one is
+/// left. Otherwise the last entry of a contact that does not move as one mass goes to `between`. `from_ground` is left only if
+/// the motion of all masses was asked for; if the base moves alone, it is a copy, as the displacements are absolute already.
+void finish_lists(const System<double>& system, const Question& question, Solution& s);
 
 [[nodiscard]] inline Certified certified(const Bounded<double>& a) { return {a.x, a.e, {}}; } ///< a number with its bound
 [[nodiscard]] inline Certified exactly(double x) { return {x, 0, {}}; }                       ///< a number that is exact

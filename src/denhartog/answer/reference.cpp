@@ -234,7 +234,7 @@ bool attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, 
     } else {
         s.method.model = "boundary of the sliding regime";
     }
-    set_lists(scene.system, q, s);
+    finish_lists(scene.system, q, s);
     s.relative_error = w.largest_error();
     s.method.precision = "reference";
     s.method.why = {Why::proved, bits};

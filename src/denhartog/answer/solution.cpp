@@ -1,5 +1,5 @@
-// The parts that all answers have in common: the amplitude and phase of a mass, the number of digits that a bound proves, and the
-// sentence on whether these are enough, `verdict`.
+// The parts that all answers have in common: which masses they list, `finish_lists`, the amplitude and phase of a mass, the
+// number of digits that a bound proves, and the sentence on whether these are enough, `verdict`.
 #include "denhartog/answer/solution.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ double error_of_displacements(const SolvedMass& m) {
     return std::max({m.sliding->x0.error, m.sliding->v0.error, m.amplitude.error, m.sliding->amplitude_monoharmonic.error});
 }
 
-void set_lists(const System<double>& system, const Question& question, Solution& s) {
+void finish_lists(const System<double>& system, const Question& question, Solution& s) {
     s.contact_with = system.contact_with;
     s.contact_direction = system.contact_direction;
     const std::size_t N = number_of_masses(system);

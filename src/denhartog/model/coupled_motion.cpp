@@ -118,15 +118,12 @@ Matrix<double> CoupledMotion::doubled(const Matrix<double>& grown) const {
     return product(grown, grown) + 2.0 * grown;
 }
 
-// exp(A 2^k / rate) less the identity. The first is doubled up from a part of the step, whose series has fewer terms.
+// exp(A 2^k / rate) less the identity. The first is that of half a step, whose series has fewer terms, doubled.
 const Matrix<double>& CoupledMotion::leap(std::size_t k) {
-    constexpr int doublings = std::numeric_limits<double>::digits / 32;
     if (leaps_.empty()) {
-        std::vector<double> part = entries_;
-        for (double& entry : part) entry /= rate_ * (1 << doublings);
-        Matrix<double> grown = growth(part, Matrix<double>::Identity(rows(), rows()));
-        for (int n = 0; n < doublings; ++n) grown = doubled(grown);
-        leaps_.push_back(std::move(grown));
+        std::vector<double> half = entries_;
+        for (double& entry : half) entry /= 2 * rate_;
+        leaps_.push_back(doubled(growth(half, Matrix<double>::Identity(rows(), rows()))));
     }
     while (leaps_.size() <= k) leaps_.push_back(doubled(leaps_.back()));
     return leaps_[k];

@@ -43,7 +43,7 @@ public:
 
     void start(const Column& z); ///< starts at t = 0 with a state
 
-    /// @brief The state at time t from the start, until the next call; not a number where t has no digits left for a step.
+    /// @brief The state at time t from the start, until the next call; of NaN if t has no digits left for a step.
     [[nodiscard]] const Column& at(double t);
 
     /// @brief The rate \f$ Az \f$ of a state.
@@ -84,7 +84,7 @@ private:
     std::uint64_t single_steps_ = 0;    // so many are made one by one
     Effort* const* effort_ = nullptr;
     Column state_;                      // at the start
-    Column now_;                        // the state that was asked for last
+    Column now_;                        // working space for a state, which `at` returns
     std::vector<Matrix<double>> leaps_; // as `leap` has them
     std::vector<PowerSeries> series_;   // as `series_after` has them, and behind them those of earlier starts, to be written over
     std::size_t known_ = 0;             // series of this start

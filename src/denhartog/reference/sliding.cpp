@@ -1,6 +1,7 @@
 // The motion if the contact slides throughout, the friction ratio up to which it does, and the one from which it is held for ever.
-// (38) and (39) for the contact, `contact_in_balls`; (44) and (45) for the start of the others; (46) at any instant.
-// `boundary_in_balls` has (56), (67) and (69) as they stand, `stuck_in_balls` the equation of motion without row j.
+// (38) and (39) for the contact, `contact_in_balls`; (44) and (45) for the start of the others; (41) at any instant.
+// `boundary_in_balls` has (56), (67) and (69) as they stand, `stuck_in_balls` the equation of motion with the force that holds
+// the contact.
 #include "denhartog/reference/sliding.hpp"
 
 #include <cmath>

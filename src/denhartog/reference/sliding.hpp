@@ -33,13 +33,14 @@ namespace denhartog::reference {
 /// from a maximum of the force.
 [[nodiscard]] BallMatrix harmonic_in_balls(const std::vector<Complex<Ball>>& X, slong N, const Ball& tau);
 
-/// @brief The sliding motion: the contact, and the N masses where they start. @eq{38,39,44,45}
+/// @brief The sliding motion: the contact, and `x0` and `v0` of the N masses, nothing else of them. @eq{38,39,44,45}
 [[nodiscard]] SteadyState<Ball> sliding_motion_in_balls(const ResponsesInBalls& r, const Ball& beta);
 
 /// @brief The state of the masses in that motion at any instant, as `harmonic_in_balls` has it. @eq{25,41}
 [[nodiscard]] BallMatrix state_in_balls(const ResponsesInBalls& r, const SteadyState<Ball>& motion, const Ball& tau);
 
-/// @brief The boundary from the response functions, without that of permanent sticking; (56) without damping ratios is (69).
+/// @brief The boundary from the response functions, without `sticking` and `instants`. Where damping couples the modes, (56) has
+/// no modes to sum over, and `paper` is `exact`.
 /// @eq{54,56,57,58,67,69}
 /// @throws Unproved if a maximum is not settled
 [[nodiscard]] Boundary<Ball> boundary_in_balls(const SceneInBalls& s, const ResponsesInBalls& r);

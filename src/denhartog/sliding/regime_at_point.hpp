@@ -44,7 +44,7 @@ inline void take_regime(Regime met, RegimeAtPoint& point) {
 enum class BindingCondition {
     velocity,        ///< (54)a: beyond it the contact would turn back within the half-period
     static_friction, ///< (54)b: beyond it static friction would hold the contact at the end of the half-period
-    both             ///< the two coincide, because mu = 1 and the sum over modes is largest for tau -> 0
+    both             ///< as with mu = 1 and a sum over modes that is largest for tau -> 0; or the digits do not tell
 };
 
 } // namespace denhartog

@@ -171,7 +171,7 @@ Tried<Solution> decide_sliding(const SceneSource& asked_about, const Question& q
     const SceneSource& source = scene.source();
     const auto in_double = [&](const Question& asked) {
         AnswerInDouble found{tried([&] { return sliding_solution(source, asked, modes); })};
-        if (found.is_answered()) set_lists(source->in_double().system, asked, *found.value);
+        if (found.is_answered()) finish_lists(source->in_double().system, asked, *found.value);
         return found;
     };
     const auto by_reference = [&](const AnswerInDouble*) -> AnswerByReference {

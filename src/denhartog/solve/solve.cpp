@@ -265,7 +265,7 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
             s.motions = other_motions(task.scene, *task.moving, task.known.basis, source->effort);
         }
     }
-    set_lists(p.scene().system, question, s);
+    finish_lists(p.scene().system, question, s);
     return found;
 }
 

@@ -33,18 +33,18 @@ int right_hand_side(double tau, N_Vector y, N_Vector y_prime, void* data) {
     return 0;
 }
 
-// While the contact slides its velocity; while it sticks what is left of static friction on either side, and the rate of the load:
-// CVODE compares the ends of a step, and between them the load can leave what friction holds and come back. At the root of its rate
-// the load is largest.
-enum Root : std::uint8_t { first_end, other_end, extremum, number_of_roots };
+enum Root : std::uint8_t { first, second, extremum, number_of_roots };
 
+// While the contact slides, the first event is its velocity. While it sticks, the first two are what the load leaves of static
+// friction on either side, and the third is the rate of the load. CVODE compares the ends of a step, and within one the load can
+// exceed static friction and come back; at the root of its rate it is largest.
 int events(double tau, N_Vector y, double* event, void* data) {
     auto& p = *static_cast<Problem*>(data);
     const std::span<const double> state(N_VGetArrayPointer(y), p.y.size());
     const double held = p.equations.mu * p.equations.beta;
     const double load = p.direction == 0 ? p.equations.load_on_contact(state, tau) : 0;
-    event[first_end] = p.direction == 0 ? held - load : p.contact_velocity(state.data());
-    event[other_end] = held + load;
+    event[first] = p.direction == 0 ? held - load : p.contact_velocity(state.data());
+    event[second] = held + load;
     event[extremum] = 1;
     if (p.direction != 0) return 0;
     right_hand_side(tau, y, nullptr, data);
@@ -85,7 +85,8 @@ struct CvodeIntegrator::Memory {
 
     [[nodiscard]] std::span<double> state() const { return {N_VGetArrayPointer(y), problem.y.size()}; }
 
-    // A moving contact slides on; one at rest is let go where it stuck, and else sticks or turns back.
+    // A contact that moves slides on. One that stuck until now is let go. Any other at rest sticks if friction holds the load,
+    // and turns back if not.
     void start_phase() {
         const double load = problem.equations.load_on_contact(state(), tau), velocity = problem.contact_velocity(state().data());
         const bool was_sticking = problem.direction == 0;
@@ -93,7 +94,7 @@ struct CvodeIntegrator::Memory {
         problem.direction = holds ? 0 : ((velocity != 0 ? velocity : load) > 0 ? 1 : -1);
         problem.equations.set(problem.direction);
         std::array<int, number_of_roots> falling{-1, -1, 0};
-        if (!holds) falling[first_end] = -problem.direction;
+        if (!holds) falling[first] = -problem.direction;
         CVodeSetRootDirection(cvode, falling.data());
     }
 
@@ -137,7 +138,7 @@ Ending CvodeIntegrator::period(int parts, const Seen& seen) {
         if (flag == CV_ROOT_RETURN) {
             std::array<int, number_of_roots> found{};
             CVodeGetRootInfo(m.cvode, found.data());
-            if (found[first_end] == 0 && found[other_end] == 0) continue; // the contact stays
+            if (found[first] == 0 && found[second] == 0) continue; // the contact stays
             if (++phases > most_phases_a_period) return Ending::stalled;
             m.problem.equations.contact.hold(m.state().data() + m.problem.equations.N);
             m.start_phase();

@@ -12,7 +12,8 @@
 
 namespace denhartog::tests {
 
-/// @brief CVODE, Adams' methods, with its root finding at the ends of sliding and sticking, at rest at tau = 0.
+/// @brief CVODE, Adams' methods, with its root finding at the ends of sliding and sticking, at rest at tau = 0. While the contact
+/// sticks, the extrema of the load on it are roots too.
 ///
 /// A step is at most a sixteenth of a period long: while the contact of a single mass sticks no error bounds it, and whole
 /// periods would be skipped. Ends of phases restart the integrator.
@@ -40,7 +41,7 @@ public:
     /// @brief The state. @return displacements, then velocities
     [[nodiscard]] std::span<const double> state() const;
 
-    /// @brief Work so far. @return right-hand sides evaluated
+    /// @brief Work so far. @return right-hand sides evaluated, those for roots among them
     [[nodiscard]] long evaluations() const;
 
 private:

@@ -28,7 +28,7 @@ struct ContactExtremum {
 struct PeriodRecord {
     std::string failure;                    ///< why the period could not be integrated; empty where it could
     std::vector<double> end;                ///< displacements, then velocities, at the end
-    std::vector<Node> nodes;                ///< instants from 0 to 2 pi, events among them; where asked for
+    std::vector<Node> nodes;                ///< instants from 0 to 2 pi; where asked for
     std::vector<Stop> rests;                ///< of the contact, where asked for; one that lasts over the end in two parts
     std::optional<ContactExtremum> contact; ///< of the contact, where the integrator has it from elsewhere
 };

@@ -81,7 +81,7 @@ struct Settled {
     std::vector<double> y;
 };
 
-Settled settle(const Stage& stage, std::vector<double> y, double loss, bool is_unique) {
+Settled settle(const Stage& stage, std::vector<double> y, double loss, bool extrapolates) {
     const double allowed = stage.tolerance * std::max(loss, least_decay), noise = 10 * stage.tolerance;
     Sequence sequence(y.size());
     sequence.push(y);
@@ -93,7 +93,7 @@ Settled settle(const Stage& stage, std::vector<double> y, double loss, bool is_u
         relative = (vector_of(record.end) - vector_of(y)).cwiseAbs().maxCoeff() / size;
         y = std::move(record.end);
         if (relative <= allowed || (n >= patience && relative <= noise)) return {{}, y};
-        if (!is_unique) continue; // extrapolation can lead to a motion that is not stable
+        if (!extrapolates) continue;
         sequence.push(y);
         if (relative <= noise) continue;
         if (const auto limit = sequence.limit()) {
@@ -122,10 +122,10 @@ void read_regime(SteadyMotion& motion) {
     motion.regime = motion.stops.empty() ? Regime::continuous : rests ? Regime::permanent_sticking : Regime::stick_slip;
 }
 
-SteadyMotion motion_from(const std::vector<Stage>& stages, std::vector<double> y, double loss, bool is_unique) {
+SteadyMotion motion_from(const std::vector<Stage>& stages, std::vector<double> y, double loss, bool extrapolates) {
     SteadyMotion motion;
     for (const Stage& stage : stages) {
-        Settled settled = settle(stage, y, loss, is_unique);
+        Settled settled = settle(stage, y, loss, extrapolates);
         if (!settled.why_not.empty()) {
             if (motion.start.empty()) motion.why_none = settled.why_not;
             break;
@@ -221,19 +221,19 @@ std::string brief(double x) {
 SteadyMotion steady_motion(const Scene<double>& scene, const TimeIntegrator& integrator) {
     const std::vector<Stage> stages = integrator.prepare(scene);
     const double loss = loss_in_a_period(scene);
-    const bool is_unique = scene.mu == 1;
     const std::size_t j = scene.system.contact.index;
     const std::vector<double> rest(2 * number_of_masses(scene.system));
-    SteadyMotion motion = motion_from(stages, rest, loss, is_unique);
-    if (!motion.why_none.empty() || motion.regime == Regime::continuous) return motion;
     if (scene.mu > 1)
         if (const SteadyMotion free = motion_from(integrator.prepare(with_friction(scene, 0)), rest, loss, true);
             free.why_none.empty())
-            if (SteadyMotion other = motion_from(stages, free.start, loss, is_unique);
-                other.why_none.empty() && other.regime == Regime::continuous)
-                return other;
+            if (SteadyMotion sliding = motion_from(stages, free.start, loss, true);
+                sliding.why_none.empty() && sliding.regime == Regime::continuous)
+                return sliding;
+    const bool extrapolates = scene.mu == 1; // with mu > 1 that can lead to a motion with stops that is not stable
+    SteadyMotion motion = motion_from(stages, rest, loss, extrapolates);
+    if (!motion.why_none.empty() || motion.regime == Regime::continuous) return motion;
     if (motion.regime == Regime::permanent_sticking) {
-        motion = motion_from({motion.stage}, moved_to_zero(motion.start, scene), loss, is_unique);
+        motion = motion_from({motion.stage}, moved_to_zero(motion.start, scene), loss, extrapolates);
         if (motion.why_none.empty() && std::abs(motion.start[j]) > motion.stage.tolerance)
             motion.why_none = "the contact comes to rest for ever, but not at zero";
         return motion;
@@ -242,7 +242,7 @@ SteadyMotion steady_motion(const Scene<double>& scene, const TimeIntegrator& int
     if (scene.mu > 1 || moves.highest - moves.lowest < creeping) {
         const SteadyMotion held = motion_from({integrator.prepare(with_friction(scene, holding)).front()}, rest, loss, true);
         if (held.why_none.empty())
-            if (SteadyMotion other = motion_from({motion.stage}, held.start, loss, is_unique);
+            if (SteadyMotion other = motion_from({motion.stage}, held.start, loss, extrapolates);
                 other.why_none.empty() && other.regime == Regime::permanent_sticking)
                 return other;
     }

@@ -22,8 +22,8 @@ struct SteadyMotion {
 /// The start is rest at zero. What a period changes has to be below the tolerance times the part that the slowest sliding mode
 /// loses in it, but not less than 1/100; after 200 periods ten times the tolerance will do. Light damping is shortened: from the
 /// states of successive periods that to which they tend is extrapolated (reduced rank extrapolation), and the integration goes
-/// on from there; what counts as settled stays the same. With mu > 1, where the motion may depend on the start, only states
-/// that change by less than 1/100 are extrapolated.
+/// on from there; what counts as settled stays the same. With mu > 1 a motion from rest is not extrapolated, as that can lead to
+/// a motion with stops that is not stable.
 ///
 /// Where the contact rests for ever the answer is for rest at zero, as `solve` has it: all masses are moved by what the contact's
 /// displacement makes of them at rest, and the integration goes on. With mu > 1,
