@@ -165,8 +165,7 @@ TEST_CASE("modes of little damping and beyond critical damping settle under the 
     check_against_solve(three_masses({0.125, 1.5, 2.5}, 1, 0.5, 0.25), "stick_slip");
 }
 
-TEST_CASE("with mu > 1 integration leads to the motion from rest, and not to one that only extrapolation reaches",
-          "[eq:3][eq:6]") {
+TEST_CASE("with mu > 1 integration is not led by extrapolation to a motion that is not stable", "[eq:3][eq:6]") {
     const Json scene = one_mass(0.03125, 3.75, 0.359375, 0.1640625), truth = solved(scene);
     REQUIRE(truth.at("symmetric") == false);
     const std::vector<Json> given =

@@ -159,7 +159,8 @@ TEST_CASE("matrices with a contact held along any direction are off by two units
         for (double& k : s.stiffness_ratios) k = k == 1 ? k : k / 3; // the sums of two springs are rounded
         const Contact held = contact_of(contact_vector(s), mass_matrix(s));
         const auto N = static_cast<Eigen::Index>(number_of_masses(s)), a = static_cast<Eigen::Index>(held.a);
-        const Scene<double> as_scene{s};
+        Scene<double> as_scene;
+        as_scene.system = s;
         const System<Real50> exact = converted<Real50>(as_scene).system;
         Matrix<Real50> O = Matrix<Real50>::Identity(N, N);
         const std::vector<Real50>& w = exact.contact_direction;

@@ -103,11 +103,13 @@ TEST_CASE("masses beside a contact at rest are seen from the ground if a base mo
     scene.system = chain_of({1, 2.25}, {1, 2.25}, {0.125, 0.125}, 1, 2);
     scene.r = 0.5;
     scene.beta = 8;
+    Question of_amplitude;
+    of_amplitude.asked = Asked::amplitude;
     for (const BaseMotion motion : {BaseMotion::none, BaseMotion::with_wall}) {
         scene.system.base_motion = motion;
         const Solution s = solve(scene);
         REQUIRE(s.rest_interval);
         CHECK(s.from_ground.size() == (motion == BaseMotion::none ? 0 : 2));
-        CHECK(solve(scene, {.asked = Asked::amplitude}).from_ground.empty()); // that is of the whole motion
+        CHECK(solve(scene, of_amplitude).from_ground.empty()); // that is of the whole motion
     }
 }
