@@ -131,8 +131,8 @@ void require_sliding(const PointInBalls& p);
 /// @brief Bits of a decimal digit.
 inline constexpr double bits_of_digit = 3.3219280948873626;
 
-/// @brief Bits of what is handed out as doubles: with the first a proof begins, and with the last it ends.
-inline constexpr slong first_bits = 128, most_bits = 1024;
+inline constexpr slong first_bits = 128; ///< bits with which a proof of what is handed out as doubles begins
+inline constexpr slong most_bits = 1024; ///< bits with which it ends
 
 /// @brief Bits with which a proof of so many digits begins.
 [[nodiscard]] inline slong bits_for(int digits) { return static_cast<slong>(std::max(128.0, bits_of_digit * digits + 64)); }
