@@ -10,7 +10,7 @@ namespace {
 
 using namespace denhartog;
 
-// offset + sum of a cos(w t + p), with a bound of the fourth derivative that holds everywhere.
+// offset + sum of a cos(w t + p), with a bound of the sixth derivative that holds everywhere.
 struct Waves {
     double offset;
     std::vector<std::array<double, 3>> waves; // a, w, p
@@ -19,14 +19,13 @@ struct Waves {
     Jet operator()(double t) {
         using std::abs;
         ++evaluations;
-        Jet jet{{offset, 0, 0, 0}, 0, 0, std::numeric_limits<double>::epsilon() * abs(offset)};
+        Jet jet{{offset}, 0, 0, std::numeric_limits<double>::epsilon() * abs(offset)};
         for (const auto& [a, w, p] : waves) {
             const double c = a * cos(w * t + p), s = a * sin(w * t + p);
-            jet.f[0] += c;
-            jet.f[1] -= w * s;
-            jet.f[2] -= w * w * c;
-            jet.f[3] += w * w * w * s;
-            jet.bound += abs(a) * w * w * w * w;
+            const std::array<double, 4> turn{c, -s, -c, s};
+            double power = 1;
+            for (std::size_t k = 0; k < jet.f.size(); ++k, power *= w) jet.f[k] += power * turn[k % 4];
+            jet.bound += abs(a) * power;
             jet.noise += std::numeric_limits<double>::epsilon() * abs(c);
         }
         return jet;
@@ -49,7 +48,7 @@ TEST_CASE("the first zero of a cosine is found to rounding", "[unit][exact-solve
     CHECK(f.evaluations <= 12);
 }
 
-TEST_CASE("where rounding spoils the fourth derivative the tangent keeps steps long", "[unit][exact-solver][events]") {
+TEST_CASE("where rounding spoils the higher derivatives the tangent keeps steps long", "[unit][exact-solver][events]") {
     Waves f{0, {{1, 3, 0}}};
     auto spoilt = [&f](const double& t) {
         Jet jet = f(t);
@@ -110,41 +109,81 @@ TEST_CASE("a step is taken only where no function with its bounds reaches zero, 
           "[unit][exact-solver][events]") {
     std::mt19937_64 random(5);
     const auto draw = [&](double a, double b) { return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53; };
-    int positive = 0, falling = 0, too_soon = 0;
-    for (int n = 0; n < 6000; ++n) {
-        const int order = n % 3;
-        const bool by_tangent = order < 2 && n % 2 == 0;
-        const double h = by_tangent ? draw(0.1, 1) * tangent_up_to : draw(0.1, 2), grows = n % 5 < 2 ? 1 / h : 0;
-        const double f1 = order == 2 ? 0 : draw(-2, 2), f2 = draw(-4, 4), f3 = draw(-12, 12);
-        Jet jet{{order > 0 ? 0 : draw(0, 2) * (by_tangent ? h : 1), f1, f2, f3}, 0, 0, 0};
-        (by_tangent ? jet.bound : jet.second) = std::numeric_limits<double>::infinity();
-        // the worst that a bound allows at t, and of the slope
-        const auto most = [&] { return by_tangent ? jet.second + jet.growth * h : jet.bound + jet.growth * h; };
-        const auto lowest = [&](double t) {
-            return jet.f[0] + f1 * t + (by_tangent ? -most() * t * t / 2 : t * t * (f2 / 2 + f3 * t / 6 - most() * t * t / 24));
-        };
-        const auto steepest = [&](double t) {
-            return f1 + (by_tangent ? most() * t : t * (f2 + f3 * t / 2 + most() * t * t / 6));
+    std::array<int, 3> positive{}, falling{};
+    int too_soon = 0;
+    for (std::size_t n = 0; n < 9000; ++n) {
+        const int order = static_cast<int>(n % 3);
+        const std::size_t kind = n / 3 % 3, derivative = 2 * kind + 2; // that is bounded
+        const double h = derivative == 2 ? draw(0.1, 1) * tangent_up_to : draw(0.1, 2), grows = n % 5 < 2 ? 1 / h : 0;
+        Jet jet{{draw(0, 2) * (derivative == 2 ? h : 1), draw(-2, 2), draw(-4, 4), draw(-12, 12), draw(-48, 48), draw(-240, 240)},
+                std::numeric_limits<double>::infinity(),
+                0,
+                0};
+        for (int k = 0; k < order; ++k) jet.f[static_cast<std::size_t>(k)] = 0;
+        double& bound = derivative == 2 ? jet.second : derivative == 4 ? jet.fourth : jet.bound;
+        // the function, or its slope, if the derivative has a constant value
+        const auto value = [&](std::size_t from, double t, double constant) {
+            double sum = 0, power = 1; // t^k / k!
+            for (std::size_t k = from; k < derivative; power *= t / static_cast<double>(++k - from)) sum += jet.f[k] * power;
+            return sum + constant * power;
         };
         bool is_positive = false, is_falling = false;
-        for (double bound = by_tangent ? 1e5 : 1e4; bound > 1e-3; bound *= 0.95) {
-            (by_tangent ? jet.second : jet.bound) = bound;
-            jet.growth = bound * grows;
+        for (double most = 1e5; most > 1e-3; most *= 0.95) {
+            bound = most;
+            jet.growth = most * grows;
             const bool stays = !is_positive && stays_positive(jet, order, h), goes_down = !is_falling && falls(jet, h);
             is_positive = is_positive || stays;
             is_falling = is_falling || goes_down;
-            for (double t = h / 64; t <= h; t += h / 64) too_soon += (stays && lowest(t) <= 0) + (goes_down && steepest(t) >= 0);
+            const double worst = most + jet.growth * h;
+            for (double t = h / 64; t <= h; t += h / 64)
+                too_soon += (stays && value(0, t, -worst) <= 0) + (goes_down && value(1, t, worst) >= 0);
         }
-        positive += is_positive;
-        falling += is_falling;
+        positive[kind] += is_positive;
+        falling[kind] += is_falling;
     }
     CHECK(too_soon == 0);
-    CHECK(positive > 1500);
-    CHECK(falling > 1000);
+    for (const std::size_t kind : {0u, 1u, 2u}) {
+        CHECK(positive[kind] > 500);
+        CHECK(falling[kind] > 300);
+    }
+}
+
+TEST_CASE("of several functions the first to cross is told, and each has the order of its zero", "[unit][exact-solver][events]") {
+    std::mt19937_64 random(7);
+    const auto draw = [&](double a, double b) { return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53; };
+    std::array<int, 2> told{};
+    for (int n = 0; n < 300; ++n) {
+        std::array<Waves, 2> f;
+        for (Waves& each : f) {
+            each.offset = draw(0.5, 1.5);
+            for (int m = 0; m < 3; ++m) each.waves.push_back({draw(-0.6, 0.6), draw(0.2, 5), draw(0, 6.28)});
+        }
+        std::array<int, 2> order{};
+        if (n % 3 == 0) { // the first function starts from a zero
+            f[0].offset -= f[0](0).f[0];
+            order[0] = f[0](0).f[1] > 0 ? 1 : 3;
+        }
+        if (order[0] == 3 || (order[0] == 0 && f[0](0).f[0] <= 0) || f[1](0).f[0] <= 0) continue;
+        const auto both = [&](double t) { return std::array{f[0](t), f[1](t)}; };
+        double step = 1;
+        const int order_of_first = order[0];
+        const auto zero = first_crossing(both, 0.0, 20.0, order, step, Effort{});
+        const std::array alone{first(f[0], 0.0, 20.0, order_of_first), first(f[1], 0.0, 20.0)};
+        const double infinity = std::numeric_limits<double>::infinity(), t_0 = alone[0] ? alone[0]->t : infinity,
+                     t_1 = alone[1] ? alone[1]->t : infinity;
+        CAPTURE(n, t_0, t_1);
+        REQUIRE(zero.has_value() == (std::min(t_0, t_1) < infinity));
+        if (!zero) continue;
+        CHECK(zero->which == (t_1 < t_0 ? 1u : 0u));
+        CHECK(std::abs(zero->t - std::min(t_0, t_1)) <= 1e-13);
+        ++told[zero->which];
+    }
+    CHECK(told[0] > 60);
+    CHECK(told[1] > 60);
 }
 
 TEST_CASE("a zero where a step ends is a crossing", "[unit][exact-solver][events]") {
-    auto line = [](const double& t) { return Jet{{1 - t, -1, 0, 0}, 0, 0, 0}; };
+    auto line = [](const double& t) { return Jet{{1 - t, -1}, 0, 0, 0}; };
     double step = 1;
     const auto zero = first_crossing(line, 0.0, 2.0, 0, step, Effort{});
     REQUIRE(zero);

@@ -19,7 +19,7 @@ struct Leaving {
 
 Leaving leaving(const Jet& jet, double noise) {
     double factorial = 1;
-    for (int order = 0; order < 4; factorial *= ++order)
+    for (int order = 0; order < static_cast<int>(jet.f.size()); factorial *= ++order)
         if (std::abs(jet.f[static_cast<std::size_t>(order)]) > noise * factorial)
             return {order, jet.f[static_cast<std::size_t>(order)] / factorial};
     return {0, 0};
@@ -35,20 +35,21 @@ std::optional<Crossing> zero_after(double from, const StepFunction& f, int order
 } // namespace
 
 Jet StepFunction::operator()(double theta) const {
-    std::array<double, 5> d{}; // derivatives of the polynomial over the factorials
+    std::array<double, 6> d{}; // derivatives of the polynomial over the factorials
     const double h_2 = h * h, swing = std::abs(cosine) + std::abs(sine);
     double size = swing;
     for (const double each : c) size += std::abs(each);
     if (theta == 0) std::copy_n(c.begin(), d.size(), d.begin());
     for (std::size_t k = theta == 0 ? 0 : c.size(); k-- > 0;) {
-        for (std::size_t n = std::min<std::size_t>(c.size() - 1 - k, 4); n > 0; --n) d[n] = d[n] * theta + d[n - 1];
+        for (std::size_t n = c.size() - 1 - k; n > 0; --n) d[n] = d[n] * theta + d[n - 1];
         d[0] = d[0] * theta + c[k];
     }
     const auto [S, C] = h == 0 ? SineCosine<double>{0, 1} : elementary::sine_cosine(h * theta);
     const double x = cosine * C + sine * S, x_prime = h * (sine * C - cosine * S);
-    return {{d[0] + x, d[1] + x_prime, 2 * d[2] - h_2 * x, 6 * d[3] - h_2 * x_prime},
-            24 * std::abs(d[4]) + h_2 * h_2 * swing,
-            120 * std::abs(c[5]),
+    return {{d[0] + x, d[1] + x_prime, 2 * d[2] - h_2 * x, 6 * d[3] - h_2 * x_prime, 24 * d[4] + h_2 * h_2 * x,
+             120 * d[5] + h_2 * h_2 * x_prime},
+            h_2 * h_2 * h_2 * swing,
+            0,
             std::numeric_limits<double>::epsilon() * size};
 }
 

@@ -6,7 +6,8 @@
 /// Taylor polynomial is bounded from below by its Bernstein coefficients on [0, h]. If they exceed the remainder there is no zero
 /// in the step; if the polynomial of the derivative stays negative by more than its remainder there is one at most, and the sign at
 /// the end decides. In short steps a tangent and a bound of the second derivative do as well: for fast modes that hardly move,
-/// rounding makes the bound of the fourth derivative too large to decide anything. Otherwise the step is shortened.
+/// rounding makes the bounds of higher derivatives too large to decide anything. Otherwise the step is shortened. The zero itself
+/// is that of the Taylor polynomial at an instant so near that the remainder is nothing.
 #pragma once
 
 #include <algorithm>
@@ -64,96 +65,184 @@ inline constexpr double tangent_up_to = 0x1p-10; ///< the longest step that a ta
 
 /// @brief A function at an instant with what bounds it ahead.
 struct Jet {
-    std::array<double, 4> f; ///< the function and three derivatives
-    double bound;            ///< |f''''| is at most bound + growth h over [t, t + h]
+    std::array<double, 6> f; ///< the function and five derivatives
+    double bound;            ///< the sixth derivative is at most bound + growth h in size over [t, t + h]
     double growth;           ///< see `bound`
     double noise;            ///< rounding error of f
-    /// |f''| is at most this + growth h over [t, t + h]; rounding adds to it less than to `bound`
-    double second = std::numeric_limits<double>::infinity();
+    /// The fourth derivative is at most this + growth h in size; rounding adds less to it than to `bound`.
+    double fourth = std::numeric_limits<double>::infinity();
+    double second = std::numeric_limits<double>::infinity(); ///< the same of the second derivative
 };
 
-/// @brief A zero, or where the search had to end.
+/// @brief Zeros of functions, or where the search had to end.
 struct Crossing {
-    double t;     ///< where it is
-    bool touches; ///< the function reaches zero there to rounding, but no step is short enough to see it cross
+    double t;              ///< where it is
+    bool touches;          ///< the function reaches zero there to rounding, but no step is short enough to see it cross
+    std::size_t which = 0; ///< the function that is zero, if there are several
     /// no zero, and what comes after t is not known: the effort is spent, or no step of the number type is short enough
     bool open = false;
 };
 
+/// @brief Bernstein coefficients on [0, h] of a polynomial with the first `order` derivatives zero at 0, over \f$ t^{order} \f$; f
+/// holds the derivatives from that order on. The polynomial lies between the least and the largest of them, and the last is its
+/// value at h.
+template <int degree, int order>
+[[nodiscard]] std::array<double, degree + 1> bernstein_coefficients(const double* f, double h) {
+    static constexpr std::array<double, degree + 1> weights = [] { // k! / (k + order)! over the binomial of degree and k
+        std::array<double, degree + 1> w{};
+        double weight = 1;
+        for (int k = 1; k <= order; ++k) weight /= k;
+        for (int k = 0; k <= degree; ++k) {
+            w[static_cast<std::size_t>(k)] = weight;
+            if (k < degree) weight *= (k + 1.0) / ((k + 1 + order) * (degree - k));
+        }
+        return w;
+    }();
+    std::array<double, degree + 1> b;
+    double power = 1;
+    for (std::size_t k = 0; k <= degree; ++k) {
+        b[k] = f[k] * weights[k] * power;
+        power *= h;
+    }
+    for (std::size_t pass = 1; pass <= degree; ++pass)
+        for (std::size_t k = degree; k >= pass; --k) b[k] += b[k - 1];
+    return b;
+}
+
+/// @brief Bound of what f differs by from its Taylor polynomial over [0, h].
+[[nodiscard]] inline double remainder(const Jet& jet, double h) {
+    const double grown = jet.growth * h, h_4 = h * h * h * h;
+    return std::min((jet.bound + grown) * h * h * h_4 / 720,
+                    (std::abs(jet.f[4]) + std::abs(jet.f[5]) * h / 5 + jet.fourth + grown) * h_4 / 24);
+}
+
+/// @brief Bound of what f' differs by from its Taylor polynomial over [0, h].
+[[nodiscard]] inline double remainder_of_slope(const Jet& jet, double h) {
+    const double grown = jet.growth * h, h_3 = h * h * h;
+    return std::min((jet.bound + grown) * h * h * h_3 / 120,
+                    (std::abs(jet.f[4]) + std::abs(jet.f[5]) * h / 4 + jet.fourth + grown) * h_3 / 6);
+}
+
 /// @brief True if bounds prove that f > 0 on (0, h], where its first `order` derivatives, f included, two at most, are zero at
 /// the start of the step.
 [[nodiscard]] inline bool stays_positive(const Jet& jet, int order, double h) {
-    const std::array<double, 4>& f = jet.f;
+    const double* f = jet.f.data();
     if (h < tangent_up_to) {
         const double bend = (jet.second + jet.growth * h) * h / 2;
         if (order == 0 && std::min(f[0], f[0] + f[1] * h) > bend * h) return true;
         if (order == 1 && f[1] > bend) return true;
     }
-    const double remainder = jet.bound + jet.growth * h;
-    if (order == 2) return std::min(f[2] / 2, f[2] / 2 + f[3] * h / 6) > remainder * h * h / 24;
-    if (order == 1) {
-        const double b1 = f[1] + f[2] * h / 4;
-        const double b2 = f[1] + f[2] * h / 2 + f[3] * h * h / 6;
-        return std::min({f[1], b1, b2}) > remainder * h * h * h / 24;
-    }
-    const double b1 = f[0] + f[1] * h / 3;
-    const double b2 = b1 + f[1] * h / 3 + f[2] * h * h / 6;
-    const double b3 = f[0] + h * (f[1] + h * (f[2] / 2 + f[3] * h / 6));
-    return std::min({f[0], b1, b2, b3}) > remainder * h * h * h * h / 24;
+    const auto least = [](const auto& b) { return *std::min_element(b.begin(), b.end()); };
+    const double left = remainder(jet, h);
+    if (order == 2) return least(bernstein_coefficients<3, 2>(f + 2, h)) * h * h > left;
+    if (order == 1) return least(bernstein_coefficients<4, 1>(f + 1, h)) * h > left;
+    return least(bernstein_coefficients<5, 0>(f, h)) > left;
 }
 
 /// @brief True if bounds prove that f' < 0 on [0, h].
 [[nodiscard]] inline bool falls(const Jet& jet, double h) {
-    const std::array<double, 4>& f = jet.f;
+    const double* f = jet.f.data();
     if (h < tangent_up_to && f[1] < -(jet.second + jet.growth * h) * h) return true;
-    const double b1 = f[1] + f[2] * h / 2;
-    const double b2 = f[1] + f[2] * h + f[3] * h * h / 2;
-    return std::max({f[1], b1, b2}) < -(jet.bound + jet.growth * h) * h * h * h / 6;
+    const std::array<double, 5> b = bernstein_coefficients<4, 0>(f + 1, h);
+    return *std::max_element(b.begin(), b.end()) < -remainder_of_slope(jet, h);
 }
 
-/// @brief First zero of a function that is positive after the start; none up to the end.
+/// @brief The zero of a falling Taylor polynomial between two distances from its instant, with the slope there.
+[[nodiscard]] inline ValueAt zero_of_taylor(const std::array<double, 6>& f, double low, double high) {
+    constexpr int most_steps = 60;
+    constexpr double settled = 1e-8; // the next step of Newton's method is the square of this
+    ValueAt at{0, f[0], f[1]};
+    for (int n = 0; n < most_steps; ++n) {
+        (at.f > 0 ? low : high) = at.t;
+        const double newton = at.t - at.f / at.slope, next = low < newton && newton < high ? newton : low + (high - low) / 2;
+        const bool is_settled = std::abs(next - at.t) <= settled * std::abs(next);
+        const double t = at.t = next;
+        if (is_settled) break;
+        at.f = f[0] + t * (f[1] + t / 2 * (f[2] + t / 3 * (f[3] + t / 4 * (f[4] + t / 5 * f[5]))));
+        at.slope = f[1] + t * (f[2] + t / 2 * (f[3] + t / 3 * (f[4] + t / 4 * f[5])));
+    }
+    return at;
+}
+
+/// @brief The zero of a function that falls over [from, to], above zero at the one, where it has the jet, and not at the other.
+template <class Function>
+[[nodiscard]] double zero_of_falling(const Function& at, double from, double to, Jet jet) {
+    constexpr int most_steps = 200;
+    const double grown = jet.growth * (to - from), bound = jet.bound + grown, fourth = jet.fourth + grown;
+    double t = from;
+    for (int n = 0; n < most_steps && jet.f[0] != 0; ++n) {
+        jet.bound = bound;
+        jet.fourth = fourth;
+        jet.growth = 0;
+        const ValueAt zero = zero_of_taylor(jet.f, from - t, to - t);
+        const bool falls_off = from <= t + zero.t && t + zero.t <= to && n % 4 != 3;
+        const double next = falls_off ? t + zero.t : from + (to - from) / 2,
+                     tiny = std::numeric_limits<double>::epsilon() * std::abs(next);
+        if (std::abs(next - t) <= tiny || !(from < next && next < to)) return next;
+        if (falls_off && remainder(jet, std::abs(zero.t)) <= tiny / 4 * std::abs(zero.slope)) return next;
+        jet = at(t = next);
+        (jet.f[0] > 0 ? from : to) = t;
+    }
+    return t;
+}
+
+/// @brief First zero of functions that are positive after the start; none up to the end.
 ///
 /// A step is shortened until its bounds decide, no further than the digits of t go; between two steps the effort is looked at, which
-/// the function spends. `order` is that of the zero at the start: 0 where f > 0 there, 1 where f' > 0, 2 where f'' > 0. `step` is
-/// the first one tried, and is left as the last one taken.
-template <class Function>
-[[nodiscard]] std::optional<Crossing> first_crossing(Function& at, double t, double t_end, int order, double& step,
-                                                     const Effort& effort) {
+/// the functions spend. `order` is that of the zero at the start: 0 where f > 0 there, 1 where f' > 0, 2 where f'' > 0; it is left
+/// as that at the crossing. `step` is the first one tried, and is left as the last one taken.
+template <class Functions, std::size_t count>
+[[nodiscard]] std::optional<Crossing> first_crossing(const Functions& at, double t, double t_end, std::array<int, count>& order,
+                                                     double& step, const Effort& effort) {
     const double shortest = 4 * std::numeric_limits<double>::epsilon() * std::max(1.0, t_end);
     const double least((std::numeric_limits<double>::min)()); // from 0 on no step is halved below it
-    const auto value_of = [](double instant, const Jet& there) { return ValueAt{instant, there.f[0], there.f[1]}; };
-    const auto value_at = [&](double instant) { return value_of(instant, at(instant)); };
-    Jet jet = at(t);
+    std::array<Jet, count> jets = at(t);
     while (t < t_end) {
-        if (order == 0 && jet.f[0] <= 0) return Crossing{t, true};
-        if (effort.exhausted()) return Crossing{t, false, true};
+        for (std::size_t k = 0; k < count; ++k)
+            if (order[k] == 0 && jets[k].f[0] <= 0) return Crossing{t, true, k};
+        if (effort.exhausted()) return Crossing{t, false, 0, true};
         double h = std::min(step, t_end - t);
         for (;;) {
             const double next = t + h < t_end ? t + h : t_end;
-            if (!(next > t) || h < least) return Crossing{t, false, true};
-            if (stays_positive(jet, order, h)) {
-                t = next;
+            if (!(next > t) || h < least) return Crossing{t, false, 0, true};
+            std::size_t undecided = 0, which = 0;
+            for (std::size_t k = 0; k < count; ++k) {
+                if (stays_positive(jets[k], order[k], h)) continue;
+                ++undecided;
+                which = k;
+            }
+            if (undecided == 0) {
                 step = 2 * h;
-                order = 0;
-                if (t < t_end) jet = at(t);
+                order.fill(0);
+                t = next;
+                if (t < t_end) jets = at(t);
                 break;
             }
-            if (order == 0 && falls(jet, h)) {
-                const Jet ahead = at(next);
-                if (ahead.f[0] <= 0) {
-                    ValueAt here = value_of(t, jet), there = value_of(next, ahead);
-                    if (here.f >= -there.f) std::swap(here, there);
-                    return Crossing{bracketed_zero(value_at, here, there), false};
-                }
+            const Jet& jet = jets[which];
+            if (undecided == 1 && order[which] == 0 && falls(jet, h)) {
+                const bool is_below = bernstein_coefficients<5, 0>(jet.f.data(), h).back() + remainder(jet, h) < 0;
+                std::array<Jet, count> ahead;
+                if (!is_below) ahead = at(next);
+                if (is_below || ahead[which].f[0] <= 0)
+                    return Crossing{zero_of_falling([&](double x) { return at(x)[which]; }, t, next, jet), false, which};
+                order.fill(0);
                 t = next;
-                jet = ahead;
+                jets = ahead;
                 break;
             }
             h = h * 3 / 4;
-            if (h <= shortest && (order > 0 || jet.f[0] <= 8 * jet.noise)) return Crossing{t, true};
+            if (h <= shortest && (order[which] > 0 || jet.f[0] <= 8 * jet.noise)) return Crossing{t, true, which};
         }
     }
     return std::nullopt;
+}
+
+/// @brief The same of one function.
+template <class Function>
+[[nodiscard]] std::optional<Crossing> first_crossing(const Function& at, double t, double t_end, int order, double& step,
+                                                     const Effort& effort) {
+    std::array<int, 1> orders{order};
+    return first_crossing([&](double x) { return std::array{at(x)}; }, t, t_end, orders, step, effort);
 }
 
 /// @brief Knowledge of a function's zeros in a stretch.

@@ -23,7 +23,7 @@ double energy_norm(const LinearMotion& motion, int m, std::size_t i) {
     return std::abs(motion.q[m + 1][i]) + motion.omega_0[i] * std::abs(motion.q[m][i]);
 }
 
-// Energy norm of derivative m, at most 4, and its velocity at the instant last evaluated, sqrt(sum q^(m+1)^2 + omega_0^2 q^(m)^2):
+// Energy norm of derivative m, at most 6, and its velocity at the instant last evaluated, sqrt(sum q^(m+1)^2 + omega_0^2 q^(m)^2):
 // it grows by |F| a unit of time at most.
 double energy_norm(const LinearMotion& motion, int m) {
     double largest = 0, sum = 0;
@@ -130,17 +130,19 @@ void ExactSolver::set_bounds_of_load() {
 }
 
 Jet ExactSolver::velocity_ahead(int direction, double t) {
-    Jet jet{velocity(direction, t), 0, 0, 0, 0};
+    Jet jet{velocity(direction, t), 0, 0, 0, 0, 0};
     for (std::size_t i = 0; i < N_; ++i) {
         const double size = std::abs(system_->contact_shape(i));
-        jet.bound += size * energy_norm(sliding_, 4, i);
+        jet.bound += size * energy_norm(sliding_, 6, i);
+        jet.fourth += size * energy_norm(sliding_, 4, i);
         jet.second += size * energy_norm(sliding_, 2, i);
         jet.growth += size * std::abs(sliding_.F[i]);
         jet.noise += size * std::abs(sliding_.q[1][i]);
     }
     if (sliding_.coupled()) { // energy goes from mode to mode
         const double size = system_->contact_shape.norm();
-        jet.bound = size * energy_norm(sliding_, 4);
+        jet.bound = size * energy_norm(sliding_, 6);
+        jet.fourth = size * energy_norm(sliding_, 4);
         jet.second = size * energy_norm(sliding_, 2);
         jet.growth = size * column(sliding_.F).norm();
     }
@@ -150,12 +152,14 @@ Jet ExactSolver::velocity_ahead(int direction, double t) {
 
 Jet ExactSolver::load_ahead(double t) {
     const double constant = system_->constant.direct, pull = system_->stuck.k_jj * rest_ - constant;
-    Jet jet{load(t), size_of_direct_, 0.0, std::abs(pull) + size_of_direct_ + std::abs(constant), size_of_direct_};
+    Jet jet{load(t),         size_of_direct_, 0.0, std::abs(pull) + size_of_direct_ + std::abs(constant),
+            size_of_direct_, size_of_direct_};
     for (std::size_t i = 0; i + 1 < N_; ++i)
         jet.noise +=
             std::abs(k_j_[i] * sticking_.q[0][i]) + std::abs(c_j_[i] * sticking_.q[1][i]) + std::abs(m_j_[i] * sticking_.q[2][i]);
     if (N_ > 1) {
-        jet.bound += load_per_energy_ * energy_norm(sticking_, 4) + load_rest_;
+        jet.bound += load_per_energy_ * energy_norm(sticking_, 6) + load_rest_;
+        jet.fourth += load_per_energy_ * energy_norm(sticking_, 4) + load_rest_;
         jet.second += load_per_energy_ * energy_norm(sticking_, 2) + load_rest_;
         jet.growth = load_growth_;
     }

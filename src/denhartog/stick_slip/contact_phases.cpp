@@ -118,9 +118,10 @@ void LinearMotion::differentiate_at(double t) {
         double below = q[0][i], last = q[1][i];
         const double omega = omega_0[i], twice = 2 * decay[i];
         const auto [s, c] = at_force(now_, i);
-        const double forces[] = {F[i] * c + G[i], F[i] * -s, F[i] * -c, F[i] * s}; // and its derivatives
+        const double derivatives[] = {F[i] * c, F[i] * -s, F[i] * -c, F[i] * s}; // of the harmonic force
         for (int m = 0; m + 2 < orders; ++m) {
-            const double next = evaluation::acceleration(below, omega, twice * last, forces[m]);
+            const double force = m == 0 ? derivatives[0] + G[i] : derivatives[m % 4];
+            const double next = evaluation::acceleration(below, omega, twice * last, force);
             below = last;
             last = q[m + 2][i] = next;
         }
@@ -222,24 +223,24 @@ void ExactSolver::masses_of(int direction, int order, std::vector<double>& out) 
         contact.hold(out.data()); // to the last bit, which rounded rows of shapes do not
 }
 
-std::array<double, 4> ExactSolver::velocity(int direction, double t) {
+std::array<double, 6> ExactSolver::velocity(int direction, double t) {
     effort_->spend(sliding_.cost());
     sliding_.differentiate_at(t);
-    std::array<double, 4> f{};
+    std::array<double, 6> f{};
     for (std::size_t i = 0; i < N_; ++i)
-        for (std::size_t m = 0; m < 4; ++m) f[m] += direction * system_->contact_shape(i) * sliding_.q[m + 1][i];
+        for (std::size_t m = 0; m < f.size(); ++m) f[m] += direction * system_->contact_shape(i) * sliding_.q[m + 1][i];
     return f;
 }
 
-std::array<double, 4> ExactSolver::load(double t) {
+std::array<double, 6> ExactSolver::load(double t) {
     effort_->spend(sticking_.cost());
     sticking_.differentiate_at(t);
     const auto [s, c] = sticking_.now();
     const double pull = system_->stuck.k_jj * rest_ - system_->constant.direct;
     const double force = direct_.re * c - direct_.im * s, rate = -direct_.re * s - direct_.im * c;
-    std::array<double, 4> f{force - pull, rate, -force, -rate};
+    std::array<double, 6> f{force - pull, rate, -force, -rate, force, rate};
     for (std::size_t i = 0; i + 1 < N_; ++i)
-        for (std::size_t m = 0; m < 4; ++m)
+        for (std::size_t m = 0; m < f.size(); ++m)
             f[m] -= k_j_[i] * sticking_.q[m][i] + c_j_[i] * sticking_.q[m + 1][i] + m_j_[i] * sticking_.q[m + 2][i];
     return f;
 }
@@ -249,7 +250,7 @@ Event ExactSolver::end_of_sliding(int direction, double length, int order) {
     const std::optional<Crossing> zero = first_crossing(at, 0., length, order, step_, *effort_);
     if (!zero) return {length, direction, 0, 0, false};
     if (zero->open) return {zero->t, direction, 0, 0, false, true};
-    const std::array<double, 4> f = velocity(direction, zero->t);
+    const std::array<double, 6> f = velocity(direction, zero->t);
     motion_.touching += zero->touches;
     const double along = e_.beta + inertia_ * f[1]; // load on the contact along the motion
     if (zero->touches && e_.mu == 1 && f[2] > 0 && order == 0)
@@ -276,36 +277,32 @@ Event ExactSolver::end_of_sticking_alone(double tau, double length) {
 Event ExactSolver::end_of_sticking(double tau, double length) {
     if (N_ == 1 && direct_.im == 0) return end_of_sticking_alone(tau, length);
     const double holds = e_.mu * e_.beta;
-    Event event{length, 0, 0, 0, false};
-    const Jet at_start = load_ahead(0);
-    for (const int side : {1, -1}) {
-        auto at = [&](double t) {
-            Jet jet = t == 0 ? at_start : load_ahead(t);
-            for (double& f : jet.f) f = -side * f;
-            jet.f[0] += holds;
-            return jet;
-        };
-        double from = 0;
-        int order = 0;
-        for (int tangencies = 0; from < event.t;) {
-            const std::optional<Crossing> zero = first_crossing(at, from, event.t, order, step_, *effort_);
-            if (!zero) break;
-            if (!zero->open && zero->touches) {
-                ++motion_.touching;
-                const Jet jet = at(zero->t);
-                const bool turns_back = jet.f[2] > 0 && zero->t > from, recedes = jet.f[1] > 0;
-                if ((turns_back || recedes) && ++tangencies < most_tangencies) {
-                    from = zero->t; // the load reaches what friction holds and draws back: the contact stays
-                    order = turns_back ? 2 : 1;
-                    continue;
-                }
+    const auto left = [&](double t) { // what friction holds less the load, on either side
+        std::array<Jet, 2> sides{load_ahead(t)};
+        sides[1] = sides[0];
+        for (double& f : sides[0].f) f = -f;
+        for (Jet& jet : sides) jet.f[0] += holds;
+        return sides;
+    };
+    std::array<int, 2> order{};
+    double from = 0;
+    for (int tangencies = 0;;) {
+        const std::optional<Crossing> zero = first_crossing(left, from, length, order, step_, *effort_);
+        if (!zero) return {length, 0, 0, 0, false};
+        if (zero->open) return {zero->t, 0, 0, 0, false, true};
+        const int side = zero->which == 0 ? 1 : -1;
+        if (zero->touches) {
+            ++motion_.touching;
+            const Jet jet = left(zero->t)[zero->which];
+            const bool turns_back = jet.f[2] > 0 && zero->t > from, recedes = jet.f[1] > 0;
+            if ((turns_back || recedes) && ++tangencies < most_tangencies) {
+                from = zero->t; // the load reaches what friction holds and draws back: the contact stays
+                order[zero->which] = turns_back ? 2 : 1;
+                continue;
             }
-            event = {zero->t, side, e_.mu == 1 ? 2 : 1, side * holds, true};
-            if (zero->open) event = {zero->t, 0, 0, 0, false, true};
-            break;
         }
+        return {zero->t, side, e_.mu == 1 ? 2 : 1, side * holds, true};
     }
-    return event;
 }
 
 std::pair<int, int> ExactSolver::first_direction(double tau) {

@@ -49,7 +49,7 @@ using CoordinateValues = boost::container::small_vector<T, 4>;
 /// else they are carried together by the exponential of a matrix. A force that leads by theta has the form of one in phase at
 /// tau + theta.
 struct LinearMotion {
-    static constexpr int orders = 6; ///< derivatives kept: 0 to 5
+    static constexpr int orders = 8; ///< derivatives kept: 0 to 7
 
     CoordinateValues<double> omega_0;               ///< natural frequencies over the frequency of the force
     CoordinateValues<double> gap;                   ///< 1 - omega_0^2
@@ -92,7 +92,7 @@ private:
     [[nodiscard]] double force(int order, std::size_t i) const {
         const SineCosine<double> at = at_force(now_, i);
         const std::array<double, 4> wave{at.c, -at.s, -at.c, at.s};
-        return order == 0 ? F[i] * wave[0] + G[i] : F[i] * wave[static_cast<std::size_t>(order)];
+        return order == 0 ? F[i] * wave[0] + G[i] : F[i] * wave[static_cast<std::size_t>(order % 4)];
     }
     [[nodiscard]] evaluation::FreeMotion<double> free_at(double t, std::size_t i) const {
         return evaluation::free_motion(t, coordinates_[i].R, coordinates_[i].zeta, coordinates_[i].w);
@@ -293,9 +293,9 @@ private:
     void follow(double tau_0, double tau_1, bool with_jacobian);                           // from z_
 
     // Velocity of the contact in the direction of the phase, or the load on it while it sticks, friction apart, (75): at a time from
-    // the start of the phase, with three derivatives; and with what bounds it ahead.
-    std::array<double, 4> velocity(int direction, double t);
-    std::array<double, 4> load(double t);
+    // the start of the phase, with five derivatives; and with what bounds it ahead.
+    std::array<double, 6> velocity(int direction, double t);
+    std::array<double, 6> load(double t);
     Jet velocity_ahead(int direction, double t);
     Jet load_ahead(double t);
     void set_bounds_of_load();
