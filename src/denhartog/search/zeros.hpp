@@ -83,86 +83,21 @@ struct Crossing {
     bool open = false;
 };
 
-/// @brief Bernstein coefficients on [0, h] of a polynomial with the first `order` derivatives zero at 0, over \f$ t^{order} \f$; f
-/// holds the derivatives from that order on. The polynomial lies between the least and the largest of them, and the last is its
-/// value at h.
-template <int degree, int order>
-[[nodiscard]] std::array<double, degree + 1> bernstein_coefficients(const double* f, double h) {
-    static constexpr std::array<double, degree + 1> weights = [] { // k! / (k + order)! over the binomial of degree and k
-        std::array<double, degree + 1> w{};
-        double weight = 1;
-        for (int k = 1; k <= order; ++k) weight /= k;
-        for (int k = 0; k <= degree; ++k) {
-            w[static_cast<std::size_t>(k)] = weight;
-            if (k < degree) weight *= (k + 1.0) / ((k + 1 + order) * (degree - k));
-        }
-        return w;
-    }();
-    std::array<double, degree + 1> b;
-    double power = 1;
-    for (std::size_t k = 0; k <= degree; ++k) {
-        b[k] = f[k] * weights[k] * power;
-        power *= h;
-    }
-    for (std::size_t pass = 1; pass <= degree; ++pass)
-        for (std::size_t k = degree; k >= pass; --k) b[k] += b[k - 1];
-    return b;
-}
-
 /// @brief Bound of what f differs by from its Taylor polynomial over [0, h].
-[[nodiscard]] inline double remainder(const Jet& jet, double h) {
-    const double grown = jet.growth * h, h_4 = h * h * h * h;
-    return std::min((jet.bound + grown) * h * h * h_4 / 720,
-                    (std::abs(jet.f[4]) + std::abs(jet.f[5]) * h / 5 + jet.fourth + grown) * h_4 / 24);
-}
-
-/// @brief Bound of what f' differs by from its Taylor polynomial over [0, h].
-[[nodiscard]] inline double remainder_of_slope(const Jet& jet, double h) {
-    const double grown = jet.growth * h, h_3 = h * h * h;
-    return std::min((jet.bound + grown) * h * h * h_3 / 120,
-                    (std::abs(jet.f[4]) + std::abs(jet.f[5]) * h / 4 + jet.fourth + grown) * h_3 / 6);
-}
+[[nodiscard]] double remainder(const Jet& jet, double h);
 
 /// @brief True if bounds prove that f > 0 on (0, h], where its first `order` derivatives, f included, two at most, are zero at
 /// the start of the step.
-[[nodiscard]] inline bool stays_positive(const Jet& jet, int order, double h) {
-    const double* f = jet.f.data();
-    if (h < tangent_up_to) {
-        const double bend = (jet.second + jet.growth * h) * h / 2;
-        if (order == 0 && std::min(f[0], f[0] + f[1] * h) > bend * h) return true;
-        if (order == 1 && f[1] > bend) return true;
-    }
-    const auto least = [](const auto& b) { return *std::min_element(b.begin(), b.end()); };
-    const double left = remainder(jet, h);
-    if (order == 2) return least(bernstein_coefficients<3, 2>(f + 2, h)) * h * h > left;
-    if (order == 1) return least(bernstein_coefficients<4, 1>(f + 1, h)) * h > left;
-    return least(bernstein_coefficients<5, 0>(f, h)) > left;
-}
+[[nodiscard]] bool stays_positive(const Jet& jet, int order, double h);
 
 /// @brief True if bounds prove that f' < 0 on [0, h].
-[[nodiscard]] inline bool falls(const Jet& jet, double h) {
-    const double* f = jet.f.data();
-    if (h < tangent_up_to && f[1] < -(jet.second + jet.growth * h) * h) return true;
-    const std::array<double, 5> b = bernstein_coefficients<4, 0>(f + 1, h);
-    return *std::max_element(b.begin(), b.end()) < -remainder_of_slope(jet, h);
-}
+[[nodiscard]] bool falls(const Jet& jet, double h);
+
+/// @brief True if bounds prove that f(h) < 0.
+[[nodiscard]] bool is_below(const Jet& jet, double h);
 
 /// @brief The zero of a falling Taylor polynomial between two distances from its instant, with the slope there.
-[[nodiscard]] inline ValueAt zero_of_taylor(const std::array<double, 6>& f, double low, double high) {
-    constexpr int most_steps = 60;
-    constexpr double settled = 1e-8; // the next step of Newton's method is the square of this
-    ValueAt at{0, f[0], f[1]};
-    for (int n = 0; n < most_steps; ++n) {
-        (at.f > 0 ? low : high) = at.t;
-        const double newton = at.t - at.f / at.slope, next = low < newton && newton < high ? newton : low + (high - low) / 2;
-        const bool is_settled = std::abs(next - at.t) <= settled * std::abs(next);
-        const double t = at.t = next;
-        if (is_settled) break;
-        at.f = f[0] + t * (f[1] + t / 2 * (f[2] + t / 3 * (f[3] + t / 4 * (f[4] + t / 5 * f[5]))));
-        at.slope = f[1] + t * (f[2] + t / 2 * (f[3] + t / 3 * (f[4] + t / 4 * f[5])));
-    }
-    return at;
-}
+[[nodiscard]] ValueAt zero_of_taylor(const Jet& jet, double low, double high);
 
 /// @brief The zero of a function that falls over [from, to], above zero at the one, where it has the jet, and not at the other.
 template <class Function>
@@ -174,7 +109,7 @@ template <class Function>
         jet.bound = bound;
         jet.fourth = fourth;
         jet.growth = 0;
-        const ValueAt zero = zero_of_taylor(jet.f, from - t, to - t);
+        const ValueAt zero = zero_of_taylor(jet, from - t, to - t);
         const bool falls_off = from <= t + zero.t && t + zero.t <= to && n % 4 != 3;
         const double next = falls_off ? t + zero.t : from + (to - from) / 2,
                      tiny = std::numeric_limits<double>::epsilon() * std::abs(next);
@@ -220,17 +155,17 @@ template <class Functions, std::size_t count>
             }
             const Jet& jet = jets[which];
             if (undecided == 1 && order[which] == 0 && falls(jet, h)) {
-                const bool is_below = bernstein_coefficients<5, 0>(jet.f.data(), h).back() + remainder(jet, h) < 0;
+                const bool crosses = is_below(jet, h);
                 std::array<Jet, count> ahead;
-                if (!is_below) ahead = at(next);
-                if (is_below || ahead[which].f[0] <= 0)
+                if (!crosses) ahead = at(next);
+                if (crosses || ahead[which].f[0] <= 0)
                     return Crossing{zero_of_falling([&](double x) { return at(x)[which]; }, t, next, jet), false, which};
                 order.fill(0);
                 t = next;
                 jets = ahead;
                 break;
             }
-            h = h * 3 / 4;
+            h = h * 5 / 8;
             if (h <= shortest && (order[which] > 0 || jet.f[0] <= 8 * jet.noise)) return Crossing{t, true, which};
         }
     }

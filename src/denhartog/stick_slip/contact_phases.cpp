@@ -80,6 +80,7 @@ void LinearMotion::start(double tau) {
 }
 
 void LinearMotion::move_to(double t) {
+    if (differentiated_ && t == at_) return;
     differentiated_ = false;
     now_ = t == 0 ? at_start_ : sine_cosine(tau_0_ + t);
     if (coupled()) {

@@ -54,8 +54,13 @@ void ExactSolver::follow(double tau_0, double tau_1, bool with_jacobian) {
         const double end = event.found ? tau + event.t : tau_1;
         motion_.phases.push_back({direction, tau, end});
         work_counted.phases_propagated.fetch_add(1, std::memory_order_relaxed);
-        motion_of(direction).differentiate_at(event.t);
-        if (with_jacobian) deviations_.carry(*this, direction, event);
+        LinearMotion& motion = motion_of(direction);
+        if (with_jacobian) {
+            motion.differentiate_at(event.t);
+            deviations_.carry(*this, direction, event);
+        } else {
+            motion.move_to(event.t);
+        }
         masses_of(direction, 0, z_.x);
         masses_of(direction, 1, z_.x_prime);
         if (event.found) system_->stuck.contact.hold(z_.x_prime.data());
