@@ -1,6 +1,6 @@
 /// @file
-/// @brief Zeros of a function: the one between two instants where it has opposite signs, the first one after a start, and all of
-/// them on an interval. Nothing here knows of modes, masses or friction.
+/// @brief Zeros of a function: the one between two instants where it has opposite signs, the first one after a start, of several
+/// functions too, and all of them on an interval. Nothing here knows of modes, masses or friction.
 ///
 /// The first zero of a smooth function is found with none missed: steps are taken only as far as bounds allow. Over a step h the
 /// Taylor polynomial is bounded from below by its Bernstein coefficients on [0, h]. If they exceed the remainder there is no zero
