@@ -50,11 +50,13 @@ TEST_CASE("the first zero of a cosine is found to rounding", "[unit][exact-solve
 
 TEST_CASE("where rounding spoils the higher derivatives the tangent keeps steps long", "[unit][exact-solver][events]") {
     Waves f{0, {{1, 3, 0}}};
+    // As a mode of 1e8 times the frequency that hardly moves: an error of eps, 1e8 times larger in each derivative.
     auto spoilt = [&f](const double& t) {
         Jet jet = f(t);
-        jet.f[2] += 1e6;
-        jet.f[3] -= 1e13;
-        jet.bound += 1e20;
+        double spoils = std::numeric_limits<double>::epsilon();
+        for (std::size_t k = 0; k < jet.f.size(); ++k, spoils *= 1e8)
+            if (k > 1) jet.f[k] += k % 2 == 0 ? spoils : -spoils;
+        jet.bound += spoils;
         jet.second = 9;
         return jet;
     };
@@ -62,7 +64,7 @@ TEST_CASE("where rounding spoils the higher derivatives the tangent keeps steps 
     const auto zero = first_crossing(spoilt, 0.0, 10.0, 0, step, Effort{});
     REQUIRE(zero);
     CHECK(std::abs(zero->t - pi<double>() / 6) <= 1e-14);
-    CHECK(f.evaluations <= 1000); // with the fourth derivative alone, 33 615
+    CHECK(f.evaluations <= 1000); // without the tangent, 61 403
 }
 
 TEST_CASE("a zero at the start is not found again", "[unit][exact-solver][events]") {
@@ -115,7 +117,7 @@ TEST_CASE("a step is taken only where no function with its bounds reaches zero, 
         const int order = static_cast<int>(n % 3);
         const std::size_t kind = n / 3 % 3, derivative = 2 * kind + 2; // that is bounded
         const double h = derivative == 2 ? draw(0.1, 1) * tangent_up_to : draw(0.1, 2), grows = n % 5 < 2 ? 1 / h : 0;
-        Jet jet{{draw(0, 2) * (derivative == 2 ? h : 1), draw(-2, 2), draw(-4, 4), draw(-12, 12), draw(-48, 48), draw(-240, 240)},
+        Jet jet{{draw(0, 2) * (derivative == 2 ? h : 1), draw(-2, 2), draw(-4, 4), draw(-12, 12), draw(-24, 24), draw(-60, 60)},
                 std::numeric_limits<double>::infinity(),
                 0,
                 0};
@@ -144,7 +146,7 @@ TEST_CASE("a step is taken only where no function with its bounds reaches zero, 
     CHECK(too_soon == 0);
     for (const std::size_t kind : {0u, 1u, 2u}) {
         CHECK(positive[kind] > 500);
-        CHECK(falling[kind] > 300);
+        CHECK(falling[kind] > 200);
     }
 }
 
@@ -179,7 +181,7 @@ TEST_CASE("of several functions the first to cross is told, and each has the ord
         ++told[zero->which];
     }
     CHECK(told[0] > 60);
-    CHECK(told[1] > 60);
+    CHECK(told[1] > 40);
 }
 
 TEST_CASE("a zero where a step ends is a crossing", "[unit][exact-solver][events]") {
@@ -233,6 +235,11 @@ TEST_CASE("zeros of 2000 seeded sums of waves are found to rounding, in few eval
         const Jet jet = f(zero->t);
         const double rounding = std::numeric_limits<double>::epsilon() * zero->t + 4 * jet.noise / std::abs(jet.f[1]);
         worst = std::max(worst, std::abs(jet.f[0] / jet.f[1]) / rounding);
+        for (const double behind : {1e-2, 1e-4, 1e-6, 1e-8}) { // the last step ends right behind the zero
+            const auto again = first(f, 0.0, zero->t + behind);
+            REQUIRE(again);
+            CHECK(std::abs(again->t - zero->t) <= 8 * rounding);
+        }
     }
     INFO("worst error " << worst << ", " << evaluations << " evaluations for " << found << " zeros");
     CHECK(found > 1000);

@@ -99,21 +99,21 @@ struct Crossing {
 /// @brief The zero of a falling Taylor polynomial between two distances from its instant, with the slope there.
 [[nodiscard]] ValueAt zero_of_taylor(const Jet& jet, double low, double high);
 
-/// @brief The zero of a function that falls over [from, to], above zero at the one, where it has the jet, and not at the other.
+/// @brief The zero of a function that falls over [from, to], above zero at the one and not at the other, to rounding. The jet is
+/// that at t, which is one of them; its bounds hold over the whole.
 template <class Function>
-[[nodiscard]] double zero_of_falling(const Function& at, double from, double to, Jet jet) {
+[[nodiscard]] double zero_of_falling(const Function& at, double from, double to, double t, Jet jet) {
     constexpr int most_steps = 200;
-    const double grown = jet.growth * (to - from), bound = jet.bound + grown, fourth = jet.fourth + grown;
-    double t = from;
-    for (int n = 0; n < most_steps && jet.f[0] != 0; ++n) {
+    const double bound = jet.bound, fourth = jet.fourth;
+    for (int n = 0; n < most_steps; ++n) {
         jet.bound = bound;
         jet.fourth = fourth;
         jet.growth = 0;
         const ValueAt zero = zero_of_taylor(jet, from - t, to - t);
-        const bool falls_off = from <= t + zero.t && t + zero.t <= to && n % 4 != 3;
+        const bool falls_off = from < t + zero.t && t + zero.t < to && n % 4 != 3;
         const double next = falls_off ? t + zero.t : from + (to - from) / 2,
                      tiny = std::numeric_limits<double>::epsilon() * std::abs(next);
-        if (std::abs(next - t) <= tiny || !(from < next && next < to)) return next;
+        if (std::abs(zero.t) <= tiny || !(from < next && next < to)) return t;
         if (falls_off && remainder(jet, std::abs(zero.t)) <= tiny / 4 * std::abs(zero.slope)) return next;
         jet = at(t = next);
         (jet.f[0] > 0 ? from : to) = t;
@@ -158,8 +158,13 @@ template <class Functions, std::size_t count>
                 const bool crosses = is_below(jet, h);
                 std::array<Jet, count> ahead;
                 if (!crosses) ahead = at(next);
-                if (crosses || ahead[which].f[0] <= 0)
-                    return Crossing{zero_of_falling([&](double x) { return at(x)[which]; }, t, next, jet), false, which};
+                if (crosses || ahead[which].f[0] <= 0) {
+                    Jet nearer = crosses ? jet : ahead[which];
+                    nearer.bound = jet.bound + jet.growth * h;
+                    nearer.fourth = jet.fourth + jet.growth * h;
+                    const auto one = [&](double x) { return at(x)[which]; };
+                    return Crossing{zero_of_falling(one, t, next, crosses ? t : next, nearer), false, which};
+                }
                 order.fill(0);
                 t = next;
                 jets = ahead;
@@ -174,7 +179,7 @@ template <class Functions, std::size_t count>
 
 /// @brief The same of one function.
 template <class Function>
-[[nodiscard]] std::optional<Crossing> first_crossing(const Function& at, double t, double t_end, int order, double& step,
+[[nodiscard]] std::optional<Crossing> first_crossing(Function& at, double t, double t_end, int order, double& step,
                                                      const Effort& effort) {
     std::array<int, 1> orders{order};
     return first_crossing([&](double x) { return std::array{at(x)}; }, t, t_end, orders, step, effort);
