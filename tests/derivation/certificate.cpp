@@ -20,14 +20,30 @@ Certificate certificate(const ex& left, const ex& right, const LeftOut& left_out
     return certificate_of(in_generators(left, right, domain_of({left, right}), roots_in({right})), "lemma", left_out);
 }
 
-bool coq_is_there() { return std::system("command -v coqc >/dev/null 2>&1") == 0; }
-
 /// Coq's verdict on a certificate, and on its lemma about the functions if there is one.
 Compiled said_of(const Certificate& c) {
     const denhartog::tests::Folder folder;
     const std::string file =
         folder.write("lemma.v", certificate_prelude() + functions_prelude() + c.statement + c.proof + c.in_functions);
     return compile_with_coq(file, "coqc");
+}
+
+/// Whether Coq is there; if not the case is counted as skipped.
+bool coq_is_there() {
+    const bool found = std::system("command -v coqc >/dev/null 2>&1") == 0;
+    if (!found) SKIPPED("coqc is not installed");
+    return found;
+}
+
+void check_accepted(const Certificate& c) {
+    if (coq_is_there()) CHECK(said_of(c).message == "");
+}
+
+void check_refused(const Certificate& c) {
+    if (!coq_is_there()) return;
+    const Compiled said = said_of(c);
+    CHECK_FALSE(said.accepted);
+    CHECK(finds_no_proof(said.message));
 }
 
 const ex& R() { return symbols().R; }
@@ -53,39 +69,22 @@ TEST_CASE("a formula and its form in exponentials have a certificate, of the gen
     CHECK(c.statement.find("root_1_squared : root_1 ^ 2 = 1 - zeta ^ 2") != std::string::npos);
     CHECK(c.proof.find("by_relation _ _ _ (2 * exp_1 * sin_1) root_1_squared") != std::string::npos);
     CHECK(c.in_functions.find("cos (PI * sqrt (1 - zeta ^ 2) / R_) + cosh (PI * zeta / R_) <> 0") != std::string::npos);
-    if (!coq_is_there()) {
-        SKIPPED("coqc is not installed");
-        return;
-    }
-    CHECK(said_of(c).message == "");
+    check_accepted(c);
 }
 
 TEST_CASE("a sign that is changed in a formula leaves a rest, and the kernel refuses it", "[kernel][eq:28]") {
     const Certificate c = certificate(shipped_first_function(), first_function_by_exponentials(-1));
     CHECK_FALSE(c.holds);
     CHECK(c.in_functions.empty());
-    if (!coq_is_there()) {
-        SKIPPED("coqc is not installed");
-        return;
-    }
-    const Compiled said = said_of(c);
-    CHECK_FALSE(said.accepted);
-    CHECK(finds_no_proof(said.message));
+    check_refused(c);
 }
 
 TEST_CASE("without a relation or a condition that it needs, a certificate is refused", "[kernel]") {
     const ex left = shipped_first_function(), right = first_function_by_exponentials(1);
     CHECK(certificate(left, right, {.relation = true}).statement.find("root_1_squared") == std::string::npos);
     CHECK(certificate(left, right, {.divisor = true}).statement.find("divisor_1_not_zero") == std::string::npos);
-    if (!coq_is_there()) {
-        SKIPPED("coqc is not installed");
-        return;
-    }
-    for (const LeftOut& left_out : {LeftOut{.relation = true}, LeftOut{.divisor = true}}) {
-        const Compiled said = said_of(certificate(left, right, left_out));
-        CHECK_FALSE(said.accepted);
-        CHECK(finds_no_proof(said.message));
-    }
+    for (const LeftOut& left_out : {LeftOut{.relation = true}, LeftOut{.divisor = true}})
+        check_refused(certificate(left, right, left_out));
 }
 
 TEST_CASE("what a proof does without cannot be left out of it", "[kernel]") {
@@ -105,11 +104,7 @@ TEST_CASE("sums and multiples of angles are taken apart before the kernel's eyes
                                                                    GiNaC::cos(phi) * (2 * GiNaC::pow(GiNaC::cos(half), 2) - 1));
     CHECK(c.holds);
     CHECK_FALSE(c.in_functions.empty());
-    if (!coq_is_there()) {
-        SKIPPED("coqc is not installed");
-        return;
-    }
-    CHECK(said_of(c).message == "");
+    check_accepted(c);
 }
 
 TEST_CASE("a root of a product and a sum in an angle that shows by squares are proved; a wrong sign or factor is refused", "[kernel]") {
@@ -121,10 +116,7 @@ TEST_CASE("a root of a product and a sum in an angle that shows by squares are p
     const Certificate wrong = certificate(product * GiNaC::cos(angle(-1)), w() * GiNaC::cos(theta()));
     CHECK_FALSE(wrong.holds);
     CHECK(wrong.in_functions.empty());
-    if (!coq_is_there()) {
-        SKIPPED("coqc is not installed");
-        return;
-    }
+    if (!coq_is_there()) return;
     CHECK(said_of(c).message == "");
     const std::string value = " = (sqrt (1 - zeta ^ 2))) by (apply root_is";
     const std::size_t at = c.in_functions.find(value);
@@ -152,11 +144,7 @@ TEST_CASE("quotients within quotients are cleared, and each divisor is named onc
     CHECK(c.holds);
     CHECK(c.statement.find("divisor_3") != std::string::npos);
     CHECK(c.statement.find("divisor_4") == std::string::npos);
-    if (!coq_is_there()) {
-        SKIPPED("coqc is not installed");
-        return;
-    }
-    CHECK(said_of(c).message == "");
+    check_accepted(c);
 }
 
 TEST_CASE("an expression reads the same in Coq however it was put together", "[kernel]") {

@@ -91,18 +91,13 @@ Given one_mass(double zeta) {
 
 /// A chain of unequal masses and springs with C = a M + b K.
 Given chain_of(std::size_t N, std::size_t j, std::size_t l, double a, double b) {
-    const auto n = static_cast<Eigen::Index>(N);
-    Given g{Matrix<double>::Zero(n, n), {}, Matrix<double>::Zero(n, n), Mass{j}, Mass{l}};
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const int number = static_cast<int>(i);
-        g.M(i, i) = i == 0 ? 1 : (2 + number) / 2.0;
-        const double k = i == 0 ? 1 : (5 - number) / 4.0;
-        g.K(i, i) += k;
-        if (i == 0) continue;
-        g.K(i - 1, i - 1) += k;
-        g.K(i, i - 1) -= k;
-        g.K(i - 1, i) -= k;
+    std::vector<double> masses{1}, springs{1};
+    for (int number = 1; masses.size() < N; ++number) {
+        masses.push_back((2 + number) / 2.0);
+        springs.push_back((5 - number) / 4.0);
     }
+    const System<double> s = denhartog::chain_of(masses, springs);
+    Given g{mass_matrix(s), {}, stiffness_matrix(s), Mass{j}, Mass{l}};
     g.C = a * g.M + b * g.K;
     return g;
 }

@@ -124,44 +124,6 @@ TEST_CASE("with overdamped modes solve sticks and slips as the paper's algorithm
     CHECK(compared >= 12);
 }
 
-TEST_CASE("a map with an overdamped mode is what solve answers, in all three regimes", "[map][overdamped]") {
-    Scene<double> scene = chain({1, 1}, {1, 1}, {0.0625, 1.5}, 2, 1, 1, 1);
-    const std::atomic<bool> never{false};
-    MapRequest grid{{0.25, 0.5, 0.75, 1.25, 2}, {0, 0.0625, 0.25, 0.5, 0.75, 1.125}, {Mass{1}}, MapStart::rest, 1};
-    const RegimeMap map = regime_map(scene, grid, never);
-    int met[3] = {0, 0, 0};
-    for (std::size_t point = 0; point < map.points.size(); ++point) {
-        scene.r = grid.r[point / grid.beta.size()];
-        scene.beta = grid.beta[point % grid.beta.size()];
-        INFO(text(scene));
-        const Solution s = solve(scene_source(scene), {Asked::amplitude, std::nullopt, false});
-        REQUIRE(map.points[point].status == PointStatus::answered);
-        CHECK(map.points[point].regime == s.regime.regime);
-        CHECK(map.amplitudes[point] == Approx(amplitude_of_contact(s, scene)).epsilon(1e-6).margin(1e-15));
-        ++met[static_cast<int>(s.regime.regime)];
-    }
-    for (const int times : met) CHECK(times > 0);
-}
-
-TEST_CASE("solve gives the digits asked for at critical damping, and goes on across it", "[solve][overdamped]") {
-    const auto amplitude = [](double zeta, int digits) {
-        const Scene<double> scene = chain({1, 1}, {1, 1}, {0.125, zeta}, 2, 1, 1, 0.75, 0.0625);
-        return solve(scene_source(scene), {Asked::amplitude, digits, false});
-    };
-    const auto wide = [](const Solution& s) {
-        const Certified& X = s.masses[1].amplitude;
-        return X.decimal.empty() ? Real100(X.value) : Real100(X.decimal);
-    };
-    const Real100 at = wide(amplitude(1, 30));
-    for (const int digits : {2, 6, 12}) {
-        const Solution s = amplitude(1, digits);
-        CHECK(s.relative_error <= std::pow(10.0, -digits));
-        CHECK(abs(Real100(wide(s) - at)) <= at * Real100(s.relative_error));
-    }
-    for (const double zeta : {1 - 0x1p-53, 1 + 0x1p-52}) CHECK(abs(Real100(wide(amplitude(zeta, 30)) - at)) < Real100("1e-15"));
-    CHECK((abs(Real100(wide(amplitude(1.125, 30)) - at)) > Real100("1e-4")));
-}
-
 TEST_CASE("what bounds the derivatives of the braces from an instant on holds for overdamped modes", "[eq:40][overdamped]") {
     double nearest = 0;
     int broken_by_half = 0;

@@ -2,9 +2,7 @@
 #include "denhartog/orbit/periodic_orbit.hpp"
 
 #include <cmath>
-#include <limits>
 
-#include "denhartog/number/errors.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
 #include "tests/integration/orbit_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"
@@ -61,51 +59,6 @@ TEST_CASE("a stop across the maximum of the force is one stop", "[exact-solver][
     CHECK(std::abs(orbit.stops[1].x + orbit.stops[0].x) < 1e-15);
 }
 
-TEST_CASE("in the sliding regime the orbit is the closed form", "[eq:38][eq:39][eq:46][exact-solver][shooting]") {
-    int scenes = 0;
-    double worst = 0;
-    std::string where;
-    const auto compare = [&](const std::string& name, Scene<double> scene) {
-        scene.mu = 1;
-        const Response<double> closed = response(scene);
-        if (!closed.steady_state || closed.regime->on_boundary) return;
-        const ContactSystem system = contact_system(scene.system);
-        const PeriodicOrbit orbit = orbit_of({name, system, {*scene.r, *scene.beta, 1}});
-        if (orbit.status != OrbitStatus::periodic && in_words(orbit.reason).find("not certainly stable") != std::string::npos)
-            return;
-        INFO(name << ": " << in_words(orbit.reason));
-        REQUIRE(orbit.status == OrbitStatus::periodic);
-        CHECK(orbit.stops.empty());
-        CHECK(orbit.symmetric);
-        ++scenes;
-        double largest = 0;
-        for (const MassMotion& m : orbit.masses) largest = std::max(largest, m.amplitude);
-        for (std::size_t k = 0; k < orbit.masses.size(); ++k) {
-            const MassResponse<double>& expected = closed.steady_state->masses[k];
-            const double error = std::abs(orbit.masses[k].amplitude - expected.amplitude) / largest;
-            if (error > worst) {
-                worst = error;
-                where = name + " " + hexadecimal(orbit.masses[k].amplitude) + " " + hexadecimal(expected.amplitude);
-            }
-            if (expected.amplitude > 0.01 * largest) CHECK(angle_between(orbit.masses[k].phase, expected.phase) < 2e-7);
-        }
-        CHECK(angle_between(orbit.contact.phase, closed.steady_state->phi_j) < 1e-11);
-    };
-    int n = 0;
-    for (const NamedScene<double>& named : paper_scenes<double>())
-        if (n++ % 25 == 0 || number_of_masses(named.scene.system) > 2) compare(named.name, named.scene);
-    for (const RandomScene<double>& random : random_scenes<double>(20250331)) {
-        if (number_of_masses(random.scene.system) > 6) break;
-        Scene<double> scene = random.scene;
-        scene.mu = 1;
-        scene.beta = friction_ratio_at(random.fraction_of_limit, response(scene).boundary.exact);
-        compare(random.name, scene);
-    }
-    INFO(where);
-    CHECK(scenes > 200);
-    CHECK(worst < 1e-12);
-}
-
 TEST_CASE("where the stuck modes are coupled by damping, shooting ends where long propagation does",
           "[eq:74][exact-solver][shooting]") {
     const PreparedMotion p = prepared_three_masses(0.6875, 0.25);
@@ -141,18 +94,4 @@ TEST_CASE("a contact that comes to rest for ever stays within the interval of re
         const State later = propagated(p, start, 1200);
         CHECK(distance(later, orbit.start) < 1e-11);
     }
-}
-
-TEST_CASE("one oscillator, two motions: it rests from rest and slides from far out", "[eq:3][eq:74][exact-solver][shooting]") {
-    const PreparedMotion p = prepared_oscillator(0.05, 1, 0.55, 2);
-    const PeriodicOrbit rests = orbit_of(p);
-    CHECK(rests.status == OrbitStatus::permanently_stuck);
-    CHECK(rests.contact.amplitude == 0);
-    const PeriodicOrbit slides = orbit_from(p, {{5}, {0}});
-    REQUIRE(slides.status == OrbitStatus::periodic);
-    CHECK(slides.stops.empty());
-    CHECK(slides.stable);
-    Scene<double> scene = oscillator(0.05, 1, 2);
-    scene.beta = 0.55;
-    CHECK(std::abs(slides.contact.amplitude - response(scene).steady_state.value().X_j) < 1e-13);
 }

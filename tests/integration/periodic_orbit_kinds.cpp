@@ -252,33 +252,6 @@ TEST_CASE("an orbit that is not stable is found where it is asked for, and not g
     CHECK(orbit_of(p).stable);
 }
 
-TEST_CASE("fifty masses, slow forcing, no damping: hard cases end in an orbit", "[exact-solver][shooting]") {
-    const std::vector<double> ones(50, 1.0), zeta(50, 0.03125);
-    const PreparedMotion chain = prepared_chain(ones, ones, zeta, 2, 1, 0.0625, 0.25);
-    OrbitSearch search;
-    const PeriodicOrbit long_chain = orbit_of(chain, search);
-    INFO(in_words(long_chain.reason));
-    REQUIRE(long_chain.status == OrbitStatus::periodic);
-    CHECK(long_chain.stable);
-    CHECK(all_finite(long_chain));
-    CHECK(long_chain.error_bound < 1e-8 * long_chain.contact.amplitude);
-
-    const PreparedMotion slow = prepared_oscillator(0.01, 0.02, 0.2);
-    const PeriodicOrbit many_stops = orbit_of(slow);
-    REQUIRE(many_stops.status == OrbitStatus::periodic);
-    CHECK(many_stops.stops.size() >= 6);
-    CHECK(distance(propagated(slow, at_rest(1), 100), many_stops.start) < 1e-10);
-
-    for (const double r : {0.0625, 0.4375, 0.8125, 1.5}) {
-        const PreparedMotion undamped = prepared_oscillator(0, r, 0.25);
-        const PeriodicOrbit orbit = orbit_of(undamped);
-        INFO(r << " " << in_words(orbit.reason));
-        REQUIRE(orbit.status == OrbitStatus::periodic);
-        CHECK(orbit.stable); // friction alone makes it so
-        CHECK(orbit.error_bound < 1e-11 * orbit.contact.amplitude);
-    }
-}
-
 TEST_CASE("a motion that tends to no orbit is no answer", "[exact-solver][shooting]") {
     OrbitSearch search;
     search.most_periods = 400;

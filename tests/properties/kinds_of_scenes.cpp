@@ -90,7 +90,7 @@ TEST_CASE("map and motion of scenes of every kind are those of solve", "[vectors
          {R"({"contact": [1, 2], "load": [0.25, 1, 0.5]})", R"({"load": [1, 0.5, 0.25], "load_phases": [0, 1.25, -2]})",
           R"({"load": null, "base_motion": "alone"})", R"({"load": null, "base_motion": "wall"})",
           R"({"contact": {"direction": [0.5, -1, 1.5]}, "load": [0.25, 1, 0.5]})",
-          R"({"contact": {"direction": [0, -0.5, 0.25]}})"}) {
+          R"({"contact": {"direction": [0, -0.5, 0.25]}})", R"({"damping_ratios": [0.0625, 1.5, 0.25]})"}) {
         INFO(kind);
         CHECK(check_map_by_solve(named_scene("storeys " + kind), r, beta) > 0);
     }

@@ -57,33 +57,7 @@ std::string at(const Scene<double>& scene) {
            std::to_string(scene.system.contact.index + 1) + (zeta.empty() ? "" : ", zeta_1 = " + hexadecimal(zeta[0]));
 }
 
-/// Friction force, per unit of load, that holds the contact: 2N real equations with its displacement zero; and its error.
-std::pair<double, double> holding_force(const Scene<double>& scene) {
-    const NonDimensionalMatrices m = matrices_of(scene);
-    const Eigen::Index N = m.M.rows(), j = static_cast<Eigen::Index>(scene.system.contact.index);
-    Eigen::MatrixXd A(2 * N, 2 * N);
-    A << m.K - m.M, m.C, -m.C, m.K - m.M;
-    for (const Eigen::Index column : {j, N + j}) A.col(column) = -Eigen::VectorXd::Unit(2 * N, column);
-    const Eigen::FullPivLU<Eigen::MatrixXd> solver(A);
-    const Eigen::VectorXd x = solver.solve(Eigen::VectorXd::Unit(2 * N, static_cast<Eigen::Index>(scene.system.load.index)));
-    return {std::hypot(x(j), x(N + j)), 1e-14 / solver.rcond() * x.norm()};
-}
-
 } // namespace
-
-TEST_CASE("no sample of the demand exceeds its maximum, and dense samples come up to it", "[eq:56][eq:57][maximum]") {
-    std::vector<Scene<double>> all = scenes();
-    for (const Scene<double>& scene : scenes_next_to_resonance()) all.push_back(scene);
-    for (const Scene<double>& scene : all) {
-        const ModeSums<double> s = sums_of(scene);
-        const Boundary<double> b = boundary(s, scene.mu);
-        double sampled = 0;
-        for (int n = 1; n < 20000; ++n) sampled = std::max(sampled, sliding_demand(s, pi<double>() * n / 20000));
-        INFO(at(scene) << ": " << hexadecimal(b.S_exact) << " and " << hexadecimal(sampled));
-        CHECK(sampled <= b.S_exact * (1 + 1e-11));
-        CHECK(sampled >= b.S_exact * (1 - 1e-2));
-    }
-}
 
 TEST_CASE("the demand of a mode is the sum's where there is one mode", "[eq:56][eq:57]") {
     for (const double zeta : {0.0, 0.0078125, 0.25})
@@ -108,23 +82,26 @@ TEST_CASE("the velocity of the contact over the sine is what the demand is made 
     }
 }
 
-TEST_CASE("the contact moves down throughout below the velocity boundary and turns back beyond it", "[eq:54][eq:55][eq:58]") {
+TEST_CASE("the contact moves down throughout below the velocity boundary and turns back beyond it",
+          "[eq:54][eq:55][eq:56][eq:57][eq:58][maximum]") {
     int velocity_binds = 0;
-    const std::vector<Scene<double>> all = scenes_and_seeded_ones();
-    const std::size_t closely = scenes().size();
+    std::vector<Scene<double>> all = scenes_next_to_resonance();
+    const std::size_t next_to_resonance = all.size(), closely = next_to_resonance + scenes().size();
+    for (const Scene<double>& scene : scenes_and_seeded_ones()) all.push_back(scene);
     for (std::size_t k = 0; k < all.size(); ++k) {
         const Scene<double>& scene = all[k];
         const ModeSums<double> s = sums_of(scene);
         const Boundary<double> b = boundary(s, 1.0);
         double least_inside = 1e300;
-        const int samples = k < closely ? 2000 : 200;
+        const int samples = k < closely ? 20000 : 200;
         for (int n = 1; n < samples; ++n)
             least_inside = std::min(least_inside, margin(s, b.exact * (1 - 1e-6), pi<double>() * n / samples));
         INFO(at(scene));
         CHECK(least_inside > 0);
         const double limit = paper::friction_ratio_limit(s.V[s.contact.index], s.U[s.contact.index], b.S_exact);
         const double there = b.instant > 0 ? b.instant : std::min(1e-7, 1e-9 * *s.R.begin());
-        CHECK(margin(s, limit * (1 + 1e-5), there) < 0);
+        const double beyond = margin(s, limit * (1 + 1e-5), there);
+        CHECK((beyond < 0 || (k < next_to_resonance && std::isnan(beyond)))); // (38) may have no root there, and no motion
         if (b.binding == BindingCondition::velocity) ++velocity_binds;
     }
     CHECK(velocity_binds >= 5); // else the interior maximum was never tried
@@ -260,31 +237,6 @@ TEST_CASE("the condition that binds is named", "[eq:54]") {
     CHECK(boundary(sums_of(oscillator(0.125, 0.75)), 1.25).binding == BindingCondition::static_friction);
     CHECK(boundary(sums_of(oscillator(0, 0.3)), 1.0).binding == BindingCondition::velocity);
     CHECK(boundary(sums_of(oscillator(0, 0.3)), 4.0).binding == BindingCondition::static_friction);
-}
-
-TEST_CASE("one mass without damping at r = 3 slides up to 9/16", "[eq:69]") {
-    // V = -1/8, U = tan(pi/6)/3, S = 1/9: beta_lim^2 = (1/64) / (1/27 + 1/81)
-    const Boundary<double> b = boundary(sums_of(oscillator(0, 3)), 1.0);
-    CHECK(b.exact == Approx(9.0 / 16).epsilon(1e-14));
-    CHECK(b.S_exact == Approx(1.0 / 9).epsilon(1e-14));
-}
-
-TEST_CASE("permanent sticking starts where static friction equals the force that holds the contact", "[sticking]") {
-    int loaded = 0;
-    for (const Scene<double>& scene : scenes_and_seeded_ones()) {
-        const double mu = scene.mu;
-        const Boundary<double> b = boundary(sums_of(scene), mu);
-        const auto [force, error] = holding_force(scene);
-        INFO(at(scene));
-        REQUIRE(b.sticking);
-        CHECK(std::abs(*b.sticking * mu - force) < error);
-        if (!(scene.system.contact == scene.system.load)) continue;
-        CHECK(*b.sticking == 1 / mu);
-        ++loaded;
-    }
-    CHECK(loaded > 50);
-    for (const Scene<double>& scene : scenes())
-        CHECK(*boundary(sums_of(scene), scene.mu).sticking == Approx(holding_force(scene).first / scene.mu).epsilon(1e-10));
 }
 
 TEST_CASE("no friction holds a contact with which the undamped rest of the system resonates", "[sticking][domain]") {

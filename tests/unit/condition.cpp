@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 
-#include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/program_table.hpp"
 

@@ -197,20 +197,6 @@ SampledState sampled_state(std::size_t N, std::size_t j) {
 
 } // namespace
 
-TEST_CASE("on a diagonal mass matrix the load on the contact is the sum that the paper prints", "[eq:75][paper-algorithm]") {
-    for (const std::size_t l : {1u, 2u}) {
-        Scene<double> scene = three_masses();
-        scene.system.load = Mass{l - 1};
-        scene.beta = 0.25;
-        const ContactProblem p = contact_problem(scene);
-        const ContactEquations equations(p);
-        const SampledState s = sampled_state(3, 1);
-        const double tau = 0.75;
-        const double printed = p.matrices.C.row(1).dot(s.v) + p.matrices.K.row(1).dot(s.x) - (l == 2 ? std::cos(tau) : 0);
-        CHECK(std::abs(equations.load_on_contact(s.y, tau) + printed) <= 1e-15);
-    }
-}
-
 TEST_CASE("the load is what friction has to balance to hold the contact, inertia of the others included",
           "[eq:75][eq:6][paper-algorithm]") {
     int coupled = 0;

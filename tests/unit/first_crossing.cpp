@@ -39,15 +39,6 @@ std::optional<Crossing> first(Waves& f, double from, double to, int order = 0) {
 
 } // namespace
 
-TEST_CASE("the first zero of a cosine is found to rounding", "[unit][exact-solver][events]") {
-    Waves f{0, {{1, 3, 0}}};
-    const auto zero = first(f, 0.0, 10.0);
-    REQUIRE(zero);
-    CHECK(std::abs(zero->t - pi<double>() / 6) <= 2e-16);
-    CHECK_FALSE(zero->touches);
-    CHECK(f.evaluations <= 12);
-}
-
 TEST_CASE("where rounding spoils the higher derivatives the tangent keeps steps long", "[unit][exact-solver][events]") {
     Waves f{0, {{1, 3, 0}}};
     // As a mode of 1e8 times the frequency that hardly moves: an error of eps, 1e8 times larger in each derivative.

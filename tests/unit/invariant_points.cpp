@@ -1,9 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/other_masses.hpp"
-#include "denhartog/formulas/stuck.hpp"
 #include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/invariant_points.hpp"
@@ -37,40 +35,7 @@ double monoharmonic(const ModeSums<double>& s, std::size_t k, double beta) {
     return paper::displacement_transmissibility(s.V[k], s.V[j], s.U[j], s.U[k], s.G[k], beta);
 }
 
-/// Stretches of a grid in which two curves of different friction cross: both amplitudes by the closed form, the friction ratios
-/// 1/8 and 1/4 of (67) at the lower end of the stretch.
-std::vector<std::pair<double, double>> crossings(const Scene<double>& scene, std::size_t k, double r_a, double r_b, int steps) {
-    std::vector<std::pair<double, double>> found;
-    for (int n = 0; n < steps; ++n) {
-        const double low = r_a + (r_b - r_a) * (n + 0.3) / steps, high = r_a + (r_b - r_a) * (n + 1.3) / steps;
-        const ModeSums<double> at_low = sums_at(scene, low), at_high = sums_at(scene, high);
-        const std::size_t j = scene.system.contact.index;
-        if (at_low.V[j].re * at_high.V[j].re < 0) continue; // a pole, or an unmoved contact: nothing slides there
-        const double held = paper::static_friction_demand(at_low.H_j, 1.0, at_low.sum_of_squares);
-        const double beta = paper::friction_ratio_limit(at_low.V[j], at_low.U[j], held) / 8;
-        const auto difference = [&](const ModeSums<double>& s) {
-            return monoharmonic(s, k, 2 * beta) - monoharmonic(s, k, beta);
-        };
-        if (difference(at_low) * difference(at_high) < 0) found.emplace_back(low, high);
-    }
-    return found;
-}
-
 } // namespace
-
-TEST_CASE("a single undamped mass has its invariant points at r = 1/2, 1/4, 1/6 and so on, the ends of the range included",
-          "[eq:87][invariant]") {
-    const Scene<double> scene = oscillator(0, 1);
-    const auto found = points_of(scene, 0.125, 0.5);
-    REQUIRE(found.size() == 1);
-    REQUIRE(found[0].points.size() == 4);
-    for (std::size_t n = 0; n < 4; ++n) {
-        const double r = 1.0 / (8 - 2 * static_cast<double>(n));
-        CHECK(found[0].points[n].r == Approx(r).epsilon(1e-14));
-        CHECK(found[0].points[n].amplitude == Approx(1 / (1 - r * r)).epsilon(1e-13));
-        CHECK(found[0].points[n].kind == InvariantPointKind::friction_leaves_it_alone);
-    }
-}
 
 TEST_CASE("at an invariant point the monoharmonic amplitude is the same at every friction ratio", "[eq:87][eq:52][invariant]") {
     double worst = 0;
@@ -100,22 +65,6 @@ TEST_CASE("at an invariant point the monoharmonic amplitude is the same at every
     CHECK(worst < 1e-10);
 }
 
-TEST_CASE("curves of different friction cross at the invariant points and nowhere else", "[eq:87][eq:52][invariant]") {
-    for (const Scene<double>& scene : {two_masses(2, 1), two_masses(1, 2), undamped(three_masses())}) {
-        const auto found = points_of(scene, 0.2, 2.5);
-        for (const InvariantPointsOfMass<double>& mass : found) {
-            if (mass.mass == scene.system.contact) continue;
-            const auto crossed = crossings(scene, mass.mass.index, 0.2, 2.5, 20000);
-            CAPTURE(mass.mass.index, scene.system.contact.index);
-            REQUIRE(crossed.size() == mass.points.size());
-            for (std::size_t n = 0; n < crossed.size(); ++n) {
-                CHECK(mass.points[n].r >= crossed[n].first);
-                CHECK(mass.points[n].r <= crossed[n].second);
-            }
-        }
-    }
-}
-
 TEST_CASE("no stretch stays undecided", "[eq:87][invariant]") {
     int points = 0;
     for (const RandomScene<double>& scene : random_scenes<double>(31)) {
@@ -135,15 +84,6 @@ TEST_CASE("damping ratios do not matter for invariant points", "[eq:87][invarian
         REQUIRE(with[k].points.size() == without[k].points.size());
         for (std::size_t n = 0; n < with[k].points.size(); ++n) CHECK(with[k].points[n].r == without[k].points[n].r);
     }
-}
-
-TEST_CASE("a mass that friction does not reach has no invariant points", "[eq:87][invariant]") {
-    Scene<double> scene = two_masses(2, 2);
-    scene.system.stiffness_ratios.clear();
-    scene.system.stiffness_matrix = Matrix<double>{{2, 0}, {0, 1}};
-    const auto found = points_of(scene, 0.2, 2.5);
-    CHECK(found[0].points.empty());
-    CHECK(found[1].points.size() == 2); // r = 1/2, 1/4
 }
 
 TEST_CASE("the program lists the invariant points of every mass", "[eq:87][invariant][program]") {

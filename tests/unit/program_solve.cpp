@@ -60,6 +60,10 @@ TEST_CASE("what is asked decides what is answered", "[program][solve]") {
           = {"masses": null, "beta_lim": {"exact": "number", "sticking_by_88": "number"}}
         0 solve --json --ask amplitude --digits 3 < two
           = {"masses": {"0": {"amplitude": "number"}}, "stable": null}
+        0 solve --json --ask {amplitude|phase} < two {"r": 1.25, "beta": 0.0625}
+          = {"masses": {"0": {"amplitude": "number", "phase": "number", "x0": null}}, "unique": true}
+        0 solve --json < two {"r": 1.25, "beta": 0.0625}
+          = {"masses": {"0": {"x0": "number"}}}
         0 solve --json --digits 20 < two
           = {"masses": {"0": {"amplitude": "text"}}}
         2 solve --ask colour < two

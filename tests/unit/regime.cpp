@@ -95,20 +95,6 @@ TEST_CASE("a friction ratio that is none is refused", "[domain]") {
         CHECK_THROWS_AS(regime_at(known_exactly(b), beta), InputError);
 }
 
-TEST_CASE("a response needs a frequency ratio; without beta it is the boundary alone", "[domain]") {
-    Scene<double> scene = three_masses();
-    CHECK_FALSE(response(scene).regime);
-    CHECK(response(scene).boundary.exact > 0);
-    scene.r.reset();
-    CHECK_THROWS_AS(response(scene), InputError);
-}
-
-TEST_CASE("regimes have the names of the interface", "[regime]") {
-    CHECK(name(Regime::continuous) == "continuous");
-    CHECK(name(Regime::stick_slip) == "stick_slip");
-    CHECK(name(Regime::permanent_sticking) == "permanent_sticking");
-}
-
 namespace {
 
 /// Chains of 1 to 6 masses, damping from none to nearly critical, any contact and load.

@@ -483,69 +483,42 @@ TEST_CASE("the contact may have any direction", "[scene][json][direction][bad-in
 }
 
 TEST_CASE("a dimensional scene is asked for what it lacks under its own names", "[scene][json][bad-input]") {
-    json s = dimensional();
-    s.erase("friction");
-    REQUIRE_THROWS_WITH(solve(read_scene<double>(s.dump())), Catch::Matchers::StartsWith("friction must be given"));
-    s.erase("force");
-    REQUIRE_THROWS_WITH(solve(read_scene<double>(s.dump())),
-                        Catch::Matchers::StartsWith("force must be given, and friction with it"));
-    s.erase("frequency");
-    REQUIRE_THROWS_WITH(solve(read_scene<double>(s.dump())), Catch::Matchers::StartsWith("frequency must be given"));
+    for (const auto& [patch, told] : {std::pair(R"({"friction": null})", "friction must be given"),
+                                      {R"({"friction": null, "force": null})", "force must be given, and friction with it"},
+                                      {R"({"friction": null, "force": null, "frequency": null})", "frequency must be given"}})
+        REQUIRE_THROWS_WITH(solve(read_scene<double>(changed(dimensional(), patch).dump())), Catch::Matchers::StartsWith(told));
 }
 
 TEST_CASE("a dimensional scene may have matrices, a frequency in hertz and a base that moves", "[scene][json][units]") {
-    json s = dimensional();
-    const Scene<double> plain = read_scene<double>(s.dump());
+    const auto read = [](const std::string& patch) { return read_scene<double>(changed(dimensional(), patch).dump()); };
+    const Scene<double> plain = read("{}");
     CHECK(plain.units.value().mass == 4);
     CHECK(plain.units->stiffness == 16);
     CHECK(plain.units->force == 8.0);
-
-    s["masses"] = {{4, 1, 0}, {1, 10, 0}, {0, 0, 3}};
-    s["stiffnesses"] = {{26, -10, 0}, {-10, 40, -30}, {0, -30, 30}};
-    Scene<double> by_matrices = read_scene<double>(s.dump());
+    const Scene<double> by_matrices = read(R"({"masses": [[4, 1, 0], [1, 10, 0], [0, 0, 3]],
+        "stiffnesses": [[26, -10, 0], [-10, 40, -30], [0, -30, 30]]})");
     CHECK(by_matrices.system.mass_matrix(1, 1) == 2.5);
     CHECK(by_matrices.system.mass_matrix(0, 1) == 0.25);
     CHECK(by_matrices.system.stiffness_matrix(2, 2) == 30.0 / 26);
     CHECK(by_matrices.r == Approx(3 * std::sqrt(4.0 / 26)));
-    s["masses"][1][0] = 2;
-    CHECK_THROWS_WITH(read_scene<double>(s.dump()), Catch::Matchers::StartsWith("masses must be symmetric"));
-
-    s = dimensional();
-    s.erase("frequency");
-    s["frequency_hz"] = 0.5;
-    CHECK(read_scene<double>(s.dump()).r == Approx(pi<double>() * std::sqrt(4.0 / 16)));
-    s["frequency"] = 1;
-    CHECK_THROWS_WITH(read_scene<double>(s.dump()), Catch::Matchers::StartsWith("frequency_hz must not be given together with"));
-
-    s = dimensional();
-    s.erase("masses");
-    s["mass_matrix"] = {{4, 1, 0}, {1, 10, 0}, {0, 0, 3}};
-    CHECK_THROWS_WITH(read_scene<double>(s.dump()), Catch::Matchers::StartsWith("mass_matrix must not be given together with ") &&
-                                                        Catch::Matchers::Contains("a dimensional one has masses instead"));
-
-    s = dimensional();
-    s.erase("load");
-    s.erase("force");
-    s["base_motion"] = "with_wall";
-    s["base_displacement"] = 0.25;
-    const Scene<double> moved = read_scene<double>(s.dump());
-    CHECK(moved.units.value().force == 4 * 9 * 0.25);
-    CHECK(moved.beta == Approx(2 / 9.0));
-    s["damping_ratios"] = 0;
-    s["base_motion"] = "alone";
-    CHECK(read_scene<double>(s.dump()).units.value().force == 4.0);
-    s["base_motion"] = "wall";
-    CHECK(read_scene<double>(s.dump()).units.value().force == 4.0);
-    s["base_acceleration"] = 2.25;
-    CHECK_THROWS_WITH(read_scene<double>(s.dump()),
-                      Catch::Matchers::StartsWith("base_acceleration must not be given together with base_displacement"));
-    s.erase("base_displacement");
-    CHECK(read_scene<double>(s.dump()).units.value().force == 16 * 2.25 / 9);
-    s["base_motion"] = "with_wall";
-    CHECK(read_scene<double>(s.dump()).units.value().force == 4 * 2.25);
-    s.erase("base_acceleration");
-    s["base_displacement"] = 0.25;
-    s.erase("base_motion");
-    s["load"] = 1;
-    CHECK_THROWS_WITH(read_scene<double>(s.dump()), Catch::Matchers::StartsWith("base_displacement must be given together with"));
+    CHECK(read(R"({"frequency": null, "frequency_hz": 0.5})").r == Approx(pi<double>() * std::sqrt(4.0 / 16)));
+    const std::string of_base = R"({"load": null, "force": null, "damping_ratios": 0, )";
+    for (const auto& [base, force] : {std::pair(R"("base_motion": "with_wall", "base_displacement": 0.25})", 4 * 9 * 0.25),
+                                      {R"("base_motion": "alone", "base_displacement": 0.25})", 4.0},
+                                      {R"("base_motion": "wall", "base_displacement": 0.25})", 4.0},
+                                      {R"("base_motion": "wall", "base_acceleration": 2.25})", 16 * 2.25 / 9},
+                                      {R"("base_motion": "with_wall", "base_acceleration": 2.25})", 4 * 2.25}}) {
+        INFO(base);
+        CHECK(read(of_base + base).units.value().force == force);
+        CHECK(read(of_base + base).beta == Approx(2 / force));
+    }
+    refuses(dimensional(), R"(
+        {"masses": [[4, 1, 0], [2, 10, 0], [0, 0, 3]]} | masses | symmetric | 0.5 | /masses/1/0
+        {"frequency_hz": 0.5} | frequency_hz | must not be given together with | 0.5 | /frequency_hz
+        {"masses": null, "mass_matrix": [[4, 1, 0], [1, 10, 0], [0, 0, 3]]} | mass_matrix
+            | a dimensional one has masses instead | | /mass_matrix
+        {"load": null, "force": null, "base_motion": "wall", "base_displacement": 1, "base_acceleration": 2} | base_acceleration
+            | must not be given together with base_displacement | 2 | /base_acceleration
+        {"force": null, "base_displacement": 0.25} | base_displacement | must be given together with | 0.25 | /base_displacement
+    )");
 }

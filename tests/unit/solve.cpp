@@ -1,7 +1,6 @@
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 
-#include <atomic>
 #include <random>
 
 #include "denhartog/answer/models_in_double.hpp"
@@ -28,23 +27,6 @@ Solution asking(const std::string& scene, Asked asked, std::optional<int> digits
 long total(const Work& w) { return w.eigen_solves + w.mode_evaluations + w.phases_propagated; }
 
 } // namespace
-
-TEST_CASE("in the sliding regime the answer is the closed form's, whatever is asked", "[eq:38][eq:39][solve]") {
-    const Scene<double> scene = three_masses(1.125, 0.125, 1);
-    const Response<double> exact = response(scene);
-    for (const Asked asked : {Asked::amplitude, Asked::phase, Asked::motion}) {
-        const Solution s = asking(scene, asked, 6);
-        CHECK(s.regime.regime == Regime::continuous);
-        CHECK(s.unique);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const SolvedMass& m = s.masses[k];
-            CHECK(m.amplitude.error <= 1e-6 * m.amplitude.value);
-            CHECK(std::abs(m.amplitude.value - exact.steady_state->masses[k].amplitude) <= m.amplitude.error);
-            CHECK(std::abs(wrapped(m.phase->value - exact.steady_state->masses[k].phase)) <= m.phase->error);
-        }
-        CHECK(s.masses[0].sliding.has_value() == (asked == Asked::motion));
-    }
-}
 
 TEST_CASE("fewer digits never cost more work", "[solve]") {
     std::vector<double> ones(40, 1), zeta;
