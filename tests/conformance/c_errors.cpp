@@ -35,7 +35,8 @@ struct Held {
 constexpr std::size_t most_values = 64;
 
 // Numbers, or the bounds of their errors, by the name of a quantity.
-std::vector<double> by_name(decltype(&dh_quantity) of, const dh_system* system, const conformance::ProtocolQuestion& q, int mass) {
+std::vector<double> by_name(decltype(&dh_quantity) of, const dh_system* system, const conformance::ProtocolQuestion& q,
+                            int mass) {
     std::vector<double> x(q.samples > 0 ? static_cast<std::size_t>(q.samples) : most_values);
     std::size_t count = 0;
     const int status =
