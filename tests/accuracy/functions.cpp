@@ -42,7 +42,7 @@ TEST_CASE("a function that belongs to no equation has no record", "[accuracy][pa
     CHECK_THROWS(accuracy_record("double", {{"R near 1", "h"}}));
 }
 
-// The bounds of rounding errors against 50 digits; the full survey is `speed-accuracy bounds`.
+// The bounds of rounding errors against 100 digits; the full survey is `speed-accuracy bounds`.
 
 TEST_CASE("every bound of V, U, G, H, S, beta_lim, X_j, phi_j, x_k and its velocity holds on seeded scenes and none is silly",
           "[eq:33][eq:34][eq:35][eq:38][eq:39][eq:41][eq:56][eq:64][eq:69][accuracy]") {

@@ -136,11 +136,8 @@ TEST_CASE("readers of the benchmark in Python, Octave and C++ read the same numb
     }
     CHECK(read == expected);
     for (const auto& [command, name] : {std::pair{"python3", "read.py"}, {"octave-cli", "read.m"}}) {
-        if (!has_command(command)) {
-            SKIPPED(command << " is not there");
-            continue;
-        }
-        CHECK(run_shell(std::string(command) + " '" + readers + name + "'" + pack).output == expected);
+        if (is_there_or_skipped(command))
+            CHECK(run_shell(std::string(command) + " '" + readers + name + "'" + pack).output == expected);
     }
 }
 

@@ -62,10 +62,7 @@ constexpr std::size_t answered = 3, error = 5, velocity_error = 6, stops = 7;
 } // namespace
 
 TEST_CASE("the scorer finds no error in the benchmark's own numbers, and the error of altered ones") {
-    if (!has_command("python3")) {
-        SKIPPED("python3 is not there");
-        return;
-    }
+    if (!is_there_or_skipped("python3")) return;
     const auto right = by_scene(score(results_of_pack(0, 1)).output, "the pack", "itself");
     const auto moved = by_scene(score(results_of_pack(0, 1.01)).output, "the pack", "itself");
     REQUIRE(right.size() == pack().size());
@@ -84,10 +81,7 @@ TEST_CASE("the scorer finds no error in the benchmark's own numbers, and the err
 }
 
 TEST_CASE("a scene that is left out of a results file is not answered") {
-    if (!has_command("python3")) {
-        SKIPPED("python3 is not there");
-        return;
-    }
+    if (!is_there_or_skipped("python3")) return;
     const auto lines = lines_of(results_of_pack(0, 1));
     const auto rows = by_scene(score(lines[0] + "\n" + lines[1] + "\n").output, "the pack", "itself");
     REQUIRE(rows.size() == pack().size());
@@ -95,10 +89,7 @@ TEST_CASE("a scene that is left out of a results file is not answered") {
 }
 
 TEST_CASE("the scorer refuses bad results with place and rule, and writes nothing") {
-    if (!has_command("python3")) {
-        SKIPPED("python3 is not there");
-        return;
-    }
+    if (!is_there_or_skipped("python3")) return;
     const std::string head = R"({"method":"m","setting":"s"})"
                              "\n";
     std::string x = "[[0";
@@ -145,10 +136,7 @@ TEST_CASE("the scorer refuses bad results with place and rule, and writes nothin
 }
 
 TEST_CASE("the scores in the repository are what the solvers give") {
-    if (!has_command("python3")) {
-        SKIPPED("python3 is not there");
-        return;
-    }
+    if (!is_there_or_skipped("python3")) return;
     const std::string stored = content_of(source_file("tests/benchmark/scores.csv"));
     const std::string scenes = " '" + source_file("tests/benchmark/pack/scenes.json") + "'";
     const std::filesystem::path programs = std::filesystem::path(std::getenv("DENHARTOG_PROGRAM")).parent_path();
@@ -196,10 +184,7 @@ TEST_CASE("the scores in the repository are what the solvers give") {
 }
 
 TEST_CASE("the picture of the benchmark is drawn from the scores in the repository") {
-    if (!has_command("python3")) {
-        SKIPPED("python3 is not there");
-        return;
-    }
+    if (!is_there_or_skipped("python3")) return;
     const std::string benchmark = source_file("tests/benchmark");
     const Run run = run_shell("python3 '" + benchmark + "/score.py' picture '" + benchmark + "/scores.csv'");
     CHECK(run.output == content_of(source_file("paper-figures/beyond/benchmark_work_precision.dat")));

@@ -123,11 +123,14 @@ TEST_CASE("a contact of any direction from C is w^T x, and stands for the mass w
     std::vector<double> R(3), v(6), u(3), g(3);
     REQUIRE(dh_modal_functions(system.get(), 0.75, 3, R.data(), v.data(), u.data(), g.data()) == DH_OK);
     for (std::size_t k = 0; k < 3; ++k) { // (34), (35) with w^T psi_i
+        std::size_t count = 0;
+        REQUIRE(dh_quantity(system.get(), "mode_shape_products", 0.75, 0.5, 1, k + 1, 0, 3, products.data(), &count) == DH_OK);
         double of_U = 0, of_G = 0;
         for (std::size_t i = 0; i < 3; ++i) {
             const double w_psi = 0.5 * psi[i] - psi[3 + i] + 0.25 * psi[6 + i];
             of_U += psi[3 * k + i] * w_psi * R[i] * R[i] * u[i];
             of_G += psi[3 * k + i] * w_psi * R[i] * R[i] * g[i];
+            CHECK(products[i] == Approx(psi[3 * k + i] * w_psi).margin(1e-12));
         }
         CHECK(U[k] == Approx(of_U).epsilon(1e-9));
         CHECK(G[k] == Approx(of_G).epsilon(1e-9));

@@ -104,10 +104,7 @@ TEST_CASE("the page's table has every function of the header", "[c_interface][do
 }
 
 TEST_CASE("the example in Python finds what the example in C finds", "[c_interface][python]") {
-    if (!has_command("python3")) {
-        SKIPPED("python3 is not there");
-        return;
-    }
+    if (!is_there_or_skipped("python3")) return;
     const Run run =
         run_shell("python3 '" + source_file("tests/conformance/adapters/python/library_example.py") + "' '" + library + "'");
     check_done(run);
@@ -115,10 +112,7 @@ TEST_CASE("the example in Python finds what the example in C finds", "[c_interfa
 }
 
 TEST_CASE("the example in Fortran finds what the example in C finds", "[c_interface][fortran]") {
-    if (!has_command("gfortran")) {
-        SKIPPED("gfortran is not there");
-        return;
-    }
+    if (!is_there_or_skipped("gfortran")) return;
     const auto program = scratch() / "library_example";
     check_done(run_shell("gfortran -std=f2008 -Wall -Wextra -Werror '" +
                          source_file("tests/conformance/adapters/fortran/library_example.f90") + "' '" + library + "' -J '" +

@@ -77,52 +77,6 @@ TEST_CASE("every quantity of the protocol has its numbers by its name, where it 
     CHECK(missing > 0);
 }
 
-TEST_CASE("a quantity by its name is what the function for it says", "[c_interface][conformance]") {
-    for (const Scene<double>& s : c_scenes()) {
-        const Handle system = handle_of(s.system);
-        const std::size_t N = s.system.mass_ratios.size(), j = s.system.contact.index;
-        const Answered solution = solved(system.get(), *s.r, *s.beta, s.mu, 12);
-        const dh_summary all = summary_of(solution.get());
-        std::vector<double> V(2 * N), U(N), G(N), psi(N * N), motion(8 * N), start(all.stops), end(all.stops);
-        double H_j = 0, S_j = 0, lengths = 0, durations = 0;
-        REQUIRE(dh_sums(system.get(), *s.r, N, V.data(), U.data(), G.data(), &H_j, &S_j) == DH_OK);
-        REQUIRE(dh_mode_shapes(system.get(), *s.r, N * N, psi.data()) == DH_OK);
-        REQUIRE(dh_solution_motion(solution.get(), 8, 8 * N, motion.data(), nullptr) == DH_OK);
-        REQUIRE(dh_solution_stops(solution.get(), all.stops, start.data(), end.data()) == DH_OK);
-        for (std::size_t k = 1; k <= N; ++k) {
-            const dh_mass mass = mass_of(solution.get(), k);
-            std::vector<double> of_mass, products;
-            for (std::size_t n = 0; n < 8; ++n) of_mass.push_back(motion[n * N + k - 1]);
-            for (std::size_t i = 0; i < N; ++i) products.push_back(psi[(k - 1) * N + i] * psi[j * N + i]);
-            CHECK(asked(system.get(), "motion_under_force", s, k).x == of_mass);
-            CHECK(asked(system.get(), "mode_shape_products", s, k).x == products);
-            CHECK(asked(system.get(), "complex_response", s, k).x == std::vector<double>{V[2 * k - 2], V[2 * k - 1]});
-            CHECK(asked(system.get(), "first_damping_function", s, k).x == std::vector<double>{U[k - 1]});
-            CHECK(asked(system.get(), "second_damping_function", s, k).x == std::vector<double>{G[k - 1]});
-            CHECK(asked(system.get(), "amplitude", s, k).x == std::vector<double>{mass.amplitude});
-            if (all.regime != DH_CONTINUOUS) continue;
-            auto m = sized<dh_sliding_mass>();
-            REQUIRE(dh_sliding_motion(system.get(), *s.r, *s.beta, s.mu, k, &m) == DH_OK);
-            CHECK(asked(system.get(), "initial_displacement", s, k).x == std::vector<double>{m.initial_displacement});
-            CHECK(asked(system.get(), "initial_velocity", s, k).x == std::vector<double>{m.initial_velocity});
-            CHECK(asked(system.get(), "amplitude_monoharmonic", s, k).x == std::vector<double>{m.amplitude_monoharmonic});
-            CHECK(asked(system.get(), "phase_monoharmonic", s, k).x == std::vector<double>{m.phase_monoharmonic});
-        }
-        auto b = sized<dh_boundary>();
-        REQUIRE(dh_boundaries(system.get(), *s.r, s.mu, &b) == DH_OK);
-        CHECK(asked(system.get(), "H_j", s, 0).x == std::vector<double>{H_j});
-        CHECK(asked(system.get(), "S_j", s, 0).x == std::vector<double>{S_j});
-        CHECK(asked(system.get(), "beta_lim_exact", s, 0).x == std::vector<double>{b.exact});
-        CHECK(asked(system.get(), "beta_lim_paper", s, 0).x == std::vector<double>{b.paper});
-        CHECK(asked(system.get(), "beta_lim_approximate", s, 0).x == std::vector<double>{b.approximate});
-        CHECK(asked(system.get(), "beta_lim_sticking", s, 0).x == std::vector<double>{b.sticking});
-        CHECK(asked(system.get(), "regime", s, 0).x == std::vector<double>{static_cast<double>(all.regime)});
-        for (std::size_t i = 0; i < all.stops; ++i) lengths += end[i] - start[i];
-        for (const double length : asked(system.get(), "stop_durations", s, 0).x) durations += length;
-        CHECK(durations == Approx(lengths).margin(1e-15));
-    }
-}
-
 TEST_CASE("a quantity by its name is refused where the question breaks a rule, whatever is asked", "[c_interface][faults]") {
     const Scene<double> good = c_scenes().front();
     const Handle system = handle_of(good.system);

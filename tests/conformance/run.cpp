@@ -13,86 +13,72 @@ Run run(const std::string& options, const std::string& program) {
     return conform("run " + with_vectors(six(), options) + " -- " + program);
 }
 
-} // namespace
-
-TEST_CASE("a program that is right conforms, status 0", "[conformance][program]") {
-    const Run r = run("", table_program("right", right_answers));
-    INFO(r.output << r.error);
-    CHECK(r.status == 0);
-    CHECK(r.error.empty());
-    CHECK(contains(r.output, "Table of answers (plain): 6 questions"));
-    CHECK(contains(r.output, "\nConforms.\n"));
-    CHECK_FALSE(contains(r.output, "Notes:"));
+// A program whose answers are right but for one.
+std::string with_answer(const std::string& right, const std::string& given) {
+    static int number = 0;
+    return table_program("program-" + std::to_string(++number), replaced(right_answers, right, given));
 }
 
-TEST_CASE("the json dialect is spoken as well", "[conformance][program]") {
-    const std::string program =
+} // namespace
+
+TEST_CASE("a run ends with its status, and tells what it found", "[conformance][program]") {
+    const std::string right = table_program("right", right_answers);
+    const std::string wrong = with_answer("amplitude-1 value 0.25", "amplitude-1 value 0.5");
+    const std::string lax = with_answer("amplitude-2 value 0x1p-1", "amplitude-2 value 1"); // a stress is wrong
+    const std::string skipping = with_answer("phase-1 value 3", "phase-1 skip later");      // a should is skipped
+    const std::string in_json =
         script("json.sh", "read -r greeting\necho 'denhartog-conform 1 json In JSON'\n"
                           "while read -r line; do id=${line#*\\\"id\\\":\\\"}; id=${id%%\\\"*}\n"
                           "case $id in amplitude-1) echo \"{\\\"id\\\":\\\"$id\\\",\\\"value\\\":0.25}\";;\n"
                           "*) echo \"{\\\"id\\\":\\\"$id\\\",\\\"skip\\\":\\\"no\\\"}\";; esac; done\n");
-    const Run r = run("--verbose", program);
-    INFO(r.output << r.error);
-    CHECK(r.status == 0);
-    CHECK(contains(r.output, "In JSON (json)"));
-    CHECK(contains(r.output, "amplitude-1  pass"));
-}
-
-TEST_CASE("a wrong must is status 1 and told with answer, truth and error", "[conformance][program]") {
-    const std::string program =
-        table_program("wrong", replaced(right_answers, "amplitude-1 value 0.25", "amplitude-1 value 0.5"));
-    const Run r = run("", program);
-    INFO(r.output);
-    CHECK(r.status == 1);
-    CHECK(contains(r.output, "amplitude-1  wrong"));
-    CHECK(contains(r.output, "answer 0.5 (0x1p-1)"));
-    CHECK(contains(r.output, "true   0.25 (0x1p-2)"));
-    CHECK(contains(r.output, "over tolerance 1e+12; condition r 2"));
-    CHECK(contains(r.output, "\nDoes not conform.\n"));
-}
-
-TEST_CASE("a wrong should or stress is told and no failure; a needed quantity must not be skipped", "[conformance][program]") {
-    const std::string program = table_program("lax", replaced(right_answers, "amplitude-2 value 0x1p-1", "amplitude-2 value 1"));
-    const Run lax = run("", program);
-    CHECK(lax.status == 0);
-    CHECK(contains(lax.output, "\nConforms in must; 1 answer is wrong in stress.\n"));
-    CHECK(run("--strict", program).status == 4);
-    CHECK(run("--strict", table_program("right", right_answers)).status == 0);
-    const std::string wrong = table_program("strict", replaced(right_answers, "amplitude-1 value 0.25", "amplitude-1 value 1"));
-    CHECK(run("--strict", wrong).status == 1);
-    const std::string skipping = table_program("skipping", replaced(right_answers, "phase-1 value 3", "phase-1 skip later"));
-    CHECK(run("", skipping).status == 0);
-    CHECK(run("--need amplitude,phase", skipping).status == 1);
-    CHECK(run("--need amplitude,regime", skipping).status == 0);
-    const Run nothing = run("", table_program("nothing", ""));
-    CHECK(nothing.status == 1);
-    CHECK(contains(nothing.output, "\nDoes not conform, because no question was answered.\n"));
-}
-
-TEST_CASE("quantities are chosen by their names", "[conformance][program]") {
-    const Run r = run("--quantity amplitude,phase", table_program("right", right_answers));
-    CHECK(r.status == 0);
-    CHECK(contains(r.output, "Table of answers (plain): 3 questions"));
-    const Run none = run("--quantity amplitudes", table_program("right", right_answers));
-    CHECK(none.status == 2);
-    CHECK(contains(none.error, "quantity must name quantities of the protocol"));
-}
-
-TEST_CASE("a program that keeps something from question to question is told of", "[conformance][program]") {
     const std::string keeping = script("keeping.sh", "read -r greeting\necho 'denhartog-conform 1 plain Keeps'\nn=0\n"
                                                      "while read -r id rest; do n=$((n + 1)); echo \"$id value $n\"; done\n");
-    CHECK(contains(run("--quantity amplitude,phase", keeping).output,
-                   "\n  The program keeps something from question to question: "));
-    const std::string wrong = table_program("wrong", replaced(right_answers, "amplitude-1 value 0.25", "amplitude-1 value 0.5"));
-    CHECK_FALSE(contains(run("", wrong).output, "The program keeps something"));
-}
-
-TEST_CASE("the diagnosis is in the XML as well", "[conformance][program]") {
-    const std::string wrong = table_program("wrong", replaced(right_answers, "amplitude-1 value 0.25", "amplitude-1 value 0.5"));
-    const std::string xml = run("--format junit", wrong).output;
-    CHECK(contains(xml, "<system-out>&#10;Diagnosis (1 answer is wrong or inaccurate):"));
-    CHECK(contains(xml, "Does not conform.&#10;</system-out>"));
-    CHECK_FALSE(contains(run("--format junit", table_program("right", right_answers)).output, "system-out"));
+    const std::string odd = script("odd.sh", "[ \"$1\" = '[1,2]' ] && [ \"$2\" = --jobs ] && [ \"$3\" = -- ] || exit 9\n"
+                                             "read -r greeting; echo 'denhartog-conform 1 plain Odd'\n"
+                                             "while read -r id rest; do echo \"$id skip\"; done\n");
+    const struct {
+        std::string options, program;
+        int status;
+        std::vector<std::string> told{}, not_told{};
+    } rows[] = {
+        {"", right, 0, {"Table of answers (plain): 6 questions", "\nConforms.\n"}, {"Notes:"}},
+        {"--verbose", in_json, 0, {"In JSON (json)", "amplitude-1  pass"}},
+        {"",
+         wrong,
+         1,
+         {"amplitude-1  wrong", "answer 0.5 (0x1p-1)", "true   0.25 (0x1p-2)", "over tolerance 1e+12; condition r 2",
+          "\nDoes not conform.\n"},
+         {"The program keeps something"}},
+        {"", lax, 0, {"\nConforms in must; 1 answer is wrong in stress.\n"}},
+        {"--strict", lax, 4},
+        {"--strict", right, 0},
+        {"--strict", wrong, 1},
+        {"", skipping, 0},
+        {"--need amplitude,phase", skipping, 1}, // what is needed must not be skipped
+        {"--need amplitude,regime", skipping, 0},
+        {"", table_program("nothing", ""), 1, {"\nDoes not conform, because no question was answered.\n"}},
+        {"--quantity amplitude,phase", right, 0, {"Table of answers (plain): 3 questions"}},
+        {"--quantity amplitudes", right, 2, {"quantity must name quantities of the protocol"}},
+        {"--quantity amplitude,phase", keeping, 1, {"\n  The program keeps something from question to question: "}},
+        {"--format junit",
+         wrong,
+         1,
+         {"<system-out>&#10;Diagnosis (1 answer is wrong or inaccurate):", "Does not conform.&#10;</system-out>"}},
+        {"--format junit", right, 0, {}, {"system-out"}},
+        {"--format markdown", // whose cells nobody's text can end
+         with_answer("amplitude-1 value 0.25", "amplitude-1 value a|b"),
+         1,
+         {"## Table of answers", "a\\|b", "| tier | group | asked |"}},
+        {"", odd + " '[1,2]' --jobs --", 1, {"Odd (plain): 6 questions"}}, // what follows -- is the program's
+    };
+    for (const auto& row : rows) {
+        const Run r = run(row.options, row.program);
+        INFO(row.options << " -- " << row.program << "\n" << r.output << r.error);
+        CHECK(r.status == row.status);
+        CHECK(r.error.empty() == (r.status != 2));
+        for (const std::string& text : row.told) CHECK(contains(r.output + r.error, text));
+        for (const std::string& text : row.not_told) CHECK_FALSE(contains(r.output, text));
+    }
 }
 
 TEST_CASE("several processes give the same verdicts as one", "[conformance][program][threads]") {
@@ -117,7 +103,7 @@ TEST_CASE("several processes give the same verdicts as one", "[conformance][prog
 }
 
 TEST_CASE("the report as JSON has the members that its page names", "[conformance][program]") {
-    const std::string program = table_program("json", replaced(right_answers, "modes-1 value 1.5 0.75", "modes-1 value 1.5 0.5"));
+    const std::string program = with_answer("modes-1 value 1.5 0.75", "modes-1 value 1.5 0.5");
     const auto file = scratch() / "report.json";
     const Run r = run("--format json --output '" + file.string() + "'", program);
     CHECK(r.status == 1);
@@ -177,22 +163,11 @@ TEST_CASE("the report as JUnit is well formed and counts right", "[conformance][
     CHECK(cases == 6);
 }
 
-TEST_CASE("the report as Markdown has tables whose cells nobody's text can end", "[conformance][program]") {
-    const std::string program =
-        table_program("markdown", replaced(right_answers, "amplitude-1 value 0.25", "amplitude-1 value a|b"));
-    const Run r = run("--format markdown", program);
-    INFO(r.output);
-    CHECK(r.status == 1);
-    CHECK(contains(r.output, "## Table of answers"));
-    CHECK(contains(r.output, "a\\|b"));
-    CHECK(contains(r.output, "| tier | group | asked |"));
-}
-
 TEST_CASE("verdicts are tracked: what got better and worse is told, and worse fails until it is mended",
           "[conformance][program]") {
     const std::string file = (scratch() / "track.json").string();
     const std::string good = table_program("tracked", right_answers);
-    const std::string bad = table_program("tracked-bad", replaced(right_answers, "phase-1 value 3", "phase-1 value 2"));
+    const std::string bad = with_answer("phase-1 value 3", "phase-1 value 2");
     CHECK(run("--track '" + file + "'", bad).status == 0);
     const Run better = run("--track '" + file + "'", good);
     CHECK(better.status == 0);
@@ -243,39 +218,26 @@ TEST_CASE("one question is repeated as commands that a shell takes", "[conforman
     CHECK(contains(diagnosed.output, "the answer of the mistake 46-as-printed: "));
 }
 
-TEST_CASE("what follows -- is the program's, brackets and options too", "[conformance][program]") {
-    const std::string program = script("odd.sh", "[ \"$1\" = '[1,2]' ] && [ \"$2\" = --jobs ] && [ \"$3\" = -- ] || exit 9\n"
-                                                 "read -r greeting; echo 'denhartog-conform 1 plain Odd'\n"
-                                                 "while read -r id rest; do echo \"$id skip\"; done\n");
-    const Run r = run("", program + " '[1,2]' --jobs --");
-    INFO(r.output << r.error);
-    CHECK(contains(r.output, "Odd (plain): 6 questions"));
-}
-
 TEST_CASE("smoke looks at the protocol and at no number", "[conformance][program]") {
-    const std::string right = script("smoke.sh", "read -r greeting; echo 'denhartog-conform 1 plain Smoke'\n"
-                                                 "while read -r id q rest; do case $id in\n"
-                                                 "smoke-H-j|smoke-amplitude) echo \"$id value 17\";;\n"
-                                                 "smoke-rejected) echo \"$id reject negative mass\";;\n"
-                                                 "*) echo \"$id skip\";; esac; done\n");
-    const Run good = conform("smoke -- " + right);
-    INFO(good.output << good.error);
-    CHECK(good.status == 0);
-    CHECK(contains(good.output, "The protocol is kept. No number was checked."));
+    const auto smoked = [](const std::string& text, int status, const std::vector<std::string>& told) {
+        const Run r =
+            conform("smoke -- " + script("smoke.sh", "read -r greeting; echo 'denhartog-conform 1 plain Smoke'\n" + text));
+        INFO(text << r.output << r.error);
+        CHECK(r.status == status);
+        for (const std::string& each : told) CHECK(contains(r.output, each));
+        return r;
+    };
+    const Run good = smoked("while read -r id q rest; do case $id in\n"
+                            "smoke-H-j|smoke-amplitude) echo \"$id value 17\";;\n"
+                            "smoke-rejected) echo \"$id reject negative mass\";;\n"
+                            "*) echo \"$id skip\";; esac; done\n",
+                            0, {"The protocol is kept. No number was checked."});
     CHECK(lines_of(good.output).size() == 1 + 25 + 3 + 2);
-    const std::string lax = script("lax-smoke.sh", "read -r greeting; echo 'denhartog-conform 1 plain Smoke'\n"
-                                                   "while read -r id q rest; do case $id in\n"
-                                                   "smoke-rejected) echo \"$id value 17\";; *) echo \"$id skip\";; esac; done\n");
-    const Run answered = conform("smoke -- " + lax);
-    CHECK(answered.status == 1);
-    CHECK(contains(answered.output, "The protocol is kept, but a question that breaks a rule was answered."));
-    const std::string wrong = script("no-smoke.sh", "read -r greeting; echo 'denhartog-conform 1 plain Smoke'\n"
-                                                    "while read -r id q rest; do echo \"$id value 1 2 3\"; done; exit 4\n");
-    const Run bad = conform("smoke -- " + wrong);
-    CHECK(bad.status == 1);
-    CHECK(contains(bad.output, "must be as many numbers as the protocol has, 1, but is 3"));
-    CHECK(contains(bad.output, "must be rejected"));
-    CHECK(contains(bad.output, "must be skipped"));
-    CHECK(contains(bad.output, "it ended with status 4"));
+    smoked("while read -r id q rest; do case $id in\n"
+           "smoke-rejected) echo \"$id value 17\";; *) echo \"$id skip\";; esac; done\n",
+           1, {"The protocol is kept, but a question that breaks a rule was answered."});
+    smoked("while read -r id q rest; do echo \"$id value 1 2 3\"; done; exit 4\n", 1,
+           {"must be as many numbers as the protocol has, 1, but is 3", "must be rejected", "must be skipped",
+            "it ended with status 4"});
     CHECK(conform("smoke -- /no/such/program").status == 3);
 }

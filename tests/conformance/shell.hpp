@@ -2,6 +2,7 @@
 /// @brief Compilers and interpreters of other languages, as the tests run them.
 #pragma once
 
+#include "tests/catch.hpp"
 #include "tests/unit/program_runs.hpp"
 
 namespace denhartog::tests {
@@ -16,5 +17,12 @@ inline Run run_shell(const std::string& command, const std::string& input = "") 
 
 /// @brief Whether a command is there. @param name its name @return whether the shell finds it
 inline bool has_command(const std::string& name) { return run_shell("command -v " + name).status == 0; }
+
+/// @brief The same; if it is not there, the test says that it is skipped. @param name its name @return whether it is there
+inline bool is_there_or_skipped(const std::string& name) {
+    const bool there = has_command(name);
+    if (!there) SKIPPED(name << " is not there");
+    return there;
+}
 
 } // namespace denhartog::tests

@@ -21,13 +21,6 @@ void done(int status) {
     if (status != DH_OK) throw std::runtime_error(dh_last_message());
 }
 
-template <class Struct>
-Struct sized() {
-    Struct s{};
-    s.size = sizeof s;
-    return s;
-}
-
 const Ball& full_turn() {
     static const Ball turn = 2 * pi<Ball>();
     return turn;

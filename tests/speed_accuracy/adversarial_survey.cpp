@@ -328,7 +328,7 @@ AskedQuestion asked(const NamedQuestion& question, const Scene<double>& scene, s
 }
 
 // Where a run is: in memory that parent and child share.
-struct Place {
+struct RunPlace {
     std::size_t scene;
     std::size_t question; // 0: the scene is being placed; question n is the n-th from 1
 };
@@ -347,7 +347,7 @@ AskedQuestion from_json(const nlohmann::json& j) {
 }
 
 // Asks from a place on; says where it is before each question and what came of it after.
-void ask_from(Place& place, const AdversarialRun& run, const std::function<void(AskedQuestion&&)>& tell,
+void ask_from(RunPlace& place, const AdversarialRun& run, const std::function<void(AskedQuestion&&)>& tell,
               const std::function<void()>& begin_question) {
     const std::vector<NamedQuestion> questions = all_questions(run);
     AdversarialScenes random(run.seed, run.range);
@@ -407,7 +407,7 @@ Table dear_table(const AdversarialSurvey& survey) {
 }
 
 // Runs one child from a place; returns how it ended.
-int run_child(Place* place, const AdversarialRun& run, AdversarialSurvey& survey) {
+int run_child(RunPlace* place, const AdversarialRun& run, AdversarialSurvey& survey) {
     std::array<int, 2> ends{};
     if (pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
     const pid_t child = fork();
@@ -504,7 +504,7 @@ void AdversarialSurvey::add(AskedQuestion a) {
 
 AdversarialSurvey survey_in_process(const AdversarialRun& run) {
     AdversarialSurvey survey;
-    Place place{0, 0};
+    RunPlace place{0, 0};
     ask_from(
         place, run, [&survey](AskedQuestion&& a) { survey.add(std::move(a)); }, [] {});
     return survey;
@@ -512,9 +512,9 @@ AdversarialSurvey survey_in_process(const AdversarialRun& run) {
 
 AdversarialSurvey survey_in_children(const AdversarialRun& run) {
     AdversarialSurvey survey;
-    void* shared = mmap(nullptr, sizeof(Place), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    void* shared = mmap(nullptr, sizeof(RunPlace), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (shared == MAP_FAILED) throw std::runtime_error("no memory to share");
-    auto* place = new (shared) Place{0, 0};
+    auto* place = new (shared) RunPlace{0, 0};
     for (int status = run_child(place, run, survey); status != 0; status = run_child(place, run, survey)) {
         AskedQuestion ended;
         ended.scene = place->scene;
@@ -535,7 +535,7 @@ AdversarialSurvey survey_in_children(const AdversarialRun& run) {
         else
             ++place->question;
     }
-    munmap(shared, sizeof(Place));
+    munmap(shared, sizeof(RunPlace));
     return survey;
 }
 

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
-#include <fstream>
 #include <functional>
 #include <limits>
 #include <thread>
@@ -14,18 +13,13 @@
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/sliding/contact_alone.hpp"
+#include "tests/speed_accuracy/chart_output.hpp"
 #include "tests/support/paper_systems.hpp"
 
 namespace denhartog::tests {
 namespace {
 
 constexpr double enough = 1e4; // items from which on a batch counts for the exponent
-
-/// Nanoseconds now: of the processor where one thread works, so that other programs do not count; else of the clock on the wall.
-double now(unsigned threads) {
-    if (threads == 1) return 1e9 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-    return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// The least of stretches of 2 ms on one thread, of single runs on several.
 double least_time(int repeats, unsigned threads, const std::function<void()>& run) {
@@ -40,12 +34,6 @@ double least_time(int repeats, unsigned threads, const std::function<void()>& ru
         least = std::min(least, (now(threads) - start) / runs);
     }
     return least;
-}
-
-std::vector<double> grid(double from, double to, std::size_t n) {
-    std::vector<double> x(n);
-    for (std::size_t i = 0; i < n; ++i) x[i] = from + (to - from) * static_cast<double>(i) / static_cast<double>(n - 1);
-    return x;
 }
 
 /// Modes of N equal masses and springs in closed form: no eigenproblem stands before the batch.
@@ -64,14 +52,18 @@ ModalBasis<Bounded<double>> equal_masses(std::size_t N) {
     return basis;
 }
 
-std::string processor() {
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);)
-        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-    return "unknown";
+} // namespace
+
+double now(unsigned threads) {
+    if (threads == 1) return 1e9 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-} // namespace
+std::vector<double> grid(double from, double to, std::size_t n) {
+    std::vector<double> x(n);
+    for (std::size_t i = 0; i < n; ++i) x[i] = from + (to - from) * static_cast<double>(i) / static_cast<double>(n - 1);
+    return x;
+}
 
 double least_boundary(const Scene<double>& scene, const std::vector<double>& r) {
     double least = std::numeric_limits<double>::infinity();
@@ -147,7 +139,7 @@ Table table_of(const std::vector<BatchCost>& costs) {
 }
 
 std::string batch_cost_csv(const std::vector<BatchCost>& costs, int repeats) {
-    const std::string conditions = std::to_string(repeats) + ",\"" + __VERSION__ + "\",\"" + processor() + "\"," +
+    const std::string conditions = std::to_string(repeats) + ",\"" + __VERSION__ + "\",\"" + processor_name() + "\"," +
                                    evaluation::name(evaluation::supported_vectors().back()) + "\n";
     std::string csv = "varied,modes,frequency_ratios,friction_ratios,threads,nanoseconds,items,modes_evaluated,repeats,compiler,"
                       "processor,vectors\n";

@@ -10,6 +10,13 @@
 
 namespace denhartog::tests {
 
+/// @brief Nanoseconds now: of the processor where one thread works, so that other programs do not count; else of the clock on the
+/// wall. @param threads how many work @return the time
+[[nodiscard]] double now(unsigned threads);
+
+/// @brief Equal steps. @param from the first number @param to the last @param n how many @return the numbers
+[[nodiscard]] std::vector<double> grid(double from, double to, std::size_t n);
+
 /// @brief One batch and its time.
 struct BatchCost {
     std::string series;                 ///< what was varied

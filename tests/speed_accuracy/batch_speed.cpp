@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
-#include <ctime>
 #include <functional>
 #include <limits>
 #include <random>
 #include <thread>
 
-#include "denhartog/evaluation/mode_arrays.hpp"
 #include "denhartog/evaluation/detail/vector_functions.hpp"
+#include "denhartog/evaluation/mode_arrays.hpp"
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/sliding/bounded_modes.hpp"
@@ -23,12 +21,6 @@
 
 namespace denhartog::tests {
 namespace {
-
-/// Nanoseconds now: of the processor where one thread works, so that other programs do not count; else of the clock on the wall.
-double now(unsigned threads) {
-    if (threads == 1) return 1e9 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-    return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// Nanoseconds an item, the least of many: on one thread of stretches of a fiftieth of a second, on several of single runs:
 /// what else the machine does counts least.
@@ -47,12 +39,6 @@ double time_of(std::size_t items, int repeats, const std::function<void()>& run,
         least = std::min(least, threads == 1 ? passed / runs : single);
     }
     return least / static_cast<double>(items);
-}
-
-std::vector<double> grid(double from, double to, std::size_t n) {
-    std::vector<double> x(n);
-    for (std::size_t i = 0; i < n; ++i) x[i] = from + (to - from) * static_cast<double>(i) / static_cast<double>(n - 1);
-    return x;
 }
 
 struct Rates {
@@ -80,7 +66,8 @@ Table batch_speed(int repeats) {
         {},
         "Least of " + std::to_string(repeats) +
             " runs: processor time on one thread, time by the clock on several. Limits: the compiler's vector maths library, or "
-            "the functions of evaluation/detail/vector_functions.hpp by themselves, for one exp, one sine and one cosine; one square "
+            "the functions of evaluation/detail/vector_functions.hpp by themselves, for one exp, one sine and one cosine; one "
+            "square "
             "root. Widest vectors: " +
             evaluation::name(evaluation::supported_vectors().back()) + "."};
     Rates rates{table, repeats};

@@ -1,5 +1,5 @@
 /// @file
-/// @brief The bounds of rounding errors against 50 digits: V, U, G, H, S, beta_lim, X_j, phi_j and x_k at an instant.
+/// @brief The bounds of rounding errors against 100 digits: V, U, G, H, S, beta_lim, X_j, phi_j and x_k at an instant.
 #pragma once
 
 #include <cstdint>
@@ -28,15 +28,12 @@ struct BoundsSurvey {
     long scenes = 0;                                    ///< scenes: a system, r, beta and an instant each
     long poles = 0;                                     ///< r next to a pole of a mode without damping: no answer
     long unsettled = 0;                                 ///< frequencies at which the search for S found no end
-    long full_searches = 0;                             ///< of which S was searched for in 50 digits too
-    long in_100_digits = 0;                             ///< frequencies at which 50 digits lose more than 25: 100 are taken
+    long full_searches = 0;                             ///< of which S was searched for in 100 digits too
     long regimes = 0;                                   ///< regimes that the bound of beta_lim decides
     long wrong_regimes = 0;                             ///< of these, wrong ones
     long open_regimes = 0;                              ///< beta within the bound of beta_lim
     std::map<std::string, QuantityBounds> quantities{}; ///< by name
     std::map<int, long> steps{};                        ///< scenes whose bounds do not leave so many digits: more are taken
-    std::map<std::string, long> why{};                  ///< of these at 12 digits, the number with the largest bound
-    std::map<std::string, long> where{};                ///< and the kind of frequency ratio
 
     /// @brief Errors above their bounds, regimes included. @return the count
     [[nodiscard]] long violations() const;
@@ -44,7 +41,7 @@ struct BoundsSurvey {
     [[nodiscard]] double largest_median() const;
 };
 
-/// @brief Compares bounds in double, modes from long double, with 50 digits.
+/// @brief Compares bounds in double, modes from long double, with 100 digits.
 ///
 /// Systems of 1 to 12 masses, chains and others, damping ratios none or from 1e-12 to 0.99; eight frequency ratios each, from
 /// 1e-3 to 1e3, near resonances and near the poles of modes without damping; four friction ratios each, from 1e-6 to beyond the

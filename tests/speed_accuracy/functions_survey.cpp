@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
-#include <optional>
 
 #include "denhartog/evaluation/demand.hpp"
 #include "denhartog/evaluation/mode_arrays.hpp"
 #include "denhartog/evaluation/resonance.hpp"
-#include "tests/speed_accuracy/mode_places.hpp"
+#include "tests/speed_accuracy/function_errors.hpp"
 
 namespace denhartog::tests {
 namespace {
@@ -43,13 +41,6 @@ std::array<T, 5> shipped_motion(const T& tau, const T& R, const T& zeta) {
     return {f[0], f[1], f[2], f[3], s_d_rounded_once(tau, R, zeta)};
 }
 
-template <std::size_t n, class Wide>
-std::array<Real100, n> in_100_digits(const std::array<Wide, n>& f) {
-    std::array<Real100, n> all;
-    for (std::size_t i = 0; i < n; ++i) all[i] = static_cast<Real100>(f[i]);
-    return all;
-}
-
 template <class Wide, class T>
 std::array<Real100, 5> motion_in(const Instant<T>& p) {
     const Wide tau(p.tau), R(p.place.R), zeta(p.place.zeta);
@@ -66,15 +57,6 @@ std::array<Real100, 5> motion_in(const Instant<T>& p) {
     return in_100_digits(f);
 }
 
-/// What a function of a number type gives in enough digits.
-template <class Function>
-auto in_digits(double needed, const Function& f) {
-    if (needed < 100) return f(Real100());
-    if (needed < 300) return f(Real300());
-    if (needed < 600) return f(Real600());
-    return f(Real1100());
-}
-
 /// The truth at an instant, in enough digits: the printed forms lose those of the place, and more of them at the ends of the
 /// half-period, where a quotient of two
 /// small numbers is taken.
@@ -83,99 +65,6 @@ std::array<Real100, 5> truth_of(const Instant<T>& p) {
     const double end = static_cast<double>(std::min(p.tau, T(abs(T(pi<T>() - p.tau))) + std::numeric_limits<T>::epsilon()));
     const double needed = digits_needed(p.place) - 2 * std::log10(end);
     return in_digits(needed, [&]<class Wide>(Wide) { return motion_in<Wide>(p); });
-}
-
-/// Condition numbers, 1 at least, with respect to any argument of a function, moved by h of itself.
-template <std::size_t n, class Wide, std::size_t m, class Function>
-std::array<double, n> conditions(const std::array<Wide, m>& arguments, const Function& function,
-                                 const Wide& h = ldexp(Wide(1), -5 * std::numeric_limits<Wide>::digits / 8)) {
-    const std::array<Wide, n> f = function(arguments);
-    std::array<double, n> found;
-    found.fill(1);
-    for (std::size_t k = 0; k < m; ++k) {
-        std::array<Wide, m> other = arguments;
-        other[k] *= 1 - h;
-        const std::array<Wide, n> there = function(other);
-        for (std::size_t i = 0; i < n; ++i)
-            if (f[i] != 0) found[i] = std::max(found[i], static_cast<double>(Wide(abs(Wide((there[i] - f[i]) / (h * f[i]))))));
-    }
-    return found;
-}
-
-/// Condition numbers of n functions; with R taken as exact, where that counts.
-template <std::size_t n>
-struct ConditionNumbers {
-    std::array<double, n> all, light{};
-};
-
-/// The truth at a point, by which errors are measured, and condition numbers, computed only if they are needed.
-template <std::size_t n>
-struct Reference {
-    std::function<std::array<Real100, n>()> truth;
-    std::function<ConditionNumbers<n>()> conditions;
-};
-
-/// The values of n functions at a point.
-template <std::size_t n, class T>
-struct SurveyedPoint {
-    std::array<T, n> printed, shipped;
-    std::string at;
-    bool always;                  ///< compared with the paper's formulas whatever the forms in 50 digits say
-    bool light = false;           ///< whether the errors count with R taken as exact too
-    std::array<Real100, n> least; ///< sizes below which errors are absolute
-
-    SurveyedPoint(const std::array<T, n>& by_print, const std::array<T, n>& as_shipped, std::string place, bool hard)
-        : printed(by_print), shipped(as_shipped), at(std::move(place)), always(hard || std::is_same_v<T, Real50>) {
-        least.fill(Real100((std::numeric_limits<T>::min)()));
-    }
-};
-
-/// Errors of a function at a point over its condition numbers.
-struct ErrorsAtPoint {
-    double shipped, printed, light;
-    /// Whether one of them is not within a share of the worst so far; an error that is no number is not.
-    [[nodiscard]] bool is_beyond(double share, const FunctionInZone& worst) const {
-        return !(shipped <= share * worst.shipped.error) || !(printed <= share * worst.printed.error) ||
-               !(light <= share * worst.light.error);
-    }
-};
-
-/// Hands the errors over the condition numbers of those functions whose errors may be among the worst to `take`, until that says
-/// that it has seen enough. A condition number can only lessen an error: it is needed for these alone.
-template <std::size_t n, class T, class Take>
-void over_conditions(const FunctionInZone* errors, const SurveyedPoint<n, T>& p, const Reference<n>& by, double share,
-                     const Take& take) {
-    const std::array<Real100, n> truth = by.truth();
-    std::optional<ConditionNumbers<n>> condition;
-    for (std::size_t i = 0; i < n; ++i) {
-        const double error = error_of(p.shipped[i], truth[i], p.least[i]),
-                     of_print = error_of(p.printed[i], truth[i], p.least[i]);
-        if (!ErrorsAtPoint{error, of_print, p.light ? error : 0}.is_beyond(share, errors[i])) continue;
-        if (!condition) condition = by.conditions();
-        const double with_exact_R = p.light ? error / condition->light[i] : 0;
-        if (take(i, ErrorsAtPoint{error / condition->all[i], of_print / condition->all[i], with_exact_R})) return;
-    }
-}
-
-/// Notes the errors of n functions at one point: by the paper's formulas where `always`, where there is nothing nearer, and where
-/// by what is nearer an error is more than half of the worst so far.
-template <std::size_t n, class T>
-void note(FunctionInZone* errors, const SurveyedPoint<n, T>& p, const Reference<n>& near, const Reference<n>& paper) {
-    for (std::size_t i = 0; i < n; ++i) ++errors[i].points;
-    bool is_near_worst = p.always || errors[0].points % always_against_the_paper == 0;
-    if (!is_near_worst)
-        over_conditions(errors, p, near, 0.5, [&](std::size_t i, const ErrorsAtPoint& e) {
-            is_near_worst = e.is_beyond(0.5, errors[i]);
-            return is_near_worst;
-        });
-    if (!is_near_worst) return;
-    for (std::size_t i = 0; i < n; ++i) ++errors[i].against_the_paper;
-    over_conditions(errors, p, paper, 1, [&](std::size_t i, const ErrorsAtPoint& e) {
-        errors[i].shipped.note(e.shipped, p.at);
-        errors[i].printed.note(e.printed, p.at);
-        if (p.light) errors[i].light.note(e.light, p.at);
-        return false;
-    });
 }
 
 /// Condition numbers of the motion; of d, q and their rates those of a step of 4 units too where R is small beside tau.

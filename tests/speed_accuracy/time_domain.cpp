@@ -14,7 +14,6 @@
 #include "tests/speed_accuracy/cycles_survey.hpp"
 #include "tests/speed_accuracy/functions_survey.hpp"
 #include "tests/speed_accuracy/regime_survey.hpp"
-#include "tests/speed_accuracy/speed.hpp"
 #include "tests/speed_accuracy/stick_slip_survey.hpp"
 #include "tests/support/paper_systems.hpp"
 
@@ -152,7 +151,7 @@ int main(int argc, char** argv) {
                      "How many points in float and double; a quarter in long double, a fiftieth in 50 digits")
         ->check(CLI::PositiveNumber);
     CLI::App* of_bounds =
-        add("bounds", "Bounds of rounding errors in double against 50 digits", [&] { return bounds(bounded_scenes, seed); });
+        add("bounds", "Bounds of rounding errors in double against 100 digits", [&] { return bounds(bounded_scenes, seed); });
     of_bounds->add_option("--scenes", bounded_scenes, "How many scenes")->check(CLI::PositiveNumber);
     of_bounds->add_option("--seed", seed, "Seed of the scenes");
     AdversarialRun run;
@@ -178,12 +177,6 @@ int main(int argc, char** argv) {
     };
     add_adversarial("adversarial", "Every question to scenes from the corners of what a scene may be", true);
     add_adversarial("contradictions", "Answers of few digits beside those of many, number by number", false);
-    add("speed", "Time and digits against the paper's algorithm",
-        [&] {
-            return RunOutcome{{exact_solver_speed(repeats), usual_questions_speed(repeats)}, true};
-        })
-        ->add_option("--repeats", repeats, "Runs of which the median is taken")
-        ->check(CLI::PositiveNumber);
     add("batch", "Time of batches beside the bare functions, errors of those, and cost against the size of the task",
         [&] {
             const std::vector<BatchCost> costs = batch_costs(repeats);

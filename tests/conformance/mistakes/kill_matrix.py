@@ -2,15 +2,14 @@
 
 A mistake is made by edits of an adapter or by arguments of a solver (programs.txt). Its program has to be found
 wrong, and the first diagnosis has to be the right one; a correct program has to pass, one in single precision to be found
-inaccurate and nowhere wrong, and one that has no name must not conform. Every two equations as printed are made together, and all
-at once: each has to be named, and nothing else; but (68) beside all others, where it changes one answer. Where the vectors that show a mistake are no `must`, the run conforms but finds it all the
-same. An edit whose text is not there exactly once is an error. Usage:
+inaccurate and nowhere wrong, and one that has no name must not conform. Where the vectors that show a mistake are no `must`, the
+run conforms but finds it all the same. An edit whose text is not there exactly once is an error. Programs that make several
+mistakes at once are for diagnose_several.cpp. Usage:
 kill_matrix.py --program DENHARTOG --vectors FOLDER --output FOLDER [--only NAME] [--all]
 With --only one of them is run, and no table written. A program that is asked one in so many of all vectors is asked a quarter of
 these, and with --all each of them.
 """
 import argparse
-import itertools
 import json
 import shutil
 import subprocess
@@ -23,7 +22,6 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ADAPTERS = HERE.parent / "adapters"
 WRONG = ("wrong", "as-printed", "wrong-regime")
-BEYOND = "sliding-beyond-the-boundary"
 MOST_CAUGHT = 24  # vectors that claim to catch the mistake
 MOST_A_QUANTITY = 3  # vectors besides, of every quantity
 
@@ -110,29 +108,6 @@ def run(options, vectors, subject):
             "mistaken": [f"{r['id']}: {r['verdict']} {r.get('reason', '')} {r.get('error', '')}" for r in wrong][:8]}
 
 
-def combined(subjects, is_all):
-    """Equations as printed, every two of them (one pair in four without `is_all`), and all at once.
-
-    The programs give the closed form wherever it has a number: a boundary as printed would hide the motion."""
-    printed = {s["name"]: s["edits"] for s in subjects if s["name"].endswith("-as-printed")}
-    initial = next(s["edits"] for s in subjects if s["name"] == "44 with 45")  # both change the same line
-
-    beyond = next(s["edits"] for s in subjects if s["name"] == BEYOND)[:1]
-
-    def edits(names):
-        both = {"44-as-printed", "45-as-printed"} <= set(names)
-        return beyond + (initial if both else []) + [
-            e for name in names if not (both and name in ("44-as-printed", "45-as-printed")) for e in printed[name]]
-
-    del printed["4-as-printed"]  # no load but on the contact: (88) is right then, and others do not show
-    pairs = list(itertools.combinations(printed, 2))[:: 1 if is_all else 4]
-    return [{"name": " and ".join(name.removesuffix("-as-printed") for name in names) if len(names) == 2 else "as printed",
-             "combines": list(names), "diagnosis": list(names), "edits": edits(names),
-             "hidden": [] if len(names) == 2 else ["68-as-printed"],  # with (56) and (57), it shows in one answer
-             "most": 2000 if {"57-as-printed", "68-as-printed"} <= set(names) else 200}  # with (57) alone, in three
-            for names in [*pairs, tuple(printed)]]
-
-
 def fault_of(subject, result):
     """What is amiss; empty where all is as it has to be."""
     if result["error"]:
@@ -147,10 +122,6 @@ def fault_of(subject, result):
         return f"survives {result['asked']} questions"
     if subject.get("verdict") == "fails":
         return "" if result["status"] == 1 else f"conforms, with {result['wrong']} wrong answers"
-    if "combines" in subject:
-        names = sorted({f["mistake"] for f in result["findings"]} - {BEYOND})
-        right = sorted(set(subject["combines"]) - set(subject["hidden"]))
-        return "" if names == right else f"named {', '.join(names) or 'nothing'}"
     first = result["findings"][0]["mistake"] if result["findings"] else "none"
     if first not in subject["diagnosis"]:
         return f"first diagnosis is {first}"
@@ -185,9 +156,8 @@ def main():
     subjects = programs_in((HERE / "programs.txt").read_text())
     for subject in subjects:
         subject.setdefault("diagnosis", [subject["name"]])
-    subjects += combined(subjects, options.all)
-    subjects = [s for s in subjects if options.only in (None, s["name"]) and (s.get("adapter") != "javascript" or shutil.which("node"))
-                and s.get("verdict") != "part"]
+    subjects = [s for s in subjects if options.only in (None, s["name"])
+                and (s.get("adapter") != "javascript" or shutil.which("node"))]
     with ThreadPoolExecutor(2) as pool:
         results = list(pool.map(lambda s: run(options, vectors, s), subjects))
     rows = sorted(((s["name"], r) for s, r in zip(subjects, results)), key=lambda row: row[0])
