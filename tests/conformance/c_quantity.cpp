@@ -1,4 +1,5 @@
-// Quantities of the protocol by their names through the C interface: what its other functions say, and what it refuses.
+// Quantities of the protocol by their names through the C interface: how many numbers each has, where it does not exist, and what
+// is refused. `c_errors.cpp` compares the numbers with the certified vectors.
 #include <algorithm>
 #include <limits>
 

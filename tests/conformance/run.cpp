@@ -65,7 +65,7 @@ TEST_CASE("a run ends with its status, and tells what it found", "[conformance][
          1,
          {"<system-out>&#10;Diagnosis (1 answer is wrong or inaccurate):", "Does not conform.&#10;</system-out>"}},
         {"--format junit", right, 0, {}, {"system-out"}},
-        {"--format markdown", // whose cells nobody's text can end
+        {"--format markdown", // no text of an answer can end a cell
          with_answer("amplitude-1 value 0.25", "amplitude-1 value a|b"),
          1,
          {"## Table of answers", "a\\|b", "| tier | group | asked |"}},

@@ -1,7 +1,7 @@
 """Asks every implementation of adapters/ the certified vectors by `denhartog conform run`, and writes the scores.
 
 None may give a wrong, inaccurate or loose answer, fail to reject, skip what a closed form gives, or break. What is missing is
-skipped by name. One question in ten is asked and all that break a rule, and with --all every question. Usage:
+skipped by name. One question in ten is asked and all that break a rule; with --all every question. Usage:
 score_adapters.py --program DENHARTOG --vectors FOLDER --output FOLDER --library LIBDENHARTOG [--all]
 """
 import argparse
@@ -13,7 +13,7 @@ import tempfile
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent / "adapters"
-RIGHT = ("pass", "pass-loose", "rejected", "skipped")
+COLUMNS = ("pass", "pass-loose", "rejected", "skipped")
 
 
 def implementations(folder, library):
@@ -69,9 +69,9 @@ def table(scores, skipped, is_all):
     for name, rows in scores.items():
         for tier, row in rows.items():
             counts = row["counts"]
-            other = sum(n for verdict, n in counts.items() if verdict not in RIGHT)
+            other = sum(n for verdict, n in counts.items() if verdict not in COLUMNS)
             digits = [f"{row[key]:.1f}" if row[key] is not None else "" for key in ("median_digits", "worst_digits")]
-            lines.append(f"| {name} | {tier} | {row['asked']} | " + " | ".join(str(counts[v]) for v in RIGHT) +
+            lines.append(f"| {name} | {tier} | {row['asked']} | " + " | ".join(str(counts[v]) for v in COLUMNS) +
                          f" | {other} | {digits[0]} | {digits[1]} |")
     text = "\n".join([*lines, "", "Skipped are motions with stops, which no closed form gives; the library and the JavaScript "
                       "answer them from event to event. The rows `systems` are about systems beyond the paper; an implementation "
@@ -97,12 +97,12 @@ def main():
                 skipped.append(f"{language} ({needed})")
                 print(f"{language}: skipped, {needed} is not installed")
                 continue
-            report = score(options, folder, build, start, f"^{group}" + ("" if options.all else "(.*0|reject.*)$"))
+            report = score(options, folder, build, start, f"^{group}" + ("" if options.all else "(.*0|(systems-)?reject.*)$"))
             scores[language] = tiers(report)
             smoke = [options.program, "conform", "smoke", "--", *map(str, start)]
             if subprocess.run(smoke, stdout=subprocess.DEVNULL).returncode:
                 faults.append(f"{language}: `conform smoke` fails")
-            bad = [r for r in report["results"] if r["verdict"] not in RIGHT or r["verdict"] == "pass-loose" or
+            bad = [r for r in report["results"] if r["verdict"] not in COLUMNS or r["verdict"] == "pass-loose" or
                    (r["verdict"] == "skipped" and r["id"] in closed)]
             faults += [f"{language}: {r['id']} {r['verdict']} {r.get('reason', '')} {r.get('error', '')}" for r in bad]
             faults += [f"{language}: {note}" for note in report["notes"]]

@@ -234,6 +234,12 @@ TEST_CASE("everyday questions cost no more operations than they were seen to", "
     for (int n = 10; n <= 250; ++n) curve.r.push_back(n / 100.0);
     for (const Everyday& each : {curve, Everyday{"five masses, sliding", five_masses<double>(3, 0.01), {0.9}, 0.2, 500, 0},
                                  Everyday{"one mass, stick-slip", single_mass(0.01), {0.1}, 0.2, 304, 41},
+                                 Everyday{"a light mass on a stiff spring, far below resonance",
+                                          chain_of({1, 1e-4, 1}, {1, 1e6, 1}, 0.05, 1, 3),
+                                          {0.1},
+                                          0.2,
+                                          1,
+                                          1},
                                  Everyday{"one mass, sliding", single_mass(0.01), {0.9}, 0.2, 0, 0}}) {
         QuestionEffort effort(number_of_masses(each.system));
         const long phases = phases_propagated();

@@ -39,9 +39,8 @@ const std::vector<Expected>& expected() {
     return rows;
 }
 
-/// True if the paper's form of a function loses more than half of its digits, or has a part larger than every number of the type,
-/// such as the square of 1 - R^2 for R = 1e100, the hyperbolic cosine of pi zeta / R for R = 1e-8, ten to the power of 14
-/// millions.
+/// True if the paper's form of a function loses more than half of its digits, or if a part of it exceeds every number of the
+/// type. Examples: (1 - R^2)^2 at R = 1e100 is 1e400; cosh(pi zeta / R) at R = 1e-8 is about ten to the power of 14 million.
 bool is_lost(std::size_t path, std::size_t f, int largest_power_of_ten) {
     const std::string& words = expected()[path].words;
     if (words == "R = 1/x → ∞, ζ = 0.1" && f == 0) return largest_power_of_ten < 400;

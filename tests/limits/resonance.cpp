@@ -12,8 +12,7 @@
 using namespace denhartog::tests;
 using namespace denhartog;
 
-// Resonance: the limits zeta -> 0 and R -> 1 along several paths, and the orders of the errors of (77)-(85), in 50 and 100
-// digits.
+// Resonance: (67) along paths to zeta = 0 and R = 1, and the orders of the errors of (77)-(85), in 50 and 100 digits.
 
 namespace {
 

@@ -18,7 +18,8 @@ struct Sums {
     double printed, shipped, library;
 };
 
-// The library is built for double, 50 and 100 digits; its forms work in long double too.
+// The sums over modes are built for double and, for the tests, for 50 and 100 digits. The forms of a mode work in long double
+// too.
 template <class T>
 Sums digits_in(const Scene<double>& scene, const ModesAtContact<Real100>& modes, const Real100& X) {
     const ModesAtContact<T> m = rounded<T>(modes);

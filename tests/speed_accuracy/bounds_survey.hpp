@@ -28,12 +28,12 @@ struct BoundsSurvey {
     long scenes = 0;                                    ///< scenes: a system, r, beta and an instant each
     long poles = 0;                                     ///< r next to a pole of a mode without damping: no answer
     long unsettled = 0;                                 ///< frequencies at which the search for S found no end
-    long full_searches = 0;                             ///< of which S was searched for in 100 digits too
+    long full_searches = 0;                             ///< frequencies at which S was searched for in 100 digits too
     long regimes = 0;                                   ///< regimes that the bound of beta_lim decides
     long wrong_regimes = 0;                             ///< of these, wrong ones
     long open_regimes = 0;                              ///< beta within the bound of beta_lim
     std::map<std::string, QuantityBounds> quantities{}; ///< by name
-    std::map<int, long> steps{};                        ///< scenes whose bounds do not leave so many digits: more are taken
+    std::map<int, long> steps{};                        ///< scenes whose bounds do not leave so many digits, by their number
 
     /// @brief Errors above their bounds, regimes included. @return the count
     [[nodiscard]] long violations() const;

@@ -76,7 +76,7 @@ struct SurveyedPoint {
 /// Errors of a function at a point over its condition numbers.
 struct ErrorsAtPoint {
     double shipped, printed, light;
-    /// Whether one of them is not within a share of the worst so far; an error that is no number is not.
+    /// True if one of them exceeds a share of the worst so far, or is no number.
     [[nodiscard]] bool is_beyond(double share, const FunctionInZone& worst) const {
         return !(shipped <= share * worst.shipped.error) || !(printed <= share * worst.printed.error) ||
                !(light <= share * worst.light.error);
@@ -100,8 +100,9 @@ void over_conditions(const FunctionInZone* errors, const SurveyedPoint<n, T>& p,
     }
 }
 
-/// Notes the errors of n functions at one point: by the paper's formulas where `always`, where there is nothing nearer, and where
-/// by what is nearer an error is more than half of the worst so far.
+/// Notes the errors of n functions at one point. The truth is that of the paper's formulas, which is slow. It is computed at
+/// every point marked `always`, at one point in `always_against_the_paper`, and at points where the cheaper reference `near`
+/// shows an error of more than half of the worst so far.
 template <std::size_t n, class T>
 void note(FunctionInZone* errors, const SurveyedPoint<n, T>& p, const Reference<n>& near, const Reference<n>& paper) {
     for (std::size_t i = 0; i < n; ++i) ++errors[i].points;

@@ -1,5 +1,5 @@
 /// @file
-/// @brief The multiprecision number types the library is built for, with what Eigen has to know of them.
+/// @brief Number types of 50 and 100 digits for the tests and figures, with what Eigen has to know of them.
 ///
 /// MPFR rounds every operation and every elementary function correctly, so that the digits are the same on every machine.
 /// A number holds its digits in itself: none is allocated.

@@ -51,7 +51,7 @@ TEST_CASE("a table finds every kind of claim that is wrong", "[program]") {
         INFO(to);
         CHECK_FALSE(faults_of(wrong).empty());
     }
-    CHECK_FALSE(faults_of("0 solve --samples 4 < restless").empty()); // it has an error that is not told of
+    CHECK_FALSE(faults_of("0 solve --samples 4 < restless").empty()); // the run prints an error that the row does not state
 }
 
 TEST_CASE("a bad scene gives one line that names quantity and rule, status 2 and no output", "[program][input]") {

@@ -1,5 +1,5 @@
 // A step of the search for the first zero: what the bounds of a jet prove over it, by Bernstein coefficients of the Taylor
-// polynomial.
+// polynomial; and the zero of that polynomial.
 #include "denhartog/search/zeros.hpp"
 
 #include "denhartog/number/number.hpp"
@@ -8,7 +8,7 @@ namespace denhartog {
 namespace {
 
 // Of a polynomial on [0, 1] that is zero to an order at 0, over t^order: what its derivative k + order there brings to Bernstein
-// coefficient i, which is (i over k) / (degree over k) / (k + order)!.
+// coefficient i, which is (i choose k) / (degree choose k) / (k + order)!.
 template <int degree, int order>
 constexpr auto bernstein_weights = [] {
     std::array<std::array<double, degree + 1>, degree + 1> weights{};
@@ -23,8 +23,8 @@ constexpr auto bernstein_weights = [] {
     return weights;
 }();
 
-// True if the Bernstein coefficients on [0, h] of `sign` times that polynomial exceed a limit: the polynomial lies above the least
-// of them. The last one is its value at h. The derivatives are those from `order` on.
+// True if the Bernstein coefficients on [0, h] of `sign` times such a polynomial exceed a limit: the polynomial lies above the
+// least of them. The last one is its value at h. The derivatives are those from `order` on.
 template <int degree, int order>
 bool exceeds(const double* derivatives, double sign, double h, double limit) {
     std::array<double, degree + 1> terms;
@@ -40,11 +40,18 @@ bool exceeds(const double* derivatives, double sign, double h, double limit) {
     return true;
 }
 
-// Bound of what f' differs by from its Taylor polynomial over [0, h].
-double remainder_of_slope(const Jet& jet, double h) {
-    const double grown = jet.growth * h, h_3 = h * h * h;
-    return std::min((jet.bound + grown) * h * h * h_3 * (1.0 / 120),
-                    (std::abs(jet.f[4]) + std::abs(jet.f[5]) * h / 4 + jet.fourth + grown) * h_3 * (1.0 / 6));
+// A polynomial over [0, h] with bounds of its difference from f, and of that of the slopes: Taylor's of fifth degree or, where
+// the bound of the fourth derivative does more than that of the sixth, of third degree.
+struct Nearby {
+    std::array<double, 6> f; // derivatives at 0
+    double remainder, remainder_of_slope;
+};
+
+Nearby nearby(const Jet& jet, double h) {
+    const double grown = jet.growth * h, h_3 = h * h * h, by_sixth = (jet.bound + grown) * h_3 * h_3 * (1.0 / 720),
+                 by_fourth = (jet.fourth + grown) * h_3 * h * (1.0 / 24);
+    if (by_fourth < by_sixth) return {{jet.f[0], jet.f[1], jet.f[2], jet.f[3]}, by_fourth, 4 * by_fourth / h};
+    return {jet.f, by_sixth, 6 * by_sixth / h};
 }
 
 // The Taylor polynomial and its slope.
@@ -57,32 +64,28 @@ ValueAt taylor(const std::array<double, 6>& f, double t) {
 
 } // namespace
 
-double remainder(const Jet& jet, double h) {
-    const double grown = jet.growth * h, h_4 = h * h * h * h;
-    return std::min((jet.bound + grown) * h * h * h_4 * (1.0 / 720),
-                    (std::abs(jet.f[4]) + std::abs(jet.f[5]) * h * 0.2 + jet.fourth + grown) * h_4 * (1.0 / 24));
-}
-
 bool stays_positive(const Jet& jet, int order, double h) {
-    const double* f = jet.f.data();
     if (h < tangent_up_to) {
         const double bend = (jet.second + jet.growth * h) * h / 2;
-        if (order == 0 && std::min(f[0], f[0] + f[1] * h) > bend * h) return true;
-        if (order == 1 && f[1] > bend) return true;
+        if (order == 0 && std::min(jet.f[0], jet.f[0] + jet.f[1] * h) > bend * h) return true;
+        if (order == 1 && jet.f[1] > bend) return true;
     }
-    const double left = remainder(jet, h);
-    if (order == 2) return exceeds<3, 2>(f + 2, 1, h, left / (h * h));
-    if (order == 1) return exceeds<4, 1>(f + 1, 1, h, left / h);
-    return exceeds<5, 0>(f, 1, h, left);
+    const Nearby p = nearby(jet, h);
+    if (order == 2) return exceeds<3, 2>(&p.f[2], 1, h, p.remainder / (h * h));
+    if (order == 1) return exceeds<4, 1>(&p.f[1], 1, h, p.remainder / h);
+    return exceeds<5, 0>(&p.f[0], 1, h, p.remainder);
 }
 
 bool falls(const Jet& jet, double h) {
-    const double* f = jet.f.data();
-    if (h < tangent_up_to && f[1] < -(jet.second + jet.growth * h) * h) return true;
-    return exceeds<4, 0>(f + 1, -1, h, remainder_of_slope(jet, h));
+    if (h < tangent_up_to && jet.f[1] < -(jet.second + jet.growth * h) * h) return true;
+    const Nearby p = nearby(jet, h);
+    return exceeds<4, 0>(&p.f[1], -1, h, p.remainder_of_slope);
 }
 
-bool is_below(const Jet& jet, double h) { return taylor(jet.f, h).f < -remainder(jet, h); }
+bool is_below(const Jet& jet, double h) {
+    const Nearby p = nearby(jet, h);
+    return taylor(p.f, h).f < -p.remainder;
+}
 
 ValueAt zero_of_taylor(const Jet& jet, double low, double high) {
     constexpr int most_steps = 60;

@@ -5,9 +5,10 @@
 /// The first zero of a smooth function is found with none missed: steps are taken only as far as bounds allow. Over a step h the
 /// Taylor polynomial is bounded from below by its Bernstein coefficients on [0, h]. If they exceed the remainder there is no zero
 /// in the step; if the polynomial of the derivative stays negative by more than its remainder there is one at most, and the sign at
-/// the end decides. In short steps a tangent and a bound of the second derivative do as well: for fast modes that hardly move,
-/// rounding makes the bounds of higher derivatives too large to decide anything. Otherwise the step is shortened. The zero itself
-/// is that of the Taylor polynomial at an instant so near that the remainder is nothing.
+/// the end decides. The polynomial is that of fifth degree or that of third degree, whichever has the smaller remainder, and in
+/// short steps a tangent is tried first: for fast modes that hardly move, rounding makes the bounds of higher derivatives
+/// useless. Otherwise the step is shortened. The zero itself is that of the Taylor polynomial at an instant so near that the
+/// remainder is below rounding.
 #pragma once
 
 #include <algorithm>
@@ -32,8 +33,8 @@ struct ValueAt {
 
 /// @brief The zero between two instants, to rounding: f has opposite signs there, or is zero at `now`. The inverse function as a
 /// cubic through the last two instants with their slopes shows where to look next, within what is known to hold the zero. A step
-/// leaves an error proportional to the product of the squared distances of both instants from the zero; the factor is taken from
-/// the step before, or, if this is larger, such that the error is the bracket's width if both are that far.
+/// leaves an error of about a constant times the squares of the distances of both instants from the zero. The constant is taken
+/// from the step before. It is at least the one that makes the error equal to the bracket if both are that far away.
 template <class Function>
 [[nodiscard]] double bracketed_zero(const Function& at, ValueAt now, ValueAt before) {
     using std::abs;
@@ -74,7 +75,7 @@ struct Jet {
     double second = std::numeric_limits<double>::infinity(); ///< the same of the second derivative
 };
 
-/// @brief Zeros of functions, or where the search had to end.
+/// @brief The first zero of one of the functions, or where the search had to end.
 struct Crossing {
     double t;              ///< where it is
     bool touches;          ///< the function reaches zero there to rounding, but no step is short enough to see it cross
@@ -83,11 +84,8 @@ struct Crossing {
     bool open = false;
 };
 
-/// @brief Bound of what f differs by from its Taylor polynomial over [0, h].
-[[nodiscard]] double remainder(const Jet& jet, double h);
-
-/// @brief True if bounds prove that f > 0 on (0, h], where its first `order` derivatives, f included, two at most, are zero at
-/// the start of the step.
+/// @brief True if bounds prove that f > 0 on (0, h]. The function and its derivatives below `order`, which is 0, 1 or 2, are zero
+/// at the start.
 [[nodiscard]] bool stays_positive(const Jet& jet, int order, double h);
 
 /// @brief True if bounds prove that f' < 0 on [0, h].
@@ -99,22 +97,19 @@ struct Crossing {
 /// @brief The zero of a falling Taylor polynomial between two distances from its instant, with the slope there.
 [[nodiscard]] ValueAt zero_of_taylor(const Jet& jet, double low, double high);
 
-/// @brief The zero of a function that falls over [from, to], above zero at the one and not at the other, to rounding. The jet is
-/// that at t, which is one of them; its bounds hold over the whole.
+/// @brief The zero, to rounding, of a function that falls over [from, to]: it is positive at `from` and not at `to`. The jet is
+/// that at t, which is one of them. Its bounds hold over the whole.
 template <class Function>
 [[nodiscard]] double zero_of_falling(const Function& at, double from, double to, double t, Jet jet) {
     constexpr int most_steps = 200;
-    const double bound = jet.bound, fourth = jet.fourth;
+    const double bound = jet.bound;
     for (int n = 0; n < most_steps; ++n) {
-        jet.bound = bound;
-        jet.fourth = fourth;
-        jet.growth = 0;
         const ValueAt zero = zero_of_taylor(jet, from - t, to - t);
         const bool falls_off = from < t + zero.t && t + zero.t < to && n % 4 != 3;
-        const double next = falls_off ? t + zero.t : from + (to - from) / 2,
+        const double next = falls_off ? t + zero.t : from + (to - from) / 2, d_2 = zero.t * zero.t,
                      tiny = std::numeric_limits<double>::epsilon() * std::abs(next);
         if (std::abs(zero.t) <= tiny || !(from < next && next < to)) return t;
-        if (falls_off && remainder(jet, std::abs(zero.t)) <= tiny / 4 * std::abs(zero.slope)) return next;
+        if (falls_off && bound * d_2 * d_2 * d_2 / 720 <= tiny / 4 * std::abs(zero.slope)) return next;
         jet = at(t = next);
         (jet.f[0] > 0 ? from : to) = t;
     }
@@ -123,14 +118,14 @@ template <class Function>
 
 /// @brief First zero of functions that are positive after the start; none up to the end.
 ///
-/// A step is shortened until its bounds decide, no further than the digits of t go; between two steps the effort is looked at, which
-/// the functions spend. `order` is that of the zero at the start: 0 where f > 0 there, 1 where f' > 0, 2 where f'' > 0; it is left
-/// as that at the crossing. `step` is the first one tried, and is left as the last one taken.
+/// A step is shortened until its bounds decide, no further than the digits of t go. The functions spend the effort, and the
+/// search ends when it is spent. `order` is that of the zero at the start: 0 if f > 0 there, 1 if f' > 0, 2 if f'' > 0. On return
+/// it is that at the start of the last step. `step` is the first step tried. On return it is the one to try next.
 template <class Functions, std::size_t count>
 [[nodiscard]] std::optional<Crossing> first_crossing(const Functions& at, double t, double t_end, std::array<int, count>& order,
                                                      double& step, const Effort& effort) {
     const double shortest = 4 * std::numeric_limits<double>::epsilon() * std::max(1.0, t_end);
-    const double least((std::numeric_limits<double>::min)()); // from 0 on no step is halved below it
+    const double least((std::numeric_limits<double>::min)()); // a search that starts at 0 does not shorten its step below this
     std::array<Jet, count> jets = at(t);
     while (t < t_end) {
         for (std::size_t k = 0; k < count; ++k)
@@ -161,7 +156,6 @@ template <class Functions, std::size_t count>
                 if (crosses || ahead[which].f[0] <= 0) {
                     Jet nearer = crosses ? jet : ahead[which];
                     nearer.bound = jet.bound + jet.growth * h;
-                    nearer.fourth = jet.fourth + jet.growth * h;
                     const auto one = [&](double x) { return at(x)[which]; };
                     return Crossing{zero_of_falling(one, t, next, crosses ? t : next, nearer), false, which};
                 }

@@ -18,16 +18,16 @@
 namespace denhartog {
 namespace {
 
-// Bound of the norm of one coordinate if D is diagonal: the sum of both sizes, at most sqrt(2) times the norm.
-double energy_norm(const LinearMotion& motion, int m, std::size_t i) {
+// Bound of the energy norm of one coordinate, if D is diagonal: the sum of its two terms. It exceeds the norm by sqrt(2) at most.
+double bound_of_energy_norm(const LinearMotion& motion, int m, std::size_t i) {
     return std::abs(motion.q[m + 1][i]) + motion.omega_0[i] * std::abs(motion.q[m][i]);
 }
 
-// Energy norm of derivative m, at most 6, and its velocity at the instant last evaluated, sqrt(sum q^(m+1)^2 + omega_0^2 q^(m)^2):
-// it grows by |F| a unit of time at most.
+// Energy norm of derivative m, up to the sixth, at the instant last evaluated, sqrt(sum q^(m+1)^2 + omega_0^2 q^(m)^2). It grows
+// by |F| at most in a unit of time.
 double energy_norm(const LinearMotion& motion, int m) {
     double largest = 0, sum = 0;
-    for (std::size_t i = 0; i < motion.size(); ++i) largest = std::max(largest, energy_norm(motion, m, i));
+    for (std::size_t i = 0; i < motion.size(); ++i) largest = std::max(largest, bound_of_energy_norm(motion, m, i));
     if (!(largest > 0)) return largest;
     for (std::size_t i = 0; i < motion.size(); ++i) {
         const double v = motion.q[m + 1][i] / largest, y = motion.omega_0[i] * motion.q[m][i] / largest;
@@ -96,7 +96,8 @@ private:
                 x.col(4 + m / 2) = phi_.rowwise().norm() * energy_norm(motion_, m);
                 continue;
             }
-            for (Eigen::Index i = 0; i < norms_.size(); ++i) norms_(i) = energy_norm(motion_, m, static_cast<std::size_t>(i));
+            for (Eigen::Index i = 0; i < norms_.size(); ++i)
+                norms_(i) = bound_of_energy_norm(motion_, m, static_cast<std::size_t>(i));
             x.col(4 + m / 2).noalias() = sizes_.lazyProduct(norms_);
         }
         if (frame_ > 0) x.rightCols(2).array() += frame_;
@@ -133,9 +134,9 @@ Jet ExactSolver::velocity_ahead(int direction, double t) {
     Jet jet{velocity(direction, t), 0, 0, 0, 0, 0};
     for (std::size_t i = 0; i < N_; ++i) {
         const double size = std::abs(system_->contact_shape(i));
-        jet.bound += size * energy_norm(sliding_, 6, i);
-        jet.fourth += size * energy_norm(sliding_, 4, i);
-        jet.second += size * energy_norm(sliding_, 2, i);
+        jet.bound += size * bound_of_energy_norm(sliding_, 6, i);
+        jet.fourth += size * bound_of_energy_norm(sliding_, 4, i);
+        jet.second += size * bound_of_energy_norm(sliding_, 2, i);
         jet.growth += size * std::abs(sliding_.F[i]);
         jet.noise += size * std::abs(sliding_.q[1][i]);
     }

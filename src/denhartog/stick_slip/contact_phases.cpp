@@ -1,7 +1,8 @@
 // One phase of a motion with stops, and its end. `LinearMotion` carries the modes through a phase by (21), in closed form, or by
 // the exponential of a matrix if damping couples them. Sliding ends if the velocity of the contact is zero, sticking if the load
-// (75) on it exceeds static friction, (74): `velocity` and `load` give these with three derivatives, `end_of_sliding` and
-// `end_of_sticking` find their first zero and miss none. `set` comes first: it prepares (6) for one frequency and friction ratio.
+// (75) on it exceeds static friction, (74): `velocity` and `load` give these with five derivatives, `end_of_sliding` and
+// `end_of_sticking` find the first of these events and miss none. `set` comes first: it prepares (6) for one frequency and
+// friction ratio.
 #include "denhartog/stick_slip/exact_motion.hpp"
 
 #include <algorithm>
@@ -278,7 +279,7 @@ Event ExactSolver::end_of_sticking_alone(double tau, double length) {
 Event ExactSolver::end_of_sticking(double tau, double length) {
     if (N_ == 1 && direct_.im == 0) return end_of_sticking_alone(tau, length);
     const double holds = e_.mu * e_.beta;
-    const auto left = [&](double t) { // what friction holds less the load, on either side
+    const auto reserve = [&](double t) { // what friction holds less the load, on either side
         std::array<Jet, 2> sides{load_ahead(t)};
         sides[1] = sides[0];
         for (double& f : sides[0].f) f = -f;
@@ -288,13 +289,13 @@ Event ExactSolver::end_of_sticking(double tau, double length) {
     std::array<int, 2> order{};
     double from = 0;
     for (int tangencies = 0;;) {
-        const std::optional<Crossing> zero = first_crossing(left, from, length, order, step_, *effort_);
+        const std::optional<Crossing> zero = first_crossing(reserve, from, length, order, step_, *effort_);
         if (!zero) return {length, 0, 0, 0, false};
         if (zero->open) return {zero->t, 0, 0, 0, false, true};
         const int side = zero->which == 0 ? 1 : -1;
         if (zero->touches) {
             ++motion_.touching;
-            const Jet jet = left(zero->t)[zero->which];
+            const Jet jet = reserve(zero->t)[zero->which];
             const bool turns_back = jet.f[2] > 0 && zero->t > from, recedes = jet.f[1] > 0;
             if ((turns_back || recedes) && ++tangencies < most_tangencies) {
                 from = zero->t; // the load reaches what friction holds and draws back: the contact stays

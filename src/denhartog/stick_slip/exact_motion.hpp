@@ -118,7 +118,7 @@ private:
 struct Event {
     double t;          ///< time from the start of the phase
     int next;          ///< direction of the next phase
-    int order;         ///< order of the zero of its guard function
+    int order;         ///< order of the zero that the velocity of the contact has at the start of the next phase, if that slides
     double load;       ///< load on the contact
     bool found;        ///< false if the end of the stretch came first
     bool open = false; ///< no end was found up to t, and what comes after is not known
@@ -326,7 +326,7 @@ private:
     double load_per_energy_; // bound of a derivative of the load on the contact over the energy norm of that order
     double load_rest_;       // what the inertia of the others adds to that bound
     double load_growth_;     // how fast the bound grows
-    double step_;            // a step that the search for events took
+    double step_;            // the step that the next search for an event tries first
     State z_;                // at the start of the phase
     ExactMotion motion_;     // the last motion, as far as it came
     Deviations deviations_;  // of its end, if they were asked for
