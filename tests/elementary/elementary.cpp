@@ -192,6 +192,55 @@ TEST_CASE("angles of points are within 0.53 units of MPFR's and lengths within 0
     CHECK(length.units <= 0.6);
 }
 
+TEST_CASE("the kernels of the elementary functions are good to 57 bits", "[accuracy][elementary]") {
+    using elementary::Parts;
+    struct Case {
+        const char* name;
+        Parts (*ours)(double);
+        Mpfr exact;
+        double from, to;
+        int doublings = 0; ///< up to so many are drawn for each argument
+    };
+    const auto exponential = [](double x) {
+        const elementary::TakenApart e = elementary::exponential(x);
+        const double first = e.t * elementary::power_of_two(e.m);
+        return Parts{first, first * (e.r + e.s)};
+    };
+    const auto sine = [](double x) { return elementary::sine(elementary::reduce(x)); };
+    const auto cosine = [](double x) { return elementary::cosine(elementary::reduce(x)); };
+    const auto sine_of_half_turns = [](double x) {
+        return elementary::sine(elementary::reduce_half_turns(elementary::without_many_turns(x)));
+    };
+    const auto cosine_of_half_turns = [](double x) {
+        return elementary::cosine(elementary::reduce_half_turns(elementary::without_many_turns(x)));
+    };
+    const std::vector<Case> cases{{"exp", exponential, mpfr_exp, -600, 700},
+                                  {"expm1", [](double x) { return elementary::exponential_less_one(x); }, mpfr_expm1, -2, 2},
+                                  {"sin", sine, mpfr_sin, -100, 100},
+                                  {"cos", cosine, mpfr_cos, -100, 100},
+                                  {"sine of half turns", sine_of_half_turns, sine_of_half_turns_by_mpfr, -3, 3},
+                                  {"cosine of half turns", cosine_of_half_turns, cosine_of_half_turns_by_mpfr, -3, 3},
+                                  {"sin of many turns", sine, mpfr_sin, -100, 100, 1000},
+                                  {"cos of many turns", cosine, mpfr_cos, -100, 100, 1000},
+                                  {"sine of many half turns", sine_of_half_turns, sine_of_half_turns_by_mpfr, -3, 3, 1000},
+                                  {"cosine of many half turns", cosine_of_half_turns, cosine_of_half_turns_by_mpfr, -3, 3, 1000}};
+    std::mt19937_64 random(37);
+    const auto share = [&] { return static_cast<double>(random() >> 11U) * 0x1p-53; };
+    Exact exact;
+    for (const Case& f : cases) {
+        Worst worst;
+        for (int n = 0; n < 4000; ++n) {
+            const int doublings = f.doublings > 0 ? static_cast<int>(random() % static_cast<unsigned>(f.doublings)) : 0;
+            const double x = std::ldexp(f.from + (f.to - f.from) * share(), doublings);
+            f.exact(exact.x, Exact(x).x, MPFR_RNDN);
+            const Parts found = f.ours(x);
+            worst.take(units_apart(found, exact), x);
+        }
+        INFO(f.name << ": " << worst.units << " units of a double at " << tests::hexadecimal(worst.x));
+        CHECK(worst.units <= 0x1p-4);
+    }
+}
+
 TEST_CASE("what is exact of the elementary functions is exact, and what is odd or even is so to the bit", "[elementary]") {
     using namespace elementary;
     CHECK(elementary::exp(0.0) == 1);

@@ -175,6 +175,25 @@ TEST_CASE("of several functions the first to cross is found, also if one starts 
     CHECK(told[1] > 40);
 }
 
+TEST_CASE("behind a touch of one function the search goes on to the crossing of the other", "[unit][exact-solver][events]") {
+    Waves touches{1, {{1, 1, 0}}}, crosses{-std::cos(1.5), {{1, 0.3, 0}}}; // at pi; at 5
+    const auto both = [&](double t) { return std::array{touches(t), crosses(t)}; };
+    std::array<int, 2> order{};
+    double step = 1;
+    const auto touch = first_crossing(both, 0.0, 8.0, order, step, Effort{});
+    REQUIRE(touch);
+    CHECK(touch->touches);
+    CHECK(touch->which == 0);
+    CHECK(std::abs(touch->t - pi<double>()) <= 1e-7);
+    order[0] = 2;
+    const auto crossing = first_crossing(both, touch->t, 8.0, order, step, Effort{});
+    REQUIRE(crossing);
+    CHECK_FALSE(crossing->touches);
+    CHECK(crossing->which == 1);
+    CHECK(std::abs(crossing->t - 5) <= 1e-14);
+    CHECK(order == std::array{0, 0});
+}
+
 TEST_CASE("a zero where a step ends is a crossing", "[unit][exact-solver][events]") {
     auto line = [](const double& t) { return Jet{{1 - t, -1}, 0, 0, 0}; };
     double step = 1;

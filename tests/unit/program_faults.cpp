@@ -231,7 +231,7 @@ TEST_CASE("work that is spent is told with status 3, and work that is no number 
         0 solve --effort 1e8 < many stops
         3 solve --effort 2000 < many stops ! the work allowed is spent
         2 {solve|response|boundary|functions|motion} --effort {0|-1|1e19|nan} < unequal ! effort must be from 1 to 1e18 operations
-        0 map --r 0.3:0.3:1 --beta 0.4:0.4:1 --effort 2000 < many stops > not_converged
+        0 map --r 0.3:0.3:1 --beta 0.4:0.4:1 --effort 300 < many stops > not_converged
     )");
 }
 

@@ -19,7 +19,7 @@ struct Leaving {
 
 Leaving leaving(const Jet& jet, double noise) {
     double factorial = 1;
-    for (int order = 0; order < static_cast<int>(jet.f.size()); factorial *= ++order)
+    for (int order = 0; order < 4; factorial *= ++order)
         if (std::abs(jet.f[static_cast<std::size_t>(order)]) > noise * factorial)
             return {order, jet.f[static_cast<std::size_t>(order)] / factorial};
     return {0, 0};

@@ -165,7 +165,9 @@ template <class Functions, std::size_t count>
                 break;
             }
             h = h * 5 / 8;
-            if (h <= shortest && (order[which] > 0 || jet.f[0] <= 8 * jet.noise)) return Crossing{t, true, which};
+            for (std::size_t k = 0; h <= shortest && k < count; ++k)
+                if ((order[k] > 0 || jets[k].f[0] <= 8 * jets[k].noise) && !stays_positive(jets[k], order[k], h))
+                    return Crossing{t, true, k};
         }
     }
     return std::nullopt;

@@ -45,7 +45,10 @@ Tried<Solution> in_turn(std::size_t N, Effort* effort, const Question& question,
     AnswerInDouble found = fast();
     if (found.is_settled() || std::ranges::count(found.why, Why::pole_by_rounding, &Reason::says) > 0) return found;
     Reasons why = found.is_answered() ? found.value->method.why : found.why;
-    if (found.vague) why += Reasons(Why::but) + Why::stability_open;
+    if (found.vague) {
+        const std::optional<Stability>& seen = found.value->stability;
+        why += Reasons(Why::but) + (seen && !seen->stable ? Why::stability_open : Why::grazes);
+    }
     count_precision_step();
     AnswerByReference proof = is_exhausted(effort) ? AnswerByReference{{Outcome::budget_spent, Why::work_is_spent}}
                               : !question.digits && N > most_masses_unasked

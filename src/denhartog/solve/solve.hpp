@@ -88,9 +88,9 @@ struct SolvePoint {
 
 /// @brief The answer of double to a question.
 struct AnswerInDouble : Tried<Solution> {
-    bool open = false;                    ///< whether double does not tell what the contact does
-    bool regime_is_certain = true;        ///< whether the regime is certain; then double answers if the reference has no proof
-    bool vague = false;                   ///< whether double does not tell if the motion is stable
+    bool open = false;             ///< whether double does not tell what the contact does
+    bool regime_is_certain = true; ///< whether the regime is certain; then double answers if the reference has no proof
+    bool vague = false;            ///< whether double does not tell if the motion is stable, or how often the contact stops
     std::optional<PeriodicOrbit> orbit{}; ///< the motion from rest, where it was followed
 
     /// @brief True where it needs nothing more: it has its digits, and regime and stability are certain.
