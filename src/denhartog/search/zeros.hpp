@@ -4,8 +4,8 @@
 ///
 /// The first zero of a smooth function is found with none missed: steps are taken only as far as bounds allow. Over a step h the
 /// Taylor polynomial is bounded from below by its Bernstein coefficients on [0, h]. If they exceed the remainder there is no zero
-/// in the step; if the polynomial of the derivative stays negative by more than its remainder there is one at most, and the sign at
-/// the end decides. The polynomial is that of fifth degree or that of third degree, whichever has the smaller remainder, and in
+/// in the step; if the polynomial of the derivative stays negative by more than its remainder there is one at most, and the sign
+/// at the end decides. The polynomial is that of fifth or that of third degree, whichever has the smaller remainder, and in
 /// short steps a tangent is tried first: for fast modes that hardly move, rounding makes the bounds of higher derivatives
 /// useless. Otherwise the step is shortened. The zero itself is that of the Taylor polynomial at an instant so near that the
 /// remainder is below rounding.

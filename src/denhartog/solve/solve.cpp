@@ -238,13 +238,14 @@ Refusal answer(SolveTask& task, Solution& s) {
     return {};
 }
 
-// True where double leaves open when the contact stops or breaks away, and with that how often; or if a motion with stops is
-// stable, in a system whose every free motion decays.
+// True if a whole motion is asked for, and double leaves open when the contact stops or breaks away, and with that how often; or if
+// the motion is stable, in a system whose every free motion decays.
 bool is_vague(const SolveTask& task, const Solution& s) {
+    if (!s.stability || s.stops.empty()) return false;
     const auto is_unknown = [](const Certified& instant) { return instant.error >= pi<double>(); };
     for (const SolvedStop& stop : s.stops)
         if (is_unknown(stop.start) || is_unknown(stop.end)) return true;
-    if (!s.stability || s.stops.empty() || s.stability->stable || !every_motion_is_damped(*task.known.basis)) return false;
+    if (s.stability->stable || !every_motion_is_damped(*task.known.basis)) return false;
     const std::vector<Certified>& sizes = s.stability->multipliers; // none where they were not found
     return sizes.empty() || !(sizes.front().value - sizes.front().error > 1);
 }
