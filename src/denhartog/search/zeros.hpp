@@ -109,7 +109,7 @@ template <class Function>
         const double next = falls_off ? t + zero.t : from + (to - from) / 2, d_2 = zero.t * zero.t,
                      tiny = std::numeric_limits<double>::epsilon() * std::abs(next);
         if (std::abs(zero.t) <= tiny || !(from < next && next < to)) return t;
-        if (falls_off && bound * d_2 * d_2 * d_2 / 720 <= tiny / 4 * std::abs(zero.slope)) return next;
+        if (n > 0 && falls_off && bound * d_2 * d_2 * d_2 / 720 <= tiny / 4 * std::abs(zero.slope)) return next;
         jet = at(t = next);
         (jet.f[0] > 0 ? from : to) = t;
     }
