@@ -98,11 +98,11 @@ struct Crossing {
 [[nodiscard]] ValueAt zero_of_taylor(const Jet& jet, double low, double high);
 
 /// @brief The zero, to rounding, of a function that falls over [from, to]: it is positive at `from` and not at `to`. The jet is
-/// that at t, which is one of them. Its bounds hold over the whole.
+/// that at t, which is one of them; `bound` is that of the sixth derivative over the whole. A polynomial formed far from its zero
+/// has the rounding of all its terms there, so that none is trusted that was not formed again.
 template <class Function>
-[[nodiscard]] double zero_of_falling(const Function& at, double from, double to, double t, Jet jet) {
+[[nodiscard]] double zero_of_falling(const Function& at, double from, double to, double t, Jet jet, double bound) {
     constexpr int most_steps = 200;
-    const double bound = jet.bound;
     for (int n = 0; n < most_steps; ++n) {
         const ValueAt zero = zero_of_taylor(jet, from - t, to - t);
         const bool falls_off = from < t + zero.t && t + zero.t < to && n % 4 != 3;
@@ -154,10 +154,11 @@ template <class Functions, std::size_t count>
                 std::array<Jet, count> ahead;
                 if (!crosses) ahead = at(next);
                 if (crosses || ahead[which].f[0] <= 0) {
-                    Jet nearer = crosses ? jet : ahead[which];
-                    nearer.bound = jet.bound + jet.growth * h;
                     const auto one = [&](double x) { return at(x)[which]; };
-                    return Crossing{zero_of_falling(one, t, next, crosses ? t : next, nearer), false, which};
+                    const double bound = jet.bound + jet.growth * h,
+                                 zero = crosses ? zero_of_falling(one, t, next, t, jet, bound)
+                                                : zero_of_falling(one, t, next, next, ahead[which], bound);
+                    return Crossing{zero, false, which};
                 }
                 order.fill(0);
                 t = next;
