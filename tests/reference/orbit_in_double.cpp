@@ -98,7 +98,7 @@ TEST_CASE("the phase of a contact that stops is where it comes to rest, proved a
     REQUIRE(orbit.status == OrbitStatus::periodic);
     const OrbitInBalls exact = proved(p, orbit);
     REQUIRE(exact.stops.size() == 2);
-    const reference::StopInBalls& out = exact.stops[exact.stops[0].x > Ball(0) ? 0 : 1];
+    const StopOf<Ball>& out = exact.stops[exact.stops[0].x > Ball(0) ? 0 : 1];
     const Ball phase = exact.masses.back().phase.value(), period = 2 * pi<Ball>();
     const Ball turned = phase - out.start, rest = turned - Ball(std::round(static_cast<double>(turned / period))) * period;
     CHECK(abs(rest).low() <= 0);

@@ -152,7 +152,7 @@ std::vector<NamedNumber> radii_of_balls(const SceneSource& source) {
         add(mass.size);
         if (mass.phase) add(*mass.phase);
     }
-    for (const StopInBalls& stop : orbit.stops)
+    for (const StopOf<Ball>& stop : orbit.stops)
         for (const Ball& number : {stop.start, stop.end, stop.x}) add(number);
     return all;
 }

@@ -114,12 +114,10 @@ PaperMotion exact_cycles(const SceneSource& source, const PaperSettings& setting
         if (motion.slides && largest[k].x != 0) mass.phase = wrapped(largest[k].instant + (largest[k].x < 0 ? pi<double>() : 0));
     }
     motion.end = run.end;
-    std::size_t phase = 0;
     for (int n = 0; n < settings.samples; ++n) {
         motion.sample_times.push_back(period * n / settings.samples);
         const double tau = last + motion.sample_times.back();
-        while (phase + 1 < run.phases.size() && run.phases[phase].end < tau) ++phase;
-        motion.samples.push_back(solver.state_at(phase, tau));
+        motion.samples.push_back(solver.state_at(tau));
     }
     return motion;
 }
@@ -159,10 +157,9 @@ MotionHistory motion_history(const SceneSource& source, const HistorySettings& s
         if (p.end == end) stop.end.reset();
         history.stops.push_back(stop);
     }
-    std::size_t phase = 0;
     for (std::size_t n = 0; n < count; ++n) {
         const double tau = from + settings.period * static_cast<double>(n) / settings.samples;
-        while (phase + 1 < run.phases.size() && run.phases[phase].end < tau) ++phase;
+        const std::size_t phase = run.phase_at(tau);
         history.times.push_back(tau);
         history.states.push_back(solver.state_at(phase, tau));
         history.directions.push_back(run.phases[phase].direction);
@@ -200,14 +197,14 @@ bool are_certain(const std::vector<Ball>& x) {
     return error.is_zero() || error < largest * Ball(enough_of_largest);
 }
 
-bool is_certain(const FreeDecayInBalls& motion) {
+bool is_certain(const FreeDecayOf<Ball>& motion) {
     std::vector<Ball> instants, displacements{motion.rest_at};
-    for (const TurnInBalls& turn : motion.turns) {
+    for (const TurnOf<Ball>& turn : motion.turns) {
         instants.push_back(turn.tau);
         displacements.push_back(turn.x);
     }
-    for (const StopInBalls& stop : motion.stops) instants.push_back(stop.end);
-    displacements.insert(displacements.end(), motion.x.begin(), motion.x.end());
+    for (const StopOf<Ball>& stop : motion.stops) instants.push_back(stop.end);
+    displacements.insert(displacements.end(), motion.masses.begin(), motion.masses.end());
     return are_certain(instants) && are_certain(displacements);
 }
 
@@ -245,19 +242,19 @@ FreeDecay free_decay(const SceneSource& source, const State& start, const std::o
             y(k) = Ball(start.x[static_cast<std::size_t>(k)]) - at_rest(k);
             y_prime(k) = Ball(start.x_prime[static_cast<std::size_t>(k)]);
         }
-        FreeDecayInBalls motion = free_decay_in_balls(s, y, y_prime, until ? std::optional(Ball(*until)) : std::nullopt, last);
+        FreeDecayOf<Ball> motion = free_decay_in_balls(s, y, y_prime, until ? std::optional(Ball(*until)) : std::nullopt, last);
         const Ball shift = (transposed(s.w) * at_rest)(0);
         motion.rest_at += shift;
-        for (TurnInBalls& turn : motion.turns) turn.x += shift;
-        for (StopInBalls& stop : motion.stops) stop.x += shift;
-        for (slong k = 0; motion.at_rest && k < s.N(); ++k) motion.x[static_cast<std::size_t>(k)] += at_rest(k);
+        for (TurnOf<Ball>& turn : motion.turns) turn.x += shift;
+        for (StopOf<Ball>& stop : motion.stops) stop.x += shift;
+        for (slong k = 0; motion.at_rest && k < s.N(); ++k) motion.masses[static_cast<std::size_t>(k)] += at_rest(k);
         if (!last && !is_certain(motion)) return false;
         out = {motion.at_rest, {}, {}, as_number(motion.rest_from), as_number(motion.rest_at), {}, motion.others_come_to_rest,
                motion.on_limit};
-        for (const TurnInBalls& turn : motion.turns) out.turns.push_back({as_number(turn.tau), as_number(turn.x)});
-        for (const StopInBalls& stop : motion.stops)
+        for (const TurnOf<Ball>& turn : motion.turns) out.turns.push_back({as_number(turn.tau), as_number(turn.x)});
+        for (const StopOf<Ball>& stop : motion.stops)
             out.stops.push_back({as_number(stop.start), as_number(stop.end), as_number(stop.x)});
-        for (const Ball& x : motion.x) out.masses.push_back(as_number(x));
+        for (const Ball& x : motion.masses) out.masses.push_back(as_number(x));
         return true;
     }));
     return out;

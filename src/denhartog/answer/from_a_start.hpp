@@ -66,27 +66,11 @@ struct MotionHistory {
 /// @eq{6,74,75}
 [[nodiscard]] std::vector<Certified> place_of_rest(const SceneSource& source);
 
-/// @brief Where the velocity of the contact is zero at the end of a half-cycle.
-struct DecayTurn {
-    Certified tau; ///< the instant, counted from the start; radians
-    Certified x;   ///< displacement of the contact, in units of P / k_1
-};
+/// @brief The end of a half-cycle, proved.
+using DecayTurn = TurnOf<Certified>;
 
-/// @brief The way of a motion without a load to rest. Every number is proved.
-struct FreeDecay {
-    bool at_rest = false;          ///< whether the contact rests for good; if not, `rest_from` to `on_limit` say nothing
-    std::vector<DecayTurn> turns;  ///< ends of the half-cycles, in order; at the last one the contact rests for good
-    std::vector<SolvedStop> stops; ///< stops before that, in order; tau counts from the start
-    Certified rest_from;           ///< tau from which the contact rests for good
-    Certified rest_at;             ///< displacement of the contact at rest, in units of P / k_1
-    std::vector<Certified> masses; ///< places of rest of all masses with the contact there, in units of P / k_1
-    /// True where the other masses come to rest at these places, since every free motion of theirs is damped; false where nothing
-    /// damps them, and they move about the places for ever; empty where neither is proved, or there are no other masses.
-    std::optional<bool> others_come_to_rest;
-    /// True where the springs pull on the resting contact with static friction, to some hundred digits. If the two are equal, (74)
-    /// lets it stick, as this says.
-    bool on_limit = false;
-};
+/// @brief The way of a motion without a load to rest, proved.
+using FreeDecay = FreeDecayOf<Certified>;
 
 /// @brief The motion of a scene from a start after its harmonic load is taken away, until the contact rests for good, or `until`
 /// an instant; the constant load stays. Where nothing damps the other masses they may set the contact in motion again and again.

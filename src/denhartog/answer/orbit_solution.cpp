@@ -52,9 +52,7 @@ public:
         bool mirrored = false;
         for (; tau < 0; tau += stretch) mirrored = mirrors && !mirrored;
         for (; tau > stretch; tau -= stretch) mirrored = mirrors && !mirrored;
-        const auto found = std::ranges::lower_bound(phases, tau, {}, &Phase::end);
-        const auto last = static_cast<std::ptrdiff_t>(phases.size()) - 1;
-        State state = solver.state_at(static_cast<std::size_t>(std::min(found - phases.begin(), last)), tau);
+        State state = solver.state_at(tau);
         for (std::vector<double>* part : {&state.x, &state.x_prime}) {
             solver.system().stuck.contact.append(*part);
             for (double& each : *part)

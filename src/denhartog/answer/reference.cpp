@@ -162,7 +162,7 @@ void write_orbit(const OrbitInBalls& o, const Scene<double>& scene, const Ball& 
     };
     const auto seen = [&](std::size_t k, const Ball&) -> const PeakInBalls& { return o.from_ground[k]; };
     write_masses(scene, q, r, row, seen, w, s);
-    for (const StopInBalls& stop : o.stops) s.stops.push_back({w.shown(stop.start), w.shown(stop.end), w.shown(stop.x)});
+    for (const StopOf<Ball>& stop : o.stops) s.stops.push_back({w.shown(stop.start), w.shown(stop.end), w.shown(stop.x)});
     s.start.emplace();
     for (std::size_t k = 0; k < o.x.size(); ++k) {
         s.start->x.push_back(w.shown(o.x[k]));

@@ -91,11 +91,7 @@ struct MassFromGround {
 ///
 /// The bound of an instant is the error of the velocity of the contact, at the start, or of the load on it, at the end, over its
 /// rate of change. If the rate is too small to tell, as when the contact only just stops, the bound is half the period.
-struct SolvedStop {
-    Certified start; ///< tau where the contact comes to rest, measured from the maximum of the force
-    Certified end;   ///< tau where it breaks away again
-    Certified x;     ///< the displacement at which it rests; units of P / k_1
-};
+using SolvedStop = StopOf<Certified>;
 
 /// @brief The state of all masses at an instant.
 struct SolvedState {

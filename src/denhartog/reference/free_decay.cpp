@@ -59,7 +59,7 @@ public:
         compliance_ = (transposed(scene.w) * at_unit_force_)(0);
     }
 
-    FreeDecayInBalls followed() {
+    FreeDecayOf<Ball> followed() {
         int direction = 0, order = 0;
         if (!speed_at_start_.is_zero()) {
             if (speed_at_start_.may_vanish()) throw Unproved("the contact may be at rest at the start");
@@ -184,7 +184,7 @@ private:
         out_.rest_at = (s_.place() * Z_)(0);
         out_.rest_from = out_.turns.empty() ? Ball(0) : out_.turns.back().tau;
         const BallMatrix at = places();
-        for (slong k = 0; k < s_.N; ++k) out_.x.push_back(at(k));
+        for (slong k = 0; k < s_.N; ++k) out_.masses.push_back(at(k));
         out_.others_come_to_rest = others_come_to_rest();
     }
 
@@ -210,13 +210,13 @@ private:
     Ball compliance_{};          // that of the contact
     std::optional<Ball> until_;
     bool last_;
-    FreeDecayInBalls out_{};
+    FreeDecayOf<Ball> out_{};
 };
 
 } // namespace
 
-FreeDecayInBalls free_decay_in_balls(const SceneInBalls& scene, const BallMatrix& x, const BallMatrix& x_prime,
-                                     const std::optional<Ball>& until, bool last) {
+FreeDecayOf<Ball> free_decay_in_balls(const SceneInBalls& scene, const BallMatrix& x, const BallMatrix& x_prime,
+                                      const std::optional<Ball>& until, bool last) {
     return Decay(scene, x, x_prime, until, last).followed();
 }
 

@@ -13,27 +13,6 @@
 
 namespace denhartog::reference {
 
-/// @brief The end of a stretch of sliding, where the velocity of the contact is zero.
-struct TurnInBalls {
-    Ball tau{}; ///< the instant, counted from the start
-    Ball x{};   ///< displacement of the contact, w^T x; units of P / k_1
-};
-
-/// @brief The motion without a load.
-struct FreeDecayInBalls {
-    bool at_rest = false;             ///< whether the contact rests for good; if not, the motion was followed no further
-    std::vector<TurnInBalls> turns{}; ///< ends of sliding, in order: one a half-cycle; the last is where the contact rests
-    std::vector<StopInBalls> stops{}; ///< stops after which the contact breaks away again, in order
-    Ball rest_from{};                 ///< tau from which the contact rests for good
-    Ball rest_at{};                   ///< displacement of the contact at rest
-    std::vector<Ball> x{};            ///< places of rest of all masses with the contact there; units of P / k_1
-    /// Whether the other masses come to rest there: every free motion of theirs is damped; false if nothing damps them and they move
-    /// for ever; empty if neither is proved, or there are none
-    std::optional<bool> others_come_to_rest{};
-    /// Whether the springs pull on the contact at rest with static friction, to all bits: if they are equal, (74) lets it stick
-    bool on_limit = false;
-};
-
 /// @brief Follows the motion without a load until the contact rests for good.
 ///
 /// While the contact rests, the others move freely about their places of rest, with an energy E that never grows, as damping takes
@@ -49,7 +28,7 @@ struct FreeDecayInBalls {
 /// for good, which it may never do where nothing damps the other masses. If no more bits will be tried, at `last`, a single mass whose
 /// springs pull with static friction to all bits rests, see `on_limit`.
 /// @throws Unproved if more bits may help; PrecisionError if the work allowed is spent before the motion has come to its end
-[[nodiscard]] FreeDecayInBalls free_decay_in_balls(const SceneInBalls& scene, const BallMatrix& x, const BallMatrix& x_prime,
-                                                   const std::optional<Ball>& until, bool last);
+[[nodiscard]] FreeDecayOf<Ball> free_decay_in_balls(const SceneInBalls& scene, const BallMatrix& x, const BallMatrix& x_prime,
+                                                    const std::optional<Ball>& until, bool last);
 
 } // namespace denhartog::reference

@@ -163,19 +163,19 @@ void bring_into_period(Ball& start, Ball& end, const Ball& period) {
     end -= shift;
 }
 
-std::vector<StopInBalls> stops_of(const ProvedOrbit& orbit) {
+std::vector<StopOf<Ball>> stops_of(const ProvedOrbit& orbit) {
     const Ball period = Ball(2 * orbit.at.periods) * PiOf<Ball>::value();
-    std::vector<StopInBalls> stops;
+    std::vector<StopOf<Ball>> stops;
     for (slong i = 1; i <= orbit.at.m(); ++i) {
         if (orbit.at.direction(i) != 0) continue;
-        StopInBalls stop{orbit.at.instant(i - 1), orbit.at.instant(i), (orbit.s.place() * orbit.Z[i - 1])(0)};
-        StopInBalls mirrored{stop.start + orbit.at.T(), stop.end + orbit.at.T(), -stop.x};
+        StopOf<Ball> stop{orbit.at.instant(i - 1), orbit.at.instant(i), (orbit.s.place() * orbit.Z[i - 1])(0)};
+        StopOf<Ball> mirrored{stop.start + orbit.at.T(), stop.end + orbit.at.T(), -stop.x};
         bring_into_period(stop.start, stop.end, period);
         bring_into_period(mirrored.start, mirrored.end, period);
         stops.push_back(std::move(stop));
         if (orbit.at.mirrored) stops.push_back(std::move(mirrored));
     }
-    std::ranges::sort(stops, {}, [](const StopInBalls& stop) { return static_cast<double>(stop.start); });
+    std::ranges::sort(stops, {}, [](const StopOf<Ball>& stop) { return static_cast<double>(stop.start); });
     return stops;
 }
 

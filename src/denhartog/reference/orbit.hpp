@@ -225,20 +225,13 @@ struct OrbitInPhases {
 /// @throws Disproved, Unproved as `proved_orbit`
 [[nodiscard]] OrbitInPhases orbit_in_phases(const std::function<SceneInBalls()>& scene, const OrbitGuess& guess, slong bits);
 
-/// @brief A stop of the contact, proved.
-struct StopInBalls {
-    Ball start{}; ///< tau where the contact comes to rest, counted from a maximum of the force
-    Ball end{};   ///< tau where it breaks away again
-    Ball x{};     ///< the displacement w^T x at which it rests, units of P / k_1
-};
-
 /// @brief A periodic motion with stops, or with turns without a stop, proved.
 struct OrbitInBalls {
     bool mirrored = false;                  ///< whether it mirrors itself after half its period, Eq. (25)
     int periods = 1;                        ///< its period in periods of the force
     std::vector<PeakInBalls> masses{};      ///< N + 1 values: the masses, then the contact; zero where one was not asked for
     std::vector<PeakInBalls> from_ground{}; ///< N values, of the masses as they are seen from the ground; empty if not asked for
-    std::vector<StopInBalls> stops{};       ///< within the period, starts ascending in [0, 2 pi periods)
+    std::vector<StopOf<Ball>> stops{};      ///< within the period, starts ascending in [0, 2 pi periods)
     std::vector<Ball> x{};                  ///< displacements of the masses at tau = 0, where the force is largest
     std::vector<Ball> x_prime{};            ///< their velocities there
     bool stable = false;                    ///< proved: every deviation from it dies out

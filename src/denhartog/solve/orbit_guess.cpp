@@ -52,11 +52,9 @@ std::vector<PhaseSeen> phases_seen(const ExactMotion& motion, double T, int sign
 
 // Where the contact is slowest within a phase of sliding, if it nearly comes to rest there.
 void add_slow_instants(ExactSolver& solver, const State& start, const PhaseSeen& phase, std::vector<double>& slow) {
-    const ExactMotion& motion = solver.run(start, phase.start, phase.end);
+    solver.run(start, phase.start, phase.end);
     const auto speed = [&](double tau) {
-        std::size_t k = 0;
-        while (k + 1 < motion.phases.size() && motion.phases[k].end < tau) ++k;
-        return phase.direction * solver.system().stuck.contact.of(solver.state_at(k, tau).x_prime);
+        return phase.direction * solver.system().stuck.contact.of(solver.state_at(tau).x_prime);
     };
     std::vector<double> speeds;
     double fastest = 0;

@@ -306,9 +306,7 @@ std::vector<Extremum> ExactSolver::largest_displacements(double error, double fr
         }
     }
     const auto is_negative = [&](std::size_t k, double tau) {
-        std::size_t n = 0;
-        while (n + 1 < motion_.phases.size() && motion_.phases[n].end < tau) ++n;
-        State state = state_at(n, tau);
+        State state = state_at(tau);
         contact.append(state.x);
         return state.x[k] + (moves ? frame * elementary::cos(tau) : 0) < 0;
     };

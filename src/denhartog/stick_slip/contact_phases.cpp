@@ -112,17 +112,17 @@ void LinearMotion::differentiate_at(double t) {
             for (std::size_t i = 0; i < size(); ++i) {
                 double damping = 0;
                 for (std::size_t n = 0; n < size(); ++n) damping += D(i, n) * q[m + 1][n];
-                q[m + 2][i] = evaluation::acceleration(q[m][i], omega_0[i], damping, force(m, i));
+                const double force = harmonic_force(i)[static_cast<std::size_t>(m % 4)] + (m == 0 ? G[i] : 0);
+                q[m + 2][i] = evaluation::acceleration(q[m][i], omega_0[i], damping, force);
             }
         return;
     }
     for (std::size_t i = 0; i < size(); ++i) {
         double below = q[0][i], last = q[1][i];
         const double omega = omega_0[i], twice = 2 * decay[i];
-        const auto [s, c] = at_force(now_, i);
-        const double derivatives[] = {F[i] * c, F[i] * -s, F[i] * -c, F[i] * s}; // of the harmonic force
+        const std::array<double, 4> harmonic = harmonic_force(i);
         for (int m = 0; m + 2 < orders; ++m) {
-            const double force = m == 0 ? derivatives[0] + G[i] : derivatives[m % 4];
+            const double force = harmonic[static_cast<std::size_t>(m % 4)] + (m == 0 ? G[i] : 0);
             const double next = evaluation::acceleration(below, omega, twice * last, force);
             below = last;
             last = q[m + 2][i] = next;

@@ -6,6 +6,7 @@
 /// can hold. Read `LinearMotion`, one phase, then `ContactSystem`, what is prepared, then `ExactSolver`, which follows a motion.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <boost/container/small_vector.hpp>
 #include <cstdint>
@@ -88,11 +89,10 @@ private:
         if (lead.empty()) return tau;
         return {tau.s * lead[i].re + tau.c * lead[i].im, tau.c * lead[i].re - tau.s * lead[i].im};
     }
-    // A derivative of the force on a coordinate.
-    [[nodiscard]] double force(int order, std::size_t i) const {
-        const SineCosine<double> at = at_force(now_, i);
-        const std::array<double, 4> wave{at.c, -at.s, -at.c, at.s};
-        return order == 0 ? F[i] * wave[0] + G[i] : F[i] * wave[static_cast<std::size_t>(order % 4)];
+    // The harmonic force on a coordinate with its first three derivatives, after which they come again.
+    [[nodiscard]] std::array<double, 4> harmonic_force(std::size_t i) const {
+        const auto [s, c] = at_force(now_, i);
+        return {F[i] * c, F[i] * -s, F[i] * -c, F[i] * s};
     }
     [[nodiscard]] evaluation::FreeMotion<double> free_at(double t, std::size_t i) const {
         return evaluation::free_motion(t, coordinates_[i].R, coordinates_[i].zeta, coordinates_[i].w);
@@ -203,6 +203,12 @@ struct ExactMotion {
         const auto x = states.begin() + 2 * N * static_cast<std::ptrdiff_t>(phase);
         return {{x, x + N}, {x + N, x + 2 * N}};
     }
+
+    /// @brief The phase that holds an instant, of two that meet there the first; beyond the end the last.
+    [[nodiscard]] std::size_t phase_at(double tau) const {
+        const auto found = std::ranges::lower_bound(phases, tau, {}, &Phase::end);
+        return static_cast<std::size_t>(std::min(found - phases.begin(), std::ssize(phases) - 1));
+    }
 };
 
 /// @brief The function that is zero at the end of a phase, next to that end: the velocity of a contact that slides; or, while it
@@ -258,8 +264,9 @@ public:
     /// @brief The motion from one instant to a later one; the forces are Re{p exp(i tau)}, and a contact at rest sticks if (74)
     /// lets it. With the derivative of the end with respect to the start, if it is wanted. Valid until the next call.
     const ExactMotion& run(const State& start, double tau_0, double tau_1, bool with_jacobian = false);
-    /// @brief The state at an instant within a phase of the last motion.
+    /// @brief The state at an instant within a phase of the last motion, or within the phase that holds the instant.
     [[nodiscard]] State state_at(std::size_t phase, double tau);
+    [[nodiscard]] State state_at(double tau) { return state_at(motion_.phase_at(tau), tau); }
     /// @brief States at evenly spaced instants: displacements, then velocities, of all masses at each. No mass loses more than
     /// `most_lost` to rounding beside what `state_at` does, which answers if a recurrence would lose more or damping couples.
     void sample(std::size_t phase, const evaluation::EvenInstants& at, const std::vector<double>& most_lost, double* x,

@@ -1,9 +1,10 @@
 /// @file
-/// @brief States, phases of sliding and sticking, and stops of a motion, which the library's two time-domain solvers share; and what
-/// a proof starts from.
+/// @brief States, phases of sliding and sticking, and stops of a motion, which the library's solvers share; how a motion comes to
+/// rest; and what a proof starts from.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace denhartog {
@@ -24,11 +25,39 @@ struct Phase {
     double end;    ///< tau at its end
 };
 
-/// @brief A stop of the contact: a sticking phase of positive length.
-struct Stop {
-    double start; ///< tau where the contact comes to rest, measured from the maximum of the force
-    double end;   ///< tau where it breaks away again
-    double x;     ///< the displacement at which it rests, in units of P / k_1
+/// @brief A stop of the contact: a sticking phase of positive length. Its numbers are doubles, certified numbers or balls.
+template <class Number>
+struct StopOf {
+    Number start; ///< tau where the contact comes to rest, measured from the maximum of the force
+    Number end;   ///< tau where it breaks away again
+    Number x;     ///< the displacement at which it rests, in units of P / k_1
+};
+
+/// @brief A stop as double has it, without a bound.
+using Stop = StopOf<double>;
+
+/// @brief Where the velocity of the contact is zero at the end of a half-cycle of a motion without a load.
+template <class Number>
+struct TurnOf {
+    Number tau; ///< the instant, counted from the start; radians
+    Number x;   ///< displacement of the contact, in units of P / k_1
+};
+
+/// @brief The way of a motion without a load to rest. Every number is proved.
+template <class Number>
+struct FreeDecayOf {
+    bool at_rest = false;              ///< whether the contact rests for good; if not, `rest_from` to `on_limit` say nothing
+    std::vector<TurnOf<Number>> turns; ///< ends of the half-cycles, in order; at the last one the contact rests for good
+    std::vector<StopOf<Number>> stops; ///< stops before that, in order; tau counts from the start
+    Number rest_from;                  ///< tau from which the contact rests for good
+    Number rest_at;                    ///< displacement of the contact at rest, in units of P / k_1
+    std::vector<Number> masses;        ///< places of rest of all masses with the contact there, in units of P / k_1
+    /// True where the other masses come to rest at these places, since every free motion of theirs is damped; false where nothing
+    /// damps them, and they move about the places for ever; empty where neither is proved, or there are no other masses.
+    std::optional<bool> others_come_to_rest;
+    /// True where the springs pull on the resting contact with static friction, to some hundred digits. If the two are equal, (74)
+    /// lets it stick, as this says.
+    bool on_limit = false;
 };
 
 /// @brief The displacement of a mass at the instant at which |x_k| is largest.

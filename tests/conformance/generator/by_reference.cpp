@@ -199,7 +199,7 @@ private:
         if (q.quantity == "stops_per_period") return {Ball(orbit_->stops.size())};
         if (q.quantity != "stop_durations") return {};
         std::vector<Ball> lengths;
-        for (const StopInBalls& stop : orbit_->stops) lengths.push_back(stop.end - stop.start);
+        for (const StopOf<Ball>& stop : orbit_->stops) lengths.push_back(stop.end - stop.start);
         std::ranges::sort(lengths, {}, [](const Ball& x) { return static_cast<double>(x); });
         return lengths;
     }
