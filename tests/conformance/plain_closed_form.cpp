@@ -1,6 +1,7 @@
 #include "conformance/plain/closed_form.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "conformance/vector.hpp"
@@ -37,4 +38,20 @@ TEST_CASE("the plain closed form agrees with every certified vector but motions 
                 worst.second.c_str());
     CHECK(several_periods == 10);
     CHECK(compared > 4000);
+}
+
+TEST_CASE("next to a pole of a mode without damping, where rounding alone would tell it, the plain closed form has no number",
+          "[eq:23][eq:28][eq:29][conformance]") {
+    ProtocolQuestion q{.id = "pole", .quantity = "", .mass_ratios = {1}, .stiffness_ratios = {1}, .damping_ratios = {0}};
+    q.mass = 1;
+    for (const int harmonic : {1, 3, 5}) // (23) has the first alone, (28) and (29) all odd ones
+        for (const char* asked : {"complex_response", "first_damping_function", "second_damping_function"}) {
+            q.quantity = asked;
+            INFO(asked << ", harmonic " << harmonic);
+            const bool has_pole = harmonic == 1 || q.quantity != "complex_response";
+            for (const double apart : {0.0, 1e-15, -1e-15, 1e-11, -1e-11}) {
+                q.r = (1 + apart) / harmonic;
+                CHECK(plain_answer(q).has_value() == (!has_pole || std::abs(apart) > 1e-12));
+            }
+        }
 }

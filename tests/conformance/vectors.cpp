@@ -244,6 +244,21 @@ TEST_CASE("a sample of the vectors is computed anew byte for byte", "[conformanc
     CHECK(vectors().size() > 10 * every);
 }
 
+TEST_CASE("the mistakes that a vector catches are those of its line, in the groups with poles and in a sample of the others",
+          "[conformance][vectors][mistake]") {
+    const std::size_t every = 11, from = 5;
+    std::size_t looked_at = 0;
+    for (std::size_t n = 0; n < vectors().size(); ++n) {
+        const Vector& v = vectors()[n];
+        const bool has_poles = v.group == "limits" || v.group == "functions";
+        if (!v.reject.empty() || (!has_poles && n % every != from)) continue;
+        INFO(v.question.id);
+        CHECK(generator::catches_of(v) == v.catches);
+        ++looked_at;
+    }
+    CHECK(looked_at > 800);
+}
+
 TEST_CASE("a value with another twelfth digit is not what is computed anew", "[conformance][vectors]") {
     const Twin twin;
     const auto found = std::find_if(vectors().begin(), vectors().end(), [](const Vector& v) {

@@ -61,7 +61,8 @@ struct PlainModes : PlainSystem {
     std::shared_ptr<const FrictionResponse> friction; // the response to friction where damping couples the modes
 };
 
-// Modes and sums of a question. Not finite at a pole of a mode without damping. Throws NoPlainAnswer if there is no such mass.
+// Modes and sums of a question. Not finite next to a pole of a mode without damping. Throws NoPlainAnswer if there is no such
+// mass.
 [[nodiscard]] PlainModes plain_modes(const ProtocolQuestion& q, const Choices& c);
 
 // (23) of the n-th harmonic.

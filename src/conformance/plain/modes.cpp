@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <tuple>
 #include <utility>
@@ -20,6 +21,11 @@ double cos(double x) { return elementary::cos(x); }
 double exp(double x) { return elementary::exp(x); }
 
 double square(double x) { return x * x; }
+
+// Nearer than this to the pole of a mode without damping there is no number: rounding alone would tell it from infinity, on each
+// machine in its own way.
+constexpr double at_pole = 1e-13;
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 // The functions of (A.8) at tau / R = t to all their digits, for any damping ratio.
 struct ModeDecay {
@@ -62,6 +68,7 @@ std::pair<double, double> damping_functions(double R, double zeta) {
     // 1 + e^2 + 2 c, which is small next to a resonance
     const double both =
         s > 0 ? square(elementary::expm1(-zeta * t)) + 4 * e * square(cos(std::sqrt(s) * t / 2)) : 1 + e * e + 2 * c;
+    if (zeta == 0 && both < square(2 * at_pole)) return {none, none};
     const double damped = needs_series(t, zeta) ? f.damped : -elementary::expm1(-2 * zeta * t) - 2 * zeta * f.q;
     return {2 * f.q / (R * both), damped / both};
 }
@@ -207,6 +214,7 @@ PlainModes plain_modes(const ProtocolQuestion& q, const Choices& c) {
 
 Phasor response_of_mode(double R, double zeta, int n) {
     const double stiffness = (1 - n * R) * (1 + n * R), damping = 2 * zeta * n * R;
+    if (zeta == 0 && std::abs(stiffness) < at_pole) return {none, none};
     const double size = stiffness * stiffness + damping * damping;
     return {stiffness / size, -damping / size};
 }
