@@ -198,6 +198,20 @@ TEST_CASE("an interruption of the runner takes the program under test with it", 
     CHECK_FALSE(contains(text, "Conforms."));
 }
 
+TEST_CASE("a map that nobody reads is ended by a signal", "[conformance][hostile]") {
+    const char* program = std::getenv("DENHARTOG_PROGRAM");
+    REQUIRE(program != nullptr);
+    const std::string pipe = (scratch() / "nobody-reads").string();
+    const std::string caller =
+        script("ending-a-map.sh",
+               "mkfifo '" + pipe + "'; sleep 30 <'" + pipe + "' & '" + std::string(program) +
+                   "' map --r 0.5:2:100 --beta 0:1:100 - >'" + pipe + "' <<<'{\"mass_ratios\":1,\"stiffness_ratios\":1," +
+                   "\"damping_ratios\":0.1,\"contact\":1,\"load\":1}' & map=$!; sleep 1; kill -TERM $map; " +
+                   "for n in {1..50}; do kill -0 $map 2>/dev/null || break; sleep 0.1; done; kill -KILL $map 2>/dev/null; " +
+                   "wait $map; ended=$?; kill %1; exit $ended\n");
+    CHECK(WEXITSTATUS(std::system(caller.c_str())) == 128 + SIGTERM);
+}
+
 TEST_CASE("after the total time the report tells what was answered until then", "[conformance][hostile]") {
     const std::string slow = script("slow.sh", greet + "while read -r id q; do sleep 0.6; echo \"$id value 1\"; done\n");
     const Run run = conform("run --total-timeout 1 --format json " + with_vectors(three(), "-- " + slow));

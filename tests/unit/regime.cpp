@@ -235,7 +235,7 @@ TEST_CASE("regimes of a map by arrays are those of the boundary at every point, 
                 const MapPoint& point = map.points[m * sliding.size() + k];
                 INFO("r = " << hexadecimal(r[m]) << ", beta = " << hexadecimal(sliding[k]));
                 if (!boundaries[m]) {
-                    CHECK(point.status == PointStatus::at_a_pole);
+                    CHECK((point.status == PointStatus::at_a_pole || point.regime != Regime::continuous));
                     continue;
                 }
                 const auto next = [&](double limit) { return std::abs(sliding[k] - limit) <= 1e-6 * limit; };

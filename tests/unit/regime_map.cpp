@@ -297,13 +297,39 @@ TEST_CASE("from the sliding motion on the map shows the other branch where there
     CHECK(sliding.points[1].regime == rest.points[1].regime);
 }
 
-TEST_CASE("a column at a pole has no numbers and says why", "[map][domain]") {
-    const MapRequest grid{{0.75, 1}, {0.125, 0.25}, {Mass{0}}, MapStart::rest, 1};
+TEST_CASE("at a pole and next to it a map has numbers where solve has: where the contact stops or rests",
+          "[map][domain][solve]") {
+    const double next = 1 + 3 * 0x1p-52; // 1 to the last digits
+    const MapRequest grid{{0.75, 1, next}, {0.25, 0.875, 1.25}, {Mass{0}}, MapStart::rest, 1};
     const RegimeMap map = regime_map(oscillator(0, 1), grid, never);
     CHECK(map.points[0].status == PointStatus::answered);
-    CHECK(map.points[2].status == PointStatus::at_a_pole);
-    CHECK(std::isnan(map.amplitudes[2]));
+    for (const std::size_t column : {1U, 2U}) {
+        const auto point = [&](std::size_t row) { return map.points[3 * column + row]; };
+        CHECK(point(0).status == PointStatus::at_a_pole);
+        CHECK(std::isnan(map.amplitudes[3 * column]));
+        for (const std::size_t row : {1U, 2U}) {
+            REQUIRE(point(row).status == PointStatus::answered);
+            CHECK(point(row).regime == (row == 1 ? Regime::stick_slip : Regime::permanent_sticking));
+            const Scene<double> scene = oscillator(0, grid.r[column], 1, grid.beta[row]);
+            const Solution proved = solve(scene_source(scene), {Asked::motion, {}, false, {}, true});
+            CHECK(std::abs(map.amplitudes[3 * column + row] - proved.masses[0].amplitude.value) <= 1e-12);
+            const Solution regime = solve(scene_source(scene), {Asked::regime, {}});
+            CHECK(regime.unique == solve(scene_source(scene), Question{}).unique);
+            CHECK_FALSE(in_words(regime.regime.reason).empty());
+            CHECK_FALSE(regime.method.precision.empty());
+        }
+    }
     CHECK(boundary_curves(oscillator(0, 1), {0.75, 1})[1].status == PointStatus::at_a_pole);
+}
+
+TEST_CASE("at a pole stops that may be rounding are those of no motion: just below pi / 4 of the load it grows for ever",
+          "[solve][domain]") {
+    for (const double beta : {0x1.921fb54442d18p-1, 0x1.921fb54442d17p-1}) // next to pi / 4, from below
+        for (const Asked asked : {Asked::regime, Asked::amplitude, Asked::motion})
+            CHECK_THROWS_AS(solve(scene_source(oscillator(0, 1, 1, beta)), {asked, {}}), std::runtime_error);
+    const Solution above = solve(scene_source(oscillator(0, 1, 1, 0x1.921fb54442d19p-1)), Question{});
+    CHECK(above.method.proved);
+    CHECK(above.stops.size() == 2);
 }
 
 TEST_CASE("boundary curves are the boundaries", "[map][eq:69]") {

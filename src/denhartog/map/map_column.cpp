@@ -64,7 +64,6 @@ public:
     // the status `on_boundary`.
     PointStatus answer(std::size_t n) {
         is_near = false;
-        if (column.outcome == Outcome::at_a_pole) return PointStatus::at_a_pole;
         const bool by_column = column.is_answered() && !is_answered_by_solve(request);
         if (by_column && is_in_double(n)) return points[n].status;
         const PointStatus status = write(n, decided(n));

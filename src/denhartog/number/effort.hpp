@@ -31,7 +31,7 @@ struct Effort {
     [[nodiscard]] bool exhausted() const { return spent >= allowed || is_cancelled(); }
     [[nodiscard]] bool is_cancelled() const { return cancelled != nullptr && (*cancelled)(); }
     // Why a search ended that has exhausted it.
-    [[nodiscard]] Reasons ending() const { return is_cancelled() ? Reasons(Why::cancelled) : Reasons(Why::effort_spent, spent); }
+    [[nodiscard]] Reasons ending() const { return is_cancelled() ? Reasons(Why::cancelled) : Reasons(Why::effort_spent, allowed); }
 };
 
 // Whether a budget is exhausted, if there is one.

@@ -30,12 +30,15 @@ void report(const std::string& fault);
 class Interruptible {
 public:
     explicit Interruptible(std::atomic<bool>& stop);
-    ~Interruptible();
+    ~Interruptible() { end(); }
     Interruptible(const Interruptible&) = delete;
     Interruptible& operator=(const Interruptible&) = delete;
 
-    // The signal that came; 0 where none did.
+    // The signal that came so far; 0 where none did.
     [[nodiscard]] int caught() const;
+
+    // From now on signals end the program again: whoever is written to may never read. The signal that came; 0 where none did.
+    int end();
 
 private:
     static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};

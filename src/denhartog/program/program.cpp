@@ -68,11 +68,12 @@ Interruptible::Interruptible(std::atomic<bool>& stop) {
     if (before.back() == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 
-Interruptible::~Interruptible() {
-    for (std::size_t n = 0; n < signals.size(); ++n) std::signal(signals[n], before[n]);
-}
-
 int Interruptible::caught() const { return signal_caught; }
+
+int Interruptible::end() {
+    for (std::size_t n = 0; n < signals.size(); ++n) std::signal(signals[n], before[n]);
+    return caught();
+}
 
 int run_program(int argc, char** argv, const Build& build) {
     ExitStatus status;

@@ -23,8 +23,10 @@ Tried<Solution> without_proof(AnswerInDouble found, const AnswerByReference& pro
     const bool on_boundary = found.is_answered() && found.value->regime.on_boundary;
     const bool answers = found.is_answered() && found.regime_is_certain && proof.regime_holds != false && !(told && on_boundary);
     Reasons refused = proof.why;
-    if (found.open && !answers && !told)
-        refused += Reasons(on_boundary ? Why::as_double_sees : Why::certain) + found.value->regime.reason;
+    if (found.open && !answers && !told) {
+        const bool only_seen = on_boundary || !found.value->limits;
+        refused += Reasons(only_seen ? Why::as_double_sees : Why::certain) + found.value->regime.reason;
+    }
     if (told) why.erase(std::ranges::find(why, Why::certain, &Reason::says), why.end());
     if (!answers) { // more work may help; else it is as double found it, if double has no answer at all
         const bool by_double = !found.is_answered() && proof.outcome != Outcome::budget_spent;
@@ -35,15 +37,17 @@ Tried<Solution> without_proof(AnswerInDouble found, const AnswerByReference& pro
     return found;
 }
 
-// The reference for a proof and for more digits than double has; else double, if that settles the question or refuses it at a
-// pole that is met by rounding; else the reference, of many masses only if digits were asked for. If that has no proof, what
-// double has, or the reasons of both.
+// The reference for a proof and for more digits than double has; else double, if that settles the question; else the reference, of
+// many masses only if digits were asked for. If that has no proof, what double has, or the reasons of both. At a pole that is met
+// by rounding a motion that slides throughout stays refused.
 template <class ByReference, class Fast>
 Tried<Solution> in_turn(std::size_t N, Effort* effort, const Question& question, const ByReference& by_reference,
                         const Fast& fast) {
     if (question.proved || question.digits > most_digits_in_double) return by_reference(nullptr);
     AnswerInDouble found = fast();
-    if (found.is_settled() || std::ranges::count(found.why, Why::pole_by_rounding, &Reason::says) > 0) return found;
+    if (found.is_settled()) return found;
+    // Friction holds the contact there as it does elsewhere; of a motion that slides rounding decides the amplitude.
+    const bool is_rounding = std::ranges::count(found.why, Why::pole_by_rounding, &Reason::says) > 0;
     Reasons why = found.is_answered() ? found.value->method.why : found.why;
     if (found.vague) {
         const std::optional<Stability>& seen = found.value->stability;
@@ -54,6 +58,7 @@ Tried<Solution> in_turn(std::size_t N, Effort* effort, const Question& question,
                               : !question.digits && N > most_masses_unasked
                                   ? AnswerByReference{{Outcome::digits_missing, {Why::not_asked, most_masses_unasked}}}
                                   : by_reference(&found);
+    if (is_rounding && !(proof.is_answered() && proof.value->regime.regime != Regime::continuous)) return found;
     if (proof.outcome == Outcome::at_a_pole) return proof;
     if (found.outcome == Outcome::at_a_pole && !proof.is_answered()) return found;
     if (!proof.is_answered()) return without_proof(std::move(found), proof, std::move(why));
@@ -126,7 +131,7 @@ AnswerByReference answer_by_reference(const PreparedSystem& p, const SolvePoint&
     Solution& s = *answer.value;
     if (rest) {
         const Solution& from_rest = *rest->value;
-        if (s.regime.regime == from_rest.regime.regime && !rest->open) s.regime = from_rest.regime;
+        if (s.regime.regime == from_rest.regime.regime && (!rest->open || s.regime.reason.empty())) s.regime = from_rest.regime;
         if (from_rest.not_from_rest.empty())
             s.method.why = Why::from_rest_unproved + s.method.why;
         else if (!is_seen) // else double has said it

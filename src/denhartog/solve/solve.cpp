@@ -121,6 +121,7 @@ void answer_by_boundaries(SolveTask& task, const std::string& model, Solution& s
     s.masses.clear();
     s.from_ground.clear();
     s.method.model = model;
+    s.method.precision = "double";
     s.sticking_by_88 = sticking_by_88(task.scene);
     if (!s.sticking_by_88) return;
     const Bounded<double> by_88(s.sticking_by_88->value, s.sticking_by_88->error);
@@ -149,6 +150,13 @@ Refusal answer_by_regime(SolveTask& task, Solution& s) {
     else if (s.regime.regime == Regime::permanent_sticking)
         answer_by_stuck_response(task, std::nullopt, s);
     return {};
+}
+
+// At a pole no boundary tells whether the motion grows for ever, and stops that are so short may be rounding of one that does.
+bool hardly_stops(const PeriodicOrbit& orbit) {
+    constexpr double short_stop = 1e-4;
+    return !orbit.stops.empty() &&
+           std::ranges::all_of(orbit.stops, [](const Stop& stop) { return stop.end - stop.start < short_stop; });
 }
 
 // The motion from rest by the exact solver; the closed form or the stuck response give the numbers where it leads there. With
@@ -196,7 +204,8 @@ Refusal answer_from_rest(SolveTask& task, Solution& s) {
     } else if (slides && orbit.stops.empty()) {
         set_regime(task, Regime::continuous, Why::rest_leads_to_sliding, s);
     } else {
-        const bool open = known && stops_are_open(orbit, sticks, orbit.stops.empty() && must_stop(task, s), slides);
+        const bool open = known ? stops_are_open(orbit, sticks, orbit.stops.empty() && must_stop(task, s), slides)
+                                : task.sliding.outcome == Outcome::at_a_pole && hardly_stops(orbit);
         task.found.open = open;
         task.found.regime_is_certain = !open || must_stop(task, s);
         if (!regime_alone) {

@@ -165,7 +165,7 @@ void answer(const MapOptions& options, ExitStatus& status) {
     request.phases = options.phases;
     request.threads = options.threads != 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
     if (!options.output.empty()) check_writable(options.output);
-    const Interruptible interruptible(stop);
+    Interruptible interruptible(stop);
     const auto progress = [&](std::size_t done) { show_columns(done, grid.frequency.values.size()); };
     RegimeMap map;
     if (units) {
@@ -176,8 +176,9 @@ void answer(const MapOptions& options, ExitStatus& status) {
         request.beta = grid.rows.values;
         map = regime_map(scene, request, stop, progress);
     }
+    const int signal = interruptible.end();
     if (map.complete) return write(map_table(grid, map));
-    status.signal = interruptible.caught();
+    status.signal = signal;
     report("interrupted: nothing is written");
 }
 
@@ -218,7 +219,8 @@ void add_map_command(CLI::App& app, ExitStatus& status) {
         "stick_slip, permanent_sticking), stops_per_period, periods (of the force in a period of the motion), amplitude_K of\n"
         "each mass K in units of P / k_1, status. If double does not decide the regime or has fewer than 6 digits of an\n"
         "amplitude, `solve` answers the point. status: answered; on_boundary, beta equals a boundary to rounding\n"
-        "and the neighbouring regime is possible; not_converged, no steady motion is known to follow from the start; at_a_pole, a\n"
+        "and the neighbouring regime is possible; not_converged, no steady motion is known to follow from the start; at_a_pole, "
+        "a\n"
         "mode without damping resonates; failed, digits or work do not suffice. In the last three the numbers are nan and there\n"
         "is no regime.\n"
         "NPY: an array of records (r by beta) with the same fields; regime is 0, 1, 2 in the order above and -1 for none,\n"

@@ -358,7 +358,7 @@ void conform_run(const ConformOptions& options, ExitStatus& status) {
     const std::vector<Vector> all = vectors_for(options);
     const std::vector<const Vector*> chosen = selected(options, all);
     const std::optional<Verdicts> earlier = earlier_verdicts(options);
-    const Interruptible interruptible(interruption());
+    Interruptible interruptible(interruption());
     ConformReport report{converse(options, chosen, [&](std::size_t done) { show_answered(done, chosen.size()); }), options};
     if (interruptible.caught() != 0) {
         status.signal = interruptible.caught();
@@ -366,6 +366,7 @@ void conform_run(const ConformOptions& options, ExitStatus& status) {
     }
     if (report.name.empty()) report.name = legible(options.command.front());
     if (!report.broken && report.cut_short.empty()) note_what_is_kept(report);
+    interruptible.end();
     finish(report, earlier, status);
 }
 
@@ -393,12 +394,10 @@ void conform_grade(const ConformOptions& options, ExitStatus& status) {
 
 void conform_smoke(const ConformOptions& options, ExitStatus& status) {
     check(options);
-    const Interruptible interruptible(interruption());
+    Interruptible interruptible(interruption());
     const Smoke found = smoke(options);
-    if (interruptible.caught() != 0) {
-        status.signal = interruptible.caught();
-        return;
-    }
+    status.signal = interruptible.end();
+    if (status.signal != 0) return;
     Rows rows;
     bool good = true, kept = true;
     for (const SmokeCheck& check : found.checks) {
