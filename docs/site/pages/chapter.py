@@ -41,7 +41,7 @@ def chapter_views(run, files):
     """What the template shows of each page, and the faults: a claim on a result that the chapter leaves out is one."""
     mentioned = {claim for content in files.values() for claim in re.findall(r"\{\{steps (.*?)\}\}", content)}
     known = {"equation": run.entries, "claims": run.entries, "steps": run.claims, "explore": run.places,
-             "figure": {figure.name: figure for figure in run.figures}}
+             "figure": run.figures}
     faults, names = [], list(files)
 
     def piece(block, place):

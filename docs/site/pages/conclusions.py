@@ -93,7 +93,7 @@ def decided_by(run, claim):
     if claim["id"] not in run.claims:  # an id for all claims that begin with it
         return SimpleNamespace(equation=equation, said="", misprint=False, numbers=[], picture=None, record=None, place=None)
     record, refuted = record_of(run, claim["id"]), "refuted" in claim["verdict"]
-    misprint = refuted and not words and equation in run.departures
+    misprint = refuted and not words and run.departures[equation].said
     if refuted and not words and not misprint:
         raise Fault(f"docs/ledger/in_words.json has no sentence on {claim['id']}")
     place = run.places.get(equation) if misprint else scene_of(record) if refuted else None
@@ -106,7 +106,7 @@ def conclusions_view(run):
     """Sections with their statements, and how many statements there are of each answer."""
     if unknown := run.in_words.keys() - {claim["id"] for row in run.statements for claim in row["claims"]}:
         raise Fault(f"docs/ledger/in_words.json speaks of {', '.join(sorted(unknown))}, which decides no statement")
-    figures, shown, rows = {figure.name: figure for figure in run.figures}, set(), []
+    figures, shown, rows = run.figures, set(), []
     for row in run.statements:
         claims = [decided_by(run, claim) for claim in row["claims"]]
         names = [claim.picture for claim in claims if claim.picture in figures]

@@ -2,12 +2,16 @@
 import csv
 import json
 import math
+import os
 import re
 import subprocess
-from itertools import takewhile
+from collections import defaultdict, namedtuple
 from types import SimpleNamespace
+from xml.etree import ElementTree
 
-from .text import EQUATIONS, Fault, label
+from .text import EQUATIONS, Fault, Place, label
+
+Departure = namedtuple("Departure", "equation said printed holds why", defaults=[""] * 5)
 
 
 def read_json(file):
@@ -47,8 +51,9 @@ def read_run(verify, source):
             r"# name \d+ (.*)\n#.*\n((?:\d.*\n)*)", (source / "paper-figures/beyond/benchmark_work_precision.dat").read_text())
             for row in rows.splitlines()],
         conformance={file.stem: file.read_text() for file in (verify / "conformance").glob("*.md")},
-        departures={row["equation"]: SimpleNamespace(**({"printed": "", "holds": "", "why": ""} | row))
-                    for row in read_json(written / "departures.json")},
+        departures=defaultdict(Departure, {row["equation"]: Departure(**row) for row in read_json(written / "departures.json")}),
+        tests={test.get("name"): Place(os.path.relpath(test.get("filename"), source.resolve()), test.get("line"))
+               for results in (verify / "test-results").glob("*.xml") for test in ElementTree.parse(results).iter("TestCase")},
         statements=read_json(verify / "paper/statements.json"),
         in_words={row["claim"]: row for row in read_json(written / "in_words.json")},
         stand_for=read_json(written / "stand_for.json"), names=read_json(written / "names.json"),
@@ -101,32 +106,28 @@ def meant_by(run, claim, latex):
 # Figures
 
 
-def title_of_script(lines):
+def title_of_script(script):
     """The first sentence of a plot script, where no program has recorded a title."""
-    comment = " ".join(line[2:] for line in takewhile(lambda line: line.startswith("# "), lines))
-    if not comment.startswith("Fig. "):
-        return re.split("[.;]", comment)[0]
-    title = comment.partition(": ")[2].partition(". ")[0].removesuffix(".")  # Fig. 1: the chain of N masses. ...
-    return title[0].upper() + title[1:]
+    comment = re.match("(# .*\n)+", script.read_text())[0]
+    return re.split(r"\.\s|;", comment.replace("# ", "").replace("\n", " "))[0]
 
 
 def read_figures(folder, source):
-    """The figures of the run, those of the paper first."""
-    captions, figures = read_json(source / "docs/ledger/figures.json"), []
+    """The figures of the run by name, those of the paper first."""
+    captions, figures = read_json(source / "docs/ledger/figures.json"), {}
     scripts = {file.stem: file for file in (source / "paper-figures").rglob("*.gp")}
     for name in sorted(file.stem for file in folder.glob("*.svg") if file.stem in scripts):  # others an earlier run left
         if name not in captions:
             raise Fault(f"figure {name} must have its caption in docs/ledger/figures.json")
         record = read_json(folder / f"{name}.json") if (folder / f"{name}.json").exists() else None
-        title = record["title"] if record else title_of_script(scripts[name].read_text().splitlines())
-        title = title.replace("->", "→").replace("zeta", "ζ")
+        title = (record["title"] if record else title_of_script(scripts[name])).replace("->", "→").replace("zeta", "ζ")
         number = f"Fig. {int(name[3:5])}" if name.startswith("fig") else ""
         data = [file.name for ending in (".pdf", ".dat", ".csv") for file in sorted(folder.glob(f"{name}*{ending}"))]
-        figures.append(SimpleNamespace(
+        figures[name] = SimpleNamespace(
             name=name, label=label("figure", name), number=number, title=title, record=record,
             full_title=f"{number}: {title}" if number else title, data=data, caption=captions[name],
-            script=scripts[name].relative_to(source).as_posix()))
-    return sorted(figures, key=lambda figure: not figure.number)
+            script=scripts[name].relative_to(source).as_posix())
+    return dict(sorted(figures.items(), key=lambda named: not named[1].number))
 
 
 # Symbols
@@ -185,13 +186,13 @@ def faults_of_departures(departures, ledger):
                        r"\\(misprint|mended|Bigl|Bigr|left\.?|right\.?)|[{}&\s\\]")
     faults = []
     for entry in ledger:
-        departure, departs = departures.get(entry["equation"]), entry["departure"] != "none"
-        printed, statement = (marks.sub("", latex) for latex in (departure.printed if departure else "", entry["statement"]))
-        differs = departure and r"\misprint{" in departure.printed and r"\mended{" in departure.holds
+        departure, departs = departures[entry["equation"]], entry["departure"] != "none"
+        printed, statement = marks.sub("", departure.printed), marks.sub("", entry["statement"])
+        differs = r"\misprint{" in departure.printed and r"\mended{" in departure.holds
         faults += [f"docs/ledger/departures.json: ({entry['equation']}) {told}" for told, there in (
-            ("has a sentence and does not depart", departure and not departs),
-            ("departs from the print and has no sentence", departs and not departure),
-            ("is refuted as printed and does not say why", departure and entry["printed"] == "refuted" and not departure.why),
+            ("has a sentence and does not depart", departure.said and not departs),
+            ("departs from the print and has no sentence", departs and not departure.said),
+            ("is refuted as printed and does not say why", entry["printed"] == "refuted" and not departure.why),
             (f"without its marks is not the printed formula: {printed} against {statement}", printed and printed != statement),
             ("shows no difference", printed and not differs and entry["equation"] != "68")) if there]
     return faults

@@ -11,12 +11,12 @@ from . import text
 from .chapter import chapter_views, places_in_chapter, read_chapter
 from .code import code_of
 from .conclusions import conclusions_view
-from .equations import (LONGEST_STATEMENT, SAMPLES, SAMPLES_OF_MODES, accuracy_rows, equation_view, in_namespace, theorems_of,
-                        witness_names)
+from .equations import (LONGEST_STATEMENT, SAMPLES, SAMPLES_OF_MODES, accuracy_rows, equation_view, in_namespace, statement_of,
+                        theorems_of, witness_names)
 from .graph import graph_of
 from .records import faults_of_departures, faults_of_stand_ins, read_run, record_of
 from .sources import Sources, code_lines, coq_lines
-from .text import EQUATIONS, Fault, html, statement_that_holds, told_in, verdict_text, without_marks
+from .text import EQUATIONS, Fault, html, told_in, verdict_text
 
 SECTIONS = {"1": "Introduction", "2.1": "Formulation", "2.2": "Modal superposition", "2.3": "The mass in contact",
             "2.4": "Time response", "2.5": "The other masses", "2.6": "Domain of validity", "3.1": "Numerical approach",
@@ -56,14 +56,14 @@ def environment(run, sources):
         brief=lambda function: sources.snippet(function).brief, number="{:.10g}".format,
         sample=lambda name, of_modes: SAMPLES_OF_MODES[name] if of_modes else SAMPLES.get(name, "1"),
         names=lambda witness, claim="": witness_names(run, witness, claim), record=lambda claim: record_of(run, claim),
+        statement_of_theorem=lambda of: re.search(rf"Definition {of['name']} : Prop :=.*?\.(?=\n)|\Z", run.theorems, re.S)[0],
         in_order=lambda entries, key: [(name, list(group)) for name, group in groupby(entries, lambda entry: entry[key])],
         section_title=lambda section: f"{section} {SECTIONS[section]}" if section in SECTIONS else section,
         counts=lambda ledger, key: ", ".join(f"{n} {text.verdict_text(word)}"
                                              for word, n in sorted(Counter(entry[key] for entry in ledger).items())),
         tables=lambda markdown, prefix: jinja.get_template("tables.html").render(pieces=tables(markdown, prefix)))
-    said = {equation: text.typeset(departure.said, "departures.json") for equation, departure in run.departures.items()}
-    jinja.globals |= dict(run=run, chapter={}, ledger=run.ledger, figures=run.figures, departures=run.departures,
-                          said_of=lambda equation: said.get(equation, ""), longest_statement=LONGEST_STATEMENT)
+    jinja.globals |= dict(run=run, chapter={}, ledger=run.ledger, departures=run.departures, longest_statement=LONGEST_STATEMENT,
+                          said_of=lambda equation: text.typeset(run.departures[equation].said, "departures.json"))
     jinja.globals["part"] = jinja.get_template("parts.html").module
     return jinja
 
@@ -94,7 +94,7 @@ def make_pages(run, sources, chapter):
         page = page.replace("<!--contents-->", contents)
         pages[name] = re.sub(r"\n*(\n\\(?:sub)?section .*\n)\n*", r"\n\1\n", page)  # a heading stands apart
 
-    for figure in run.figures:
+    for figure in run.figures.values():
         with told_in(faults):
             add(figure.label, "figure", dict(figure=figure, program=figure.script.removesuffix("gp") + "cpp"))
     for equation in EQUATIONS:
@@ -126,12 +126,10 @@ def script_files(run):
                 "units": symbol.units, "equations": symbol.equations} for symbol in run.notation]
     statements, places = {}, {}
     for entry in run.ledger:
-        departure = run.departures.get(entry["equation"])
-        said = f"as printed: {verdict_text(entry['printed'])}" + (f". {departure.said}" if departure else "")
-        latex = without_marks(departure.holds) if departure and departure.holds else statement_that_holds(entry)
-        statements[entry["equation"]] = {"said": in_html(said), "latex": latex}
+        said = ". ".join(filter(None, (f"as printed: {verdict_text(entry['printed'])}", run.departures[entry["equation"]].said)))
+        statements[entry["equation"]] = {"said": in_html(said), "latex": statement_of(run, entry).plain}
         places.setdefault(f"section {entry['section']}", f"equations.html#{text.label('equations', entry['section'])}")
-    for figure in run.figures:
+    for figure in run.figures.values():
         if figure.number:
             places[f"figure {figure.number[5:]}"] = f"{figure.label}.html"
     columns = ("function", "type", "zone", "points", "printed", "shipped", "shipped_at")

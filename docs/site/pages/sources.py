@@ -1,15 +1,13 @@
-"""What the pages take from the sources: the lines of functions, and where claims and tests stand."""
+"""What the pages take from the sources: the lines of functions, and where claims stand."""
 import re
 from collections import namedtuple
 from pathlib import Path
 
-from .text import Fault, html, prose
+from .text import Fault, Place, html, prose
 
-Place = namedtuple("Place", "file line")
 Snippet = namedtuple("Snippet", "file first lines brief")
 
 LITERAL = r'"(?:[^"\\]|\\.)*"'
-TEST = re.compile(rf"(?:TEST_CASE|SCENARIO)\(\s*((?:{LITERAL}\s*)+),\s*((?:{LITERAL}\s*)+)")
 KEYWORDS = re.compile(r"\b(template|class|struct|return|const|typename|inline|requires)\b", re.ASCII)
 COQ_KEYWORDS = set("""Lemma Theorem Definition forall exists Proof Qed Section End Variables Hypothesis Fixpoint fun match with
 end if then else let in Require Import Open Scope""".split())
@@ -19,10 +17,9 @@ class Sources:
     """The sources of the project."""
 
     def __init__(self, root):
-        self.root, self.ids, self.literals, self.tests = Path(root), {}, {}, {}
-        for folder, read in (("derivation", self.read_claims), ("tests", self.read_tests)):
-            for file in sorted((self.root / folder).rglob("*.cpp")):
-                read(file.relative_to(self.root).as_posix(), file.read_text())
+        self.root, self.ids, self.literals = Path(root), {}, {}
+        for file in sorted((self.root / "derivation").rglob("*.cpp")):
+            self.read_claims(file.relative_to(self.root).as_posix(), file.read_text())
 
     def read_claims(self, name, text):
         """Keeps the literals of a source: those with a slash, the ones that a claim takes as its id rather than others, and those
@@ -32,12 +29,6 @@ class Sources:
                 key = literal[1:-1] if "/" in literal else (name, literal[1:-1])
                 (self.ids if is_id else self.literals).setdefault(key, Place(name, number))
 
-    def read_tests(self, name, text):
-        for test in TEST.finditer(text):
-            if "[eq:" in test[2]:
-                told = "".join(re.sub(r"\\(.)", r"\1", part[1:-1]) for part in re.findall(LITERAL, test[1]))
-                self.tests.setdefault(told, Place(name, text.count("\n", 0, test.start(1)) + 1))
-
     def claim(self, claim):
         """Where a claim is made, of whose id a source may have the beginning and the rest apart."""
         for literals in (self.ids, self.literals):
@@ -46,13 +37,6 @@ class Sources:
                     place = literals[claim[:at]]
                     return self.literals.get((place.file, claim[at:] or None), place)
         raise Fault(f"claim {claim} must be made in a source under derivation")
-
-    def test(self, name):
-        """Where a test is declared, by its name as it ran: that of a test over types ends with the type."""
-        place = self.tests.get(name) or self.tests.get(name.rpartition(" - ")[0])
-        if place is None:
-            raise Fault(f"test '{name}' must stand in a source under tests")
-        return place
 
     def snippet(self, function):
         """A function or a type of the ledger, from its template head to its closing brace."""

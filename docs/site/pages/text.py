@@ -1,15 +1,16 @@
 """Text for Doxygen: what is special to it is escaped; formulas, symbols and the numbers of equations become what they are."""
 import math
 import re
+from collections import namedtuple
 from contextlib import contextmanager
 from functools import cache
 
+Place = namedtuple("Place", "file line")  # in a source
 EQUATIONS = [str(n) for n in range(1, 89)] + [f"A.{n}" for n in range(1, 16)]
 GREEK = set("alpha beta gamma delta zeta eta theta kappa mu pi phi psi sigma tau omega Omega Sigma Psi".split())
 BARRED = {"X": r"\overline{X}", "x": r"\bar{x}", "K": r"\overline{K}", "C": r"\overline{C}", "M": r"\overline{M}"}
 WORD = re.compile(r"\w+", re.ASCII)
 OPERATORS = {"<=": "≤", ">=": "≥", "->": "→", "sqrt": "√"}
-PART = {"r": r"\mathrm{Re}\,", "i": r"\mathrm{Im}\,"}
 
 
 class Fault(Exception):
@@ -68,40 +69,20 @@ def source_link(place, shown):
     return f'<a href="source:{file}:{line}">{escaped(shown)}</a>'
 
 
-def subscripted(base, below):
-    """A letter with its subscript as the paper writes it: V_dj, U_dj, S_dj, v_di, u_di, s_di have a d that code leaves out."""
-    part = ""
-    if base in ("V", "v") and re.fullmatch("[^d][ri]", below):  # V_jr, V_ji: real and imaginary part
-        part, below = PART[below[1]], below[0]
-    elif base == "v" and re.match("[ri].", below):  # v_r1, v_i1
-        part, below = PART[below[0]], below[1:]
-    if base in tuple("VUSvus") and not below.startswith("d"):
-        below = "d" + below
-    letter = BARRED.get(base, "\\" + base if base in GREEK else base)
-    return part + letter + "_{" + {"lim": r"\lim"}.get(below, below) + "}"
-
-
 @cache
 def symbol(name, alone):
-    """LaTeX of a symbol that the run names in plain text, e.g. `eta_prime_0`; empty where it is none. Alone, a letter is one."""
+    """LaTeX of a symbol that the run names in plain text, e.g. `zeta_i`; empty where it is none. Alone, a letter is one. V_dj,
+    U_dj, S_dj, v_di, u_di, s_di of the paper have a d that code leaves out."""
     if name in GREEK:
         return "\\" + name
     if alone and len(name) == 1:
         return BARRED.get(name, name)
-    if alone and re.fullmatch("P[A-Z]", name):  # PA to PR: the coefficients of (A.10)
-        return rf"\mathcal{{{name[1]}}}"
-    base, bar, below = name.partition("_")
-    if not bar:  # R1, zeta1
-        found = re.fullmatch(r"(.*[^0-9])([0-9]+)", name)
-        known = found and (found[1] in GREEK or alone and len(found[1]) == 1)
-        return subscripted(found[1], found[2]) if known else ""
-    if not below or base not in GREEK and len(base) != 1:
+    base, _, below = name.partition("_")
+    if not 1 <= len(below) <= 3 or "_" in below or base not in GREEK and len(base) != 1:
         return ""
-    if below.startswith("prime_"):
-        return subscripted(base, below[6:]) + "'"
-    if below.endswith("_abs"):
-        return f"|{subscripted(base, below[:-4])}|"
-    return "" if "_" in below or len(below) > 3 else subscripted(base, below)
+    if base in tuple("VUSvus") and not below.startswith("d"):
+        below = "d" + below
+    return BARRED.get(base, "\\" + base if base in GREEK else base) + "_{" + {"lim": r"\lim"}.get(below, below) + "}"
 
 
 def formula_at(text, at):
