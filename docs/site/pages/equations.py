@@ -90,29 +90,15 @@ def witness_names(run, witness, claim=""):
             for name in sorted(witness, key=["under test", "derived"].__contains__)]
 
 
-def is_of_formula(run, name, latex):
-    """Whether a name of a witness is one of the formula's; R_1 stands for R_i."""
-    shown = run.symbols.get(name) or symbol(name, True)
-    if not shown or shown in latex:
-        return True
-    for mass in "123":
-        before, found, after = shown.rpartition(mass)
-        shown = before + "i" + after if found else shown
-    return shown.replace("_{i}", "_i", 1) in latex
-
-
 def statement_of(run, entry):
     """The printed formula and the one that holds, with the difference marked where a person has marked it."""
     departure, read, two = run.departures[entry["equation"]], entry["statement"], entry["correction"] != ""
     held = departure.holds or entry["correction"]
-    latex = f"{read} {without_marks(held)}"
-    of_formula = {name: value for name, value in entry["witness"].items()
-                  if is_of_formula(run, name, f"{read} {entry['correction']}")}
     why = "".join(displayed(part) if at % 2 else f"<p>{typeset(part, 'docs/ledger/departures.json')}</p>"
                   for at, part in enumerate(re.split(r"\$\$(.*?)\$\$", departure.why)) if part)
     return SimpleNamespace(why=why, printed=departure.printed or read, held=held, plain=without_marks(held) or read,
                            two=two, short=two and len(read) < 110 and len(without_marks(held)) < 110,
-                           symbols=symbols_in(run.notation, latex), witness=of_formula or entry["witness"])
+                           symbols=symbols_in(run.notation, f"{read} {without_marks(held)}"))
 
 
 def theorems_of(ledger):

@@ -2,7 +2,7 @@
 import json
 import re
 from collections import Counter
-from itertools import groupby
+from itertools import count, groupby
 from pathlib import Path
 
 import jinja2
@@ -28,19 +28,13 @@ DEPARTURES = {"scan": "a slip of the scan", "misprint": "a misprint: the paper's
 
 
 def tables(markdown, prefix):
-    """Headings, tables and sentences of a text in Markdown."""
-    parts = []
-    for is_table, lines in groupby(markdown.splitlines(), lambda line: line.startswith("|")):
-        if is_table:
-            rows = [[cell.strip().replace("\\|", "|") for cell in re.split(r"(?<!\\)\|", line)[1:-1]] for line in lines]
-            if any(len(row) != len(rows[0]) for row in rows):
-                raise Fault(f"a row of a table must have as many cells as its head: {rows[0]}")
-            parts.append({"rows": rows[:1] + rows[2:]})  # the second one is a line
-        else:
-            parts += [{"heading": line.lstrip("# ")} if line.startswith("#") else {"text": line} for line in lines if line]
-    for number, heading in enumerate((each for each in parts if "heading" in each), 1):
-        heading["label"] = f"{prefix}_{number}"
-    return parts
+    """A text of the surveys, whose tables Doxygen reads, with its words typeset and labels for its headings."""
+    for table in re.findall(r"(?:^\|.*\n)+", markdown, re.M):
+        if len({line.count("|") for line in table.splitlines()}) > 1:
+            raise Fault(f"a row of a table must have as many cells as its head: {table}")
+    number = count(1)
+    return "\n".join(rf"\section {prefix}_{next(number)} {line.lstrip('# ')}" if line.startswith("#") else
+                     text.typeset(line, "a table of measurements") for line in markdown.splitlines())
 
 
 def environment(run, sources):
@@ -61,7 +55,7 @@ def environment(run, sources):
         section_title=lambda section: f"{section} {SECTIONS[section]}" if section in SECTIONS else section,
         counts=lambda ledger, key: ", ".join(f"{n} {text.verdict_text(word)}"
                                              for word, n in sorted(Counter(entry[key] for entry in ledger).items())),
-        tables=lambda markdown, prefix: jinja.get_template("tables.html").render(pieces=tables(markdown, prefix)))
+        tables=tables)
     jinja.globals |= dict(run=run, chapter={}, ledger=run.ledger, departures=run.departures, longest_statement=LONGEST_STATEMENT,
                           said_of=lambda equation: text.typeset(run.departures[equation].said, "departures.json"))
     jinja.globals["part"] = jinja.get_template("parts.html").module
@@ -103,12 +97,11 @@ def make_pages(run, sources, chapter):
             add(view["name"], "equation", view)
             if view["more"]:
                 add(view["name"] + "_more", "equation_more", view)
-    views = {"audit": lambda: dict(zip(("summary", "audit"), tables(run.audit, "audit"), strict=True)),
-             "accuracy_page": lambda: dict(zones=[row for row in accuracy_rows(run) if row["type"] == "double"]),
+    views = {"accuracy_page": lambda: dict(zones=[row for row in accuracy_rows(run) if row["type"] == "double"]),
              "conclusions": lambda: conclusions_view(run), "equation_graph": lambda: dict(graph=graph_of(run.ledger)),
              "theorems": lambda: dict(theorems=theorems_of(run.ledger))}
     for name in ("home", "equations", "errata", "errata_sheet", "stand_ins", "figures_page", "speed_page", "conformance_page",
-                 *views):
+                 "audit", *views):
         with told_in(faults):
             add(name, name, views.get(name, dict)())
     views, faults_of_chapter = chapter_views(run, files)
