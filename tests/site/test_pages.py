@@ -63,7 +63,7 @@ class SmallRun:
                                    certificates={}, theorems="", figures={}, accuracy=[], chart="", batch="", conformance={},
                                    departures=defaultdict(Departure), notation=[], places={}, statements=[], in_words={}, stand_for=[],
                                    names={number: "A name" for number in EQUATIONS}, formulas={},
-                                   tests={"the amplitude is right": Place("tests/t.cpp", 1)}, questions={}, excess_of_67=36.4,
+                                   tests={"the amplitude is right": Place("tests/t.cpp", 1)}, questions={},
                                    motion=[[0.0] * 3] * 4, audit="All.\n\n| equation |\n|---|\n",
                                    benchmark=[("solver", "15.02", "14.43", "0.00017", "1.000")],
                                    run={"agreement": [{"group": "a", "scenes": 1} | dict.fromkeys(
@@ -430,7 +430,7 @@ class Pages(Case):
         self.small.run.departures["38"] = Departure(said="x", why="y")
         pages, faults = make()
         self.assertEqual((faults, len(pages)), ([], 103 + 14))
-        self.assertHas(pages["eq_67"], r'unsafe side: 36 \% above \ref eq_69 "(69)" at \f$r = 0.55\f$')
+        self.assertHas(pages["eq_67"], "errs on the unsafe side. The page of")
         files = site.script_files(self.small.run)
         self.assertEqual(json.loads(files["statements.json"])["38"], {"said": "as printed: refuted. x", "latex": "a=c"})
         self.assertEqual(files["sections.js"], 'window.siteSections = {\n"section 2.3": "equations.html#equations_2_3"\n};\n')

@@ -1,7 +1,6 @@
 """What a run wrote, as the pages take it: ledger, derivation, figures, measurements; and what people wrote beside it."""
 import csv
 import json
-import math
 import os
 import re
 import subprocess
@@ -25,9 +24,9 @@ def read_if_there(file):
     return file.read_text() if file.exists() else ""
 
 
-def told(command, asked=""):
+def told(*command):
     """What a program answers."""
-    return subprocess.run(list(map(str, command)), input=asked, check=True, stdout=subprocess.PIPE, text=True).stdout
+    return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
 
 
 def read_run(verify, source):
@@ -37,7 +36,7 @@ def read_run(verify, source):
     exported = verify / "kernel/certificates.json"
     certificates = read_json(exported)["certificates"] if exported.exists() else []
     accuracy = [read_json(file) for file in sorted((verify / "test-results/accuracy").glob("*.json"))]
-    program, offers = verify / "bin/denhartog", json.loads(told([verify / "bin/offers", source / "tests/conformance/vectors"]))
+    offers = json.loads(told(verify / "bin/offers", source / "tests/conformance/vectors"))
     return SimpleNamespace(
         ledger=ledger, entries={entry["equation"]: entry for entry in ledger}, claims=claims,
         symbols={value["name"]: value["name_latex"] for claim in claims.values() for value in claim.get("witness", [])
@@ -58,23 +57,14 @@ def read_run(verify, source):
         in_words={row["claim"]: row for row in read_json(written / "in_words.json")},
         stand_for=read_json(written / "stand_for.json"), names=read_json(written / "names.json"),
         notation=read_symbols((source / "docs/notation.md").read_text()), places=read_json(source / "docs/explore/places.json"),
-        formulas=offers["formulas"], questions=offers["questions"], excess_of_67=excess_of_67(program),
-        motion=motion_of_example(program, source / "docs/example.json"))
+        formulas=offers["formulas"], questions=offers["questions"],
+        motion=motion_of_example(verify / "bin/denhartog", source / "docs/example.json"))
 
 
-def motion_of_example(program, scene, samples=36):
+def motion_of_example(program, scene):
     """Displacements of the masses of the program's example, a list an instant of the period."""
-    rows = csv.DictReader(told([program, "motion", scene, "--samples", samples]).splitlines())
+    rows = csv.DictReader(told(program, "motion", scene, "--samples", "36").splitlines())
     return [[float(row[name]) for name in row if name.startswith("x_")] for row in rows]
-
-
-def excess_of_67(program):
-    """How far (67) is above the boundary (69), in percent, for the two masses of Fig. 10 with the least damping."""
-    first, second = (math.sqrt(5) - 1) / 2, (math.sqrt(5) + 1) / 2
-    scene = {"mass_ratios": [1, 1], "stiffness_ratios": [1, 1], "damping_ratios": [0.001 / first, 0.001 / second],
-             "contact": 2, "load": 1, "r": 0.55}
-    limit = json.loads(told([program, "boundary", "--json"], json.dumps(scene)))["beta_lim"]
-    return 100 * (limit["approximate"] / limit["exact"] - 1)
 
 
 def record_of(run, claim):

@@ -120,7 +120,7 @@ def spelled(text):
     """A text with the names of scenes in words: `2DOF j=2 l=1 #7` is two masses, j=2, l=1, scene 7."""
     masses = {"S": "one mass", "2": "two masses", "3": "three masses", "4": "four masses", "5": "five masses"}
     text = re.sub(r"\b([S2-5])DOF\b( (?=\w+=))?", lambda name: masses[name[1]] + (", " if name[2] else ""), text)
-    text = re.sub(r"(=[^\s;()]*[^\s;(),]) (?=[a-zA-Z]\w*=|#\d)", r"\1, ", text)
+    text = re.sub(r"(=[^\s;()]*[^\s;(),]) (?=[a-zA-Z]\w*=|#\d|undamped)", r"\1, ", text)
     text = re.sub(r"(?<= )#(?=\d)", "scene ", text).replace("seed 2022 N", "seed 2022, N")
     grid = "on the grid of the paper's scenes, "
     return text.replace(f"off by up to 0 % {grid}", f"right {grid}off by up to ")
