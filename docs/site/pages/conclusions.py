@@ -75,11 +75,11 @@ def decided_by(run, claim):
             raise Fault(f"docs/ledger/in_words.json has no sentence on {claim['id']}")
         said = f"{equation_link(equation)} as printed: {typeset(run.departures[equation].said, 'departures.json')}"
         place = run.places.get(equation)
-    return SimpleNamespace(said=said, numbers=[number_of_ours(threshold) for threshold in record["thresholds"]] if refuted else [],
+    return SimpleNamespace(said=said, numbers=list(map(number_of_ours, record["thresholds"])) if refuted else [],
                            picture=run.in_words.get(claim["id"], {}).get("picture"), record=record, place=place)
 
 
-def conclusions_view(run):
+def conclusions_of(run):
     """The statements with the claims that decide them."""
     if unknown := run.in_words.keys() - {claim["id"] for row in run.statements for claim in row["claims"]}:
         raise Fault(f"docs/ledger/in_words.json speaks of {', '.join(sorted(unknown))}, which decides no statement")
@@ -91,4 +91,4 @@ def conclusions_view(run):
         place = next((claim.place for claim in claims if claim.place), None)
         rows.append(dict(row, remark=remark, claims=claims, place=place, figure=figure, new=figure and figure.name not in shown))
         shown.add(figure and figure.name)
-    return dict(statements=rows)
+    return rows

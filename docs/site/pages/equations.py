@@ -4,11 +4,10 @@ from types import SimpleNamespace
 
 from .conclusions import number_of_ours, sentence_on
 from .records import meant_by, record_of, symbols_in
-from .text import (EQUATIONS, Fault, counted, displayed, equation_label, escaped, fails, formula, label, prose,
-                   symbol, typeset, without_marks)
+from .text import (EQUATIONS, Fault, counted, displayed, equation_label, escaped, fails, formula, label, prose, symbol, typeset,
+                   without_marks)
 
 LONGEST_FORMULA = 500  # longer ones are left to the record: nobody reads them, and they take seconds to typeset
-LONGEST_STATEMENT = 4000  # in the language of Coq
 ABBREVIATED, DIVISORS = "Abbreviations", "where no divisor is zero"  # steps of the record that are no steps of the argument
 ROLES = {"both": "on the formula as printed and as shipped", "printed": "on the formula as printed",
          "shipped": "on the formula as shipped", "observation": "on what the text says about it"}
@@ -46,26 +45,24 @@ def claim_view(run, sources, claim, equation):
     """A claim in full; its steps stand on the page of the equation that its id begins with, else of its first one."""
     record, again = record_of(run, claim["id"]), claim.get("same_as", "")
     home = sorted(record["equations"], key=lambda number: number != record["claim"].partition("/")[0])[0]
-    witness, thresholds, kind = claim.get("witness", {}), claim.get("thresholds", []), claim.get("kind", "")
+    witness, thresholds = claim.get("witness", {}), claim.get("thresholds", [])
     again = f" (it says the same as {escaped(again)})" if again else ""
     return dict(
         claim, record=record, home=home, here=home == equation, place=sources.claim(claim["id"]),
         label=label("claim", record["claim"]),
-        bears=f"{KINDS.get(kind, 'derived')}{again}, {ROLES.get(claim['role'], 'a step of the argument')}",
+        bears=f"{KINDS.get(claim['kind'], 'derived')}{again}, {ROLES.get(claim['role'], 'a step of the argument')}",
         witness=witness if witness != run.entries[equation]["witness"] else {},  # which stands at the head of the page
         said=sentence_on(run, claim["id"], claim["verdict"]), thresholds=[number_of_ours(threshold) for threshold in thresholds],
         whatever=claim["verdict"] == "refuted" and not any(t["decides"] for t in thresholds),
-        steps=steps_of(run, record),
-        count=sum(step["text"] not in (ABBREVIATED, DIVISORS) for step in record["steps"]))
+        steps=steps_of(run, record))
 
 
 def sorted_claims(entry):
     """The equation's own claims, about the paper's formula and not about a form of it; all others; observations."""
     decides = lambda claim: claim["role"] != "step" and not claim.get("same_as")
-    is_form = lambda claim: claim.get("kind") == "refinement"
-    claims, observations = [], []
-    for claim in entry["claims"]:
-        (observations if claim["role"] == "observation" else claims).append(claim)
+    is_form = lambda claim: claim["kind"] == "refinement"
+    observations = [claim for claim in entry["claims"] if claim["role"] == "observation"]
+    claims = [claim for claim in entry["claims"] if claim not in observations]
     its = [claim for claim in claims if decides(claim) and claim["id"].startswith(entry["equation"] + "/")]
     own = [claim for claim in its if not is_form(claim)]
     if all(claim["role"] == "printed" for claim in own):  # (A.12) is decided by how a shipped formula follows from others
@@ -124,12 +121,6 @@ def in_namespace(functions, name):
     return [function for function in functions if f"::{name}::" in function["name"]]
 
 
-def accuracy_rows(run, equation=None):
-    """Rows of the records of accuracy, with the number type of each; of one equation, or all."""
-    return [row | {"type": record["type"]} for record in run.accuracy for row in record["functions"]
-            if equation is None or equation in row["equations"]]
-
-
 def equation_view(run, sources, entry):
     """All that the two pages of an equation show."""
     equation, functions = entry["equation"], entry["functions"]
@@ -138,7 +129,7 @@ def equation_view(run, sources, entry):
     callers = [function for function in functions if function not in paper and function not in forms]
     own, others, observations = ([claim_view(run, sources, claim, equation) for claim in claims]
                                  for claims in sorted_claims(entry))
-    accuracy = [row for row in accuracy_rows(run, equation) if row["type"] == "double"]
+    accuracy = [row for row in run.accuracy if row["type"] == "double" and equation in row["equations"]]
     more = [what for there, what in (
         (forms, "the forms that keep their digits"), (others, counted(len(others), "further claim", "further claims")),
         (accuracy, "the measured accuracy"), (callers, "the functions that use it")) if there]

@@ -35,7 +35,8 @@ def read_run(verify, source):
     claims = {claim["claim"]: claim for claim in read_json(verify / "paper/derivation.json")}
     exported = verify / "kernel/certificates.json"
     certificates = read_json(exported)["certificates"] if exported.exists() else []
-    accuracy = [read_json(file) for file in sorted((verify / "test-results/accuracy").glob("*.json"))]
+    accuracy = sorted(map(read_json, sorted((verify / "test-results/accuracy").glob("*.json"))),
+                      key=lambda record: {"d": 0, "l": 1}.get(record["type"][0], 2))  # double, long double, others
     offers = json.loads(told(verify / "bin/offers", source / "tests/conformance/vectors"))
     return SimpleNamespace(
         ledger=ledger, entries={entry["equation"]: entry for entry in ledger}, claims=claims,
@@ -44,7 +45,7 @@ def read_run(verify, source):
         run=read_json(verify / "paper/run.json"), audit=(verify / "paper/audit.md").read_text(),
         certificates={certificate["claim"]: certificate for certificate in certificates},
         theorems=read_if_there(source / "derivation/kernel/Statements.v"), figures=read_figures(verify / "figures", source),
-        accuracy=sorted(accuracy, key=lambda record: {"d": 0, "l": 1}.get(record["type"][0], 2)),  # double, long double, others
+        accuracy=[row | {"type": record["type"]} for record in accuracy for row in record["functions"]],
         chart=read_if_there(verify / "chart/tables.md"), batch=read_if_there(verify / "chart/batch.md"),
         benchmark=[(solver, *row.split()) for solver, rows in re.findall(
             r"# name \d+ (.*)\n#.*\n((?:\d.*\n)*)", (source / "paper-figures/beyond/benchmark_work_precision.dat").read_text())

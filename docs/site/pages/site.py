@@ -1,7 +1,6 @@
 """All generated pages: each kind has a template; the pages are Doxygen's, which resolves links to what is in the sources."""
 import json
 import re
-from collections import Counter
 from itertools import count, groupby
 from pathlib import Path
 
@@ -10,9 +9,8 @@ import jinja2
 from . import text
 from .chapter import chapter_views, places_in_chapter, read_chapter
 from .code import code_of
-from .conclusions import conclusions_view
-from .equations import (LONGEST_STATEMENT, SAMPLES, SAMPLES_OF_MODES, accuracy_rows, equation_view, in_namespace, statement_of,
-                        theorems_of, witness_names)
+from .conclusions import conclusions_of
+from .equations import SAMPLES, SAMPLES_OF_MODES, equation_view, in_namespace, statement_of, theorems_of, witness_names
 from .graph import graph_of
 from .records import faults_of_departures, faults_of_stand_ins, read_run, record_of
 from .sources import Sources, code_lines, coq_lines
@@ -53,10 +51,8 @@ def environment(run, sources):
         statement_of_theorem=lambda of: re.search(rf"Definition {of['name']} : Prop :=.*?\.(?=\n)|\Z", run.theorems, re.S)[0],
         in_order=lambda entries, key: [(name, list(group)) for name, group in groupby(entries, lambda entry: entry[key])],
         section_title=lambda section: f"{section} {SECTIONS[section]}" if section in SECTIONS else section,
-        counts=lambda ledger, key: ", ".join(f"{n} {text.verdict_text(word)}"
-                                             for word, n in sorted(Counter(entry[key] for entry in ledger).items())),
-        tables=tables)
-    jinja.globals |= dict(run=run, chapter={}, ledger=run.ledger, departures=run.departures, longest_statement=LONGEST_STATEMENT,
+        tables=tables, conclusions_of=conclusions_of, graph_of=graph_of, theorems_of=theorems_of)
+    jinja.globals |= dict(run=run, chapter={}, ledger=run.ledger, departures=run.departures,
                           said_of=lambda equation: text.typeset(run.departures[equation].said, "departures.json"))
     jinja.globals["part"] = jinja.get_template("parts.html").module
     return jinja
@@ -66,11 +62,9 @@ def faults_of_pages(pages):
     """A sentence for each page with a dollar outside of a formula or a place-holder that nothing replaced. Doxygen finds labels
     that are there twice or not at all, formulas that are not closed and LaTeX outside of them; KaTeX, a formula that is wrong."""
     raw = re.compile(r"\\f\$.*?\\f\$|\\f\[.*?\\f\]|\\htmlonly.*?\\endhtmlonly", re.S)
-    texts = {name: raw.sub("", page) for name, page in pages.items()}
-    return [f"page {name} has {what}: {found[0]}" for name, text in texts.items()
-            for what, mark in (("a dollar outside of a formula", r"(?<!\\)\$.*"),
-                               ("a place-holder that nothing replaced", r"\{\{.*"))
-            if (found := re.search(mark, text))]
+    what = {"$": "a dollar outside of a formula", "{": "a place-holder that nothing replaced"}
+    return [f"page {name} has {what[found[0][0]]}: {found[0]}" for name, page in pages.items()
+            if (found := re.search(r"(?<!\\)\$.*|\{\{.*", raw.sub("", page)))]
 
 
 def make_pages(run, sources, chapter):
@@ -97,13 +91,10 @@ def make_pages(run, sources, chapter):
             add(view["name"], "equation", view)
             if view["more"]:
                 add(view["name"] + "_more", "equation_more", view)
-    views = {"accuracy_page": lambda: dict(zones=[row for row in accuracy_rows(run) if row["type"] == "double"]),
-             "conclusions": lambda: conclusions_view(run), "equation_graph": lambda: dict(graph=graph_of(run.ledger)),
-             "theorems": lambda: dict(theorems=theorems_of(run.ledger))}
     for name in ("home", "equations", "errata", "errata_sheet", "stand_ins", "figures_page", "speed_page", "conformance_page",
-                 "audit", *views):
+                 "audit", "accuracy_page", "conclusions", "equation_graph", "theorems"):
         with told_in(faults):
-            add(name, name, views.get(name, dict)())
+            add(name, name, {})
     views, faults_of_chapter = chapter_views(run, files)
     for view in views:
         add(view["name"], "chapter", view)
@@ -126,7 +117,7 @@ def script_files(run):
         if figure.number:
             places[f"figure {figure.number[5:]}"] = f"{figure.label}.html"
     columns = ("function", "type", "zone", "points", "printed", "shipped", "shipped_at")
-    rows = [",".join(json.dumps(row[column], ensure_ascii=False) for column in columns) for row in accuracy_rows(run)]
+    rows = [",".join(json.dumps(row[column], ensure_ascii=False) for column in columns) for row in run.accuracy]
     return {"accuracy.csv": "\n".join([",".join(columns)] + rows) + "\n", "symbols.json": as_json(symbols) + "\n",
             "statements.json": as_json(statements) + "\n", "sections.js": f"window.siteSections = {as_json(places)};\n"}
 
