@@ -34,7 +34,7 @@ from pages.graph import layout
 from pages.site import faults_of_pages
 from pages.records import Departure, faults_of_departures, read_symbols, stands_in, symbols_in
 from pages.sources import Sources, coq_lines
-from pages.text import EQUATIONS, Fault, Place, displayed, equation_label, equation_link, escaped, formula, html, prose, symbol, witness_value
+from pages.text import EQUATIONS, Fault, displayed, equation_label, equation_link, escaped, formula, html, prose, symbol, witness_value
 
 
 def entry(number, **more):
@@ -62,7 +62,7 @@ class SmallRun:
                                    certificates={}, theorems="", figures={}, accuracy=[], chart="", batch="", conformance={},
                                    departures=defaultdict(Departure), notation=[], places={}, statements=[], in_words={}, stand_for=[],
                                    names={number: "A name" for number in EQUATIONS}, formulas={},
-                                   tests={"the amplitude is right": Place("tests/t.cpp", 1)}, questions={},
+                                   tests={"the amplitude is right": {"file": "tests/t.cpp", "line": 1}}, questions={},
                                    motion=[[0.0] * 3] * 4, audit="All.\n\n| equation |\n|---|\n",
                                    benchmark=[("solver", "15.02", "14.43", "0.00017", "1.000")],
                                    run={"agreement": [{"group": "a", "scenes": 1} | dict.fromkeys(
@@ -134,7 +134,7 @@ class Words(Case):
                 ("zeta_i <= 1 -> R_i", r"\f$\zeta_{i}\f$ ≤ 1 → \f$R_{i}\f$"),
                 ("mode_functions.hpp, beta.hpp", r"mode\_functions.hpp, beta.hpp"),
                 ("off by 1.8e+02 %, at 0.10000000000000001", r"off by 180 \%, at 0.1"), ("1.2e-07 and R2e5", r"\f$1.2\cdot10^{-7}\f$ and R2e5"),
-                ("SDOF zeta=0.10000000000000001", r"one mass, \f$\zeta=0.1\f$"),
+                ("SDOF zeta=0.10000000000000001", r"one mass, \f$\zeta=0.1\f$"), ("zeta=1e-06, seed=1e5", r"\f$\zeta=1\cdot10^{-6}\f$, seed=100000"),
                 ("off by up to 0 % on the grid of the paper's scenes, 44.8 % at random",
                  r"right on the grid of the paper's scenes, off by up to 44.8 \% at random"),
                 ("2DOF j=2 l=1 #7", r"two masses, \f$j=2\f$, \f$l=1\f$, scene 7"),

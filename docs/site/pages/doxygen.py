@@ -123,10 +123,10 @@ def split_by_header(name, tree, declared):
     listed = ""
     for file, of_file in sorted(items.items()):
         page, header = f"{name.removesuffix('.html')}_in_{file}.html", header_name(file)
-        by_name = {text_of(shown, "@class='permalink'").partition(" [")[0]: anchor.get("id")
-                   for anchor, shown, _ in reversed(of_file)}  # of overloads the first
-        names = ", ".join(f'<a class="el" href="{page}#{anchor}">{html(shown)}</a>'
-                          for shown, anchor in reversed(by_name.items()))
+        by_name = {}  # of overloads the first
+        for anchor, shown, _ in of_file:
+            by_name.setdefault(text_of(shown, "@class='permalink'").partition(" [")[0], anchor.get("id"))
+        names = ", ".join(f'<a class="el" href="{page}#{anchor}">{html(shown)}</a>' for shown, anchor in by_name.items())
         listed += f'<dt><a class="el" href="{page}">{header}</a></dt>\n<dd>{names}</dd>\n'
         pages[page] = deepcopy(frame)
         first(pages[page], '//h1[@class="title"]').text = f"{title} in {header}"

@@ -8,7 +8,7 @@ from collections import defaultdict, namedtuple
 from types import SimpleNamespace
 from xml.etree import ElementTree
 
-from .text import EQUATIONS, Fault, Place, label
+from .text import EQUATIONS, Fault, label
 
 Departure = namedtuple("Departure", "equation said printed holds why", defaults=[""] * 5)
 
@@ -33,17 +33,15 @@ def read_run(verify, source):
     """Everything that the pages are made of."""
     ledger, written = read_json(verify / "paper/ledger.json"), source / "docs/ledger"
     claims = {claim["claim"]: claim for claim in read_json(verify / "paper/derivation.json")}
-    exported = verify / "kernel/certificates.json"
-    certificates = read_json(exported)["certificates"] if exported.exists() else []
+    exported = json.loads(read_if_there(verify / "kernel/certificates.json") or '{"certificates": []}')
     accuracy = sorted(map(read_json, sorted((verify / "test-results/accuracy").glob("*.json"))),
                       key=lambda record: {"d": 0, "l": 1}.get(record["type"][0], 2))  # double, long double, others
     offers = json.loads(told(verify / "bin/offers", source / "tests/conformance/vectors"))
     return SimpleNamespace(
         ledger=ledger, entries={entry["equation"]: entry for entry in ledger}, claims=claims,
-        symbols={value["name"]: value["name_latex"] for claim in claims.values() for value in claim.get("witness", [])
-                 if value.get("name_latex")},
+        symbols={each["name"]: each["name_latex"] for claim in claims.values() for each in claim["witness"]},
         run=read_json(verify / "paper/run.json"), audit=(verify / "paper/audit.md").read_text(),
-        certificates={certificate["claim"]: certificate for certificate in certificates},
+        certificates={certificate["claim"]: certificate for certificate in exported["certificates"]},
         theorems=read_if_there(source / "derivation/kernel/Statements.v"), figures=read_figures(verify / "figures", source),
         accuracy=[row | {"type": record["type"]} for record in accuracy for row in record["functions"]],
         chart=read_if_there(verify / "chart/tables.md"), batch=read_if_there(verify / "chart/batch.md"),
@@ -52,7 +50,7 @@ def read_run(verify, source):
             for row in rows.splitlines()],
         conformance={file.stem: file.read_text() for file in (verify / "conformance").glob("*.md")},
         departures=defaultdict(Departure, {row["equation"]: Departure(**row) for row in read_json(written / "departures.json")}),
-        tests={test.get("name"): Place(os.path.relpath(test.get("filename"), source.resolve()), test.get("line"))
+        tests={test.get("name"): dict(file=os.path.relpath(test.get("filename"), source.resolve()), line=test.get("line"))
                for results in (verify / "test-results").glob("*.xml") for test in ElementTree.parse(results).iter("TestCase")},
         statements=read_json(verify / "paper/statements.json"),
         in_words={row["claim"]: row for row in read_json(written / "in_words.json")},

@@ -3,7 +3,7 @@ import re
 from collections import namedtuple
 from pathlib import Path
 
-from .text import Fault, Place, html, prose
+from .text import Fault, html, prose
 
 Snippet = namedtuple("Snippet", "file first lines brief")
 
@@ -27,7 +27,7 @@ class Sources:
         for number, line in enumerate(text.splitlines(), 1):
             for is_id, literal in re.findall(rf"(\.id = )?({LITERAL})", line.partition("//")[0]):
                 key = literal[1:-1] if "/" in literal else (name, literal[1:-1])
-                (self.ids if is_id else self.literals).setdefault(key, Place(name, number))
+                (self.ids if is_id else self.literals).setdefault(key, dict(file=name, line=number))
 
     def claim(self, claim):
         """Where a claim is made, of whose id a source may have the beginning and the rest apart."""
@@ -35,7 +35,7 @@ class Sources:
             for at in range(len(claim), 0, -1):
                 if claim[:at] in literals and (claim[at - 1] in "=/" or claim[at:at + 1] in ("", "/")):
                     place = literals[claim[:at]]
-                    return self.literals.get((place.file, claim[at:] or None), place)
+                    return self.literals.get((place["file"], claim[at:] or None), place)
         raise Fault(f"claim {claim} must be made in a source under derivation")
 
     def snippet(self, function):

@@ -1,16 +1,19 @@
 """Text for Doxygen: what is special to it is escaped; formulas, symbols and the numbers of equations become what they are."""
 import math
 import re
-from collections import namedtuple
 from contextlib import contextmanager
 from functools import cache
 
-Place = namedtuple("Place", "file line")  # in a source
 EQUATIONS = [str(n) for n in range(1, 89)] + [f"A.{n}" for n in range(1, 16)]
 GREEK = set("alpha beta gamma delta zeta eta theta kappa mu pi phi psi sigma tau omega Omega Sigma Psi".split())
 BARRED = {"X": r"\overline{X}", "x": r"\bar{x}", "K": r"\overline{K}", "C": r"\overline{C}", "M": r"\overline{M}"}
 WORD = re.compile(r"\w+", re.ASCII)
 OPERATORS = {"<=": "≤", ">=": "≥", "->": "→", "sqrt": "√"}
+TOKEN = re.compile(r"""(?<![\w\\])\((?P<equation>(?:A\.)?[0-9]+)\)|<=|>=|->|sqrt(?=\()|
+    (?P<number>(?<![\w.])(?:\d+\.\d{9,}|\d+(?:\.\d+)?e[+-]?\d+)(?![\w.]*\w))|
+    (?P<function>sinh?|cosh?|exp)\((?P<of>\w+)\)|
+    (?<=[./:`#])(?<!(?<!\w)1/)(?!r_n,i)\w+|\w+(?=[(:*`]|\.\w)|  # part of a path or of a name
+    (?P<word>r_n,i|\w+)(?P<value>=\d(?:[\d.]*\d)?(?:e[+-]?\d+)?|\^\d+(?![\w.]))?(?P<primes>'*)|.""", re.A | re.S | re.X)
 
 
 class Fault(Exception):
@@ -64,9 +67,8 @@ def equation_links(equations):
 
 
 def source_link(place, shown):
-    """A link to a line of a source, resolved when the site is there; the place is that of a claim or a function."""
-    file, line = (place["file"], place["line"]) if isinstance(place, dict) else place
-    return f'<a href="source:{file}:{line}">{escaped(shown)}</a>'
+    """A link to a line of a source, resolved when the site is there."""
+    return f'<a href="source:{place["file"]}:{place["line"]}">{escaped(shown)}</a>'
 
 
 @cache
@@ -83,30 +85,6 @@ def symbol(name, alone):
     if base in tuple("VUSvus") and not below.startswith("d"):
         below = "d" + below
     return BARRED.get(base, "\\" + base if base in GREEK else base) + "_{" + {"lim": r"\lim"}.get(below, below) + "}"
-
-
-def formula_at(text, at):
-    """The formula that starts at a word, and where it ends; empty where the word is no symbol, or part of a path or a name."""
-    word = WORD.match(text, at)[0]
-    end = at + len(word)
-    call = re.compile(r"\((\w*)\)", re.ASCII).match(text, end) if word in ("sin", "cos", "sinh", "cosh", "exp") else None
-    if call and symbol(call[1], False):
-        return rf"\{word}({symbol(call[1], False)})", call.end()
-    over_one = re.search(r"(?<!\w)1/$", text[:at], re.ASCII)
-    after_mark = at > 0 and text[at - 1] in "./:`#" and text[at:at + 5] != "r_n,i" and not over_one
-    if after_mark or re.compile(r"[(:*`]|\.\w", re.ASCII).match(text, end):
-        return "", end
-    if word == "r_n" and text.startswith(",i", end):
-        return "r_{n,i}", end + 2
-    latex = symbol(word, False)
-    value = re.compile(r"=[0-9](?:[0-9.]*[0-9])?|\^[0-9]+(?![\w.])").match(text, end)
-    if not latex and not (value and re.fullmatch("[A-Za-z]", word)):
-        return "", end
-    more = value or (re.compile("'*").match(text, end) if "_" in word else None)
-    after = more[0] if more else ""
-    if value:
-        after = f"^{{{value[0][1:]}}}" if value[0][0] == "^" else "=" + legible(value[0][1:])
-    return (latex or word) + after, more.end() if more else end
 
 
 def legible(number):
@@ -126,26 +104,28 @@ def spelled(text):
     return text.replace(f"off by up to 0 % {grid}", f"right {grid}off by up to ")
 
 
+def token_text(found):
+    """What is shown in place of an equation's number, of a number, a symbol, a function of one, an operator, or of other text."""
+    text, word, value, argument = found[0], found["word"], found["value"] or "", symbol(found["of"] or "", False)
+    if found["equation"] in EQUATIONS:
+        return equation_link(found["equation"])
+    if found["number"]:
+        return formula(legible(text)) if "\\" in legible(text) else legible(text)
+    if argument:
+        return formula(rf"\{found['function']}({argument})")
+    if not word:
+        return OPERATORS.get(text) or escaped(text)
+    latex = "r_{n,i}" if word == "r_n,i" else symbol(word, False) or (word if value and re.fullmatch("[A-Za-z]", word) else "")
+    if not latex:
+        return escaped(word) + prose(value) + found["primes"]
+    after = f"^{{{value[1:]}}}" if value[:1] == "^" else "=" + legible(value[1:]) if value else ""
+    return formula(latex + after + found["primes"])
+
+
 @cache
 def prose(text):
     """A sentence of the run: escaped, its symbols typeset, its scenes in words, the numbers of equations linked."""
-    text, out, at = spelled(text), [], 0
-    token = re.compile(r"(?<![\w\\])\(((?:A\.)?[0-9]+)\)|<=|>=|->|sqrt(?=\()|"
-                       r"(?P<number>(?<![\w.])(?:\d+\.\d{9,}|\d+(?:\.\d+)?e[+-]?\d+)(?![\w.]*\w))|\w+", re.ASCII)
-    while found := token.search(text, at):
-        out.append(escaped(text[at:found.start()]))
-        at = found.end()
-        if found[1]:
-            out.append(equation_link(found[1]) if found[1] in EQUATIONS else escaped(found[0]))
-        elif found[0] in OPERATORS:
-            out.append(OPERATORS[found[0]])
-        elif found["number"]:
-            shown = legible(found[0])
-            out.append(formula(shown) if "\\" in shown else shown)
-        else:
-            latex, at = formula_at(text, found.start())
-            out.append(formula(latex) if latex else escaped(text[found.start():at]))
-    return "".join(out) + escaped(text[at:])
+    return TOKEN.sub(token_text, spelled(text))
 
 
 def typeset(text, place):
