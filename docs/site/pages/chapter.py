@@ -22,13 +22,6 @@ def read_chapter(folder):
     return files
 
 
-def with_links(text, place):
-    """A paragraph with its links to pages."""
-    parts = re.split(r"\[([^\]]*)\]\(page:(\w+)\)", text)
-    return "".join(typeset(part, place) if at % 3 == 0 else f'<a href="{parts[at + 1]}.html">{part}</a>' if at % 3 == 1 else ""
-                   for at, part in enumerate(parts))
-
-
 def places_in_chapter(files):
     """The page and its title where the chapter shows each equation."""
     return {equation: (name, files[name].partition("\n")[0].removeprefix("# "))
@@ -38,8 +31,7 @@ def places_in_chapter(files):
 def chapter_views(run, files):
     """What the template shows of each page, and the faults: a claim on a result that the chapter leaves out is one."""
     mentioned = {claim for content in files.values() for claim in re.findall(r"\{\{steps (.*?)\}\}", content)}
-    known = {"equation": run.entries, "claims": run.entries, "steps": run.claims, "explore": run.places,
-             "figure": run.figures}
+    known = {"equation": run.entries, "claims": run.entries, "steps": run.claims, "explore": run.places, "figure": run.figures}
     faults, names = [], list(files)
 
     def piece(block, place):
@@ -47,12 +39,11 @@ def chapter_views(run, files):
         if block.startswith("## "):
             return {"kind": "section", "text": block[3:]}
         if not block.startswith("{{"):
-            return {"kind": "text", "text": with_links(block.replace("\n", " "), place)}
+            return {"kind": "text", "text": typeset(block.replace("\n", " "), place)}
         kind, _, name = block.removeprefix("{{").removesuffix("}}").partition(" ")
         if not block.endswith("}}") or name not in known.get(kind, {}):
-            kinds = ", ".join(known)
-            raise Fault(f"a place-holder must stand by itself, like {{{{equation 26}}}}: one of {kinds}, and a name of the run, "
-                        f"not {block}, in {place}")
+            raise Fault("a place-holder must stand by itself, like {{equation 26}}: one of " + ", ".join(known) +
+                        f", and a name of the run, not {block}, in {place}")
         shown, claims = known[kind][name], []
         for claim in shown["claims"] if kind == "claims" else []:
             record = record_of(run, claim["id"])

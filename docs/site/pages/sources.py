@@ -1,6 +1,7 @@
 """What the pages take from the sources: the lines of functions, and where claims stand."""
 import re
 from collections import namedtuple
+from itertools import takewhile
 from pathlib import Path
 
 from .text import Fault, html, prose
@@ -45,23 +46,16 @@ class Sources:
         word = name.rpartition("::")[2]
         if not 1 <= at <= len(lines) or not re.search(rf"(?<!\w){re.escape(word)}(?!\w)", lines[at - 1], re.ASCII):
             raise Fault(f"{name} must stand where the ledger has it, {file}:{at}; run ./verify paper again")
-        first = at - 1
-        while first > 0 and not re.match(r"\s*($|//|#)|.*[;{}]\s*$", lines[first - 1]):
-            first -= 1
-        end, depth = first, 0
-        while end == first or depth > 0 or not re.search(r"[;}]\s*$", code):
-            code = lines[end].partition("//")[0]
-            end += 1
-            depth += code.count("{") - code.count("}")
-        return Snippet(file, first + 1, lines[first:end], self.brief(lines, first))
+        first = next(n for n in range(at - 1, -1, -1) if re.match(r"\s*($|//|#)|.*[;{}]\s*$", lines[n - 1]))
+        ends = re.compile(rf"{re.match(' *', lines[first])[0]}(\S.*)?[;}}]\s*(//.*)?$")  # no further to the right than it began
+        end = next(n for n in range(first, len(lines)) if ends.match(lines[n]))
+        return Snippet(file, first + 1, lines[first:end + 1], self.brief(lines, first))
 
     @staticmethod
     def brief(lines, first):
         """The first sentence after @brief in the comment above a line, its formulas as Doxygen has them; and the domain."""
-        above = first
-        while above > 0 and lines[above - 1].startswith("///"):
-            above -= 1
-        told = " ".join(line.removeprefix("///").strip() for line in lines[above:first])
+        comment = list(takewhile(lambda line: line.startswith("///"), reversed(lines[:first])))
+        told = " ".join(line.removeprefix("///").strip() for line in reversed(comment))
         found = re.search(r"@brief (.*?)(?=\.(?: |\Z)| \\f\[| @|\Z)", told)
         domain = re.search(r"@domain\{(.*?)\}(?= |\Z)", told)
         return (found[1].strip() + "." if found else "") + (f" Domain: {prose(domain[1])}." if domain else "")

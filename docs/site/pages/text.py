@@ -129,15 +129,19 @@ def prose(text):
 
 
 def typeset(text, place):
-    """Text with formulas between dollars and code between backquotes; the rest as `prose`."""
-    out, at = "", 0
-    for found in re.finditer(r"\$([^$]*)\$|`([^`]*)`|[$`]", text):
-        if found.lastindex is None:
-            raise Fault(f"a formula or code must be closed, not '{text[found.start():][:40]}', in {place}")
-        inner = formula(found[1]) if found[1] is not None else f"<code>{escaped(found[2])}</code>"
-        out += prose(text[at:found.start()]) + inner
-        at = found.end()
-    return out + prose(text[at:])
+    """Text with formulas between dollars, code between backquotes and links, [words](page:label); the rest as `prose`."""
+    marked = r"\$[^$]*\$|`[^`]*`|\[[^\]]*\]\(page:\w+\)"
+    if unclosed := re.search("[$`].*", re.sub(marked, "", text)):
+        raise Fault(f"a formula or code must be closed, not '{unclosed[0][:40]}', in {place}")
+    out = ""
+    for part in re.split(f"({marked})", text):
+        if link := re.fullmatch(r"\[(.*)\]\(page:(.*)\)", part):
+            out += f'<a href="{link[2]}.html">{link[1]}</a>'
+        elif part.startswith("$"):
+            out += formula(part[1:-1])
+        else:
+            out += f"<code>{escaped(part[1:-1])}</code>" if part.startswith("`") else prose(part)
+    return out
 
 
 def sentence(note):
@@ -152,8 +156,7 @@ def witness_value(value):
     """A fraction typeset, a decimal with the digits that somebody reads."""
     if fraction := re.fullmatch("(-?)([0-9]+)/([0-9]+)", value):
         return formula(rf"{fraction[1]}\tfrac{{{fraction[2]}}}{{{fraction[3]}}}")
-    sign, number = ("-", value[1:]) if re.fullmatch(r"-[0-9.]+(E-?\d+)?", value) else ("", value)
-    return escaped(sign) + prose(number.replace("E", "e") if re.fullmatch(r"[0-9.]+E-?\d+", number) else number)
+    return prose(value.replace("E", "e") if re.fullmatch(r"-?[0-9.]+E-?\d+", value) else value)
 
 
 def digits(value, count):
