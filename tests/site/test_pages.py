@@ -13,6 +13,7 @@ import sys
 import tempfile
 import unittest
 from collections import defaultdict
+from graphlib import CycleError
 from types import SimpleNamespace
 
 PROJECT = pathlib.Path(os.environ["DENHARTOG_SOURCE_DIR"])
@@ -447,9 +448,9 @@ class Pages(Case):
         for row in rows:
             for ground in row["rests_on"]:
                 self.assertGreater(places[row["equation"]][0], places[ground][0])
-        with self.assertRaisesRegex(Fault, "must not rest on itself"):
+        with self.assertRaises(CycleError):
             layout([{"equation": "1", "rests_on": ["2"]}, {"equation": "2", "rests_on": ["1"]}])
-        with self.assertRaisesRegex(Fault, "must have an entry"):
+        with self.assertRaises(KeyError):
             layout([{"equation": "1", "rests_on": ["2"]}])
 
 
