@@ -309,7 +309,7 @@ class Pages(Case):
 
         changed(lambda small: small.entry["functions"][0].update(line=6), "paper::amplitude must stand where the ledger has it")
         changed(lambda small: small.add_claim(small.entry, "nowhere"), "claim nowhere must be made in a source")
-        changed(lambda small: small.run.claims.pop("38/amplitude"), "must have its steps")
+        changed(lambda small: small.run.claims.pop("38/amplitude"), "38/amplitude must be a claim with its steps")
         changed(lambda small: small.entry["tests"].append("a test that is nowhere"), "a test that is nowhere must be a test that ran")
         changed(lambda small: small.entry["figures"].append("none"), "none must be a figure of the run")
 

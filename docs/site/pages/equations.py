@@ -3,8 +3,8 @@ import re
 from types import SimpleNamespace
 
 from .conclusions import number_of_ours, sentence_on
-from .records import meant_by, record_of, symbols_in
-from .text import (EQUATIONS, Fault, counted, displayed, equation_label, escaped, fails, formula, label, prose, symbol, typeset,
+from .records import meant_by, named, record_of, symbols_in
+from .text import (EQUATIONS, counted, displayed, equation_label, escaped, fails, formula, label, prose, symbol, typeset,
                    without_marks)
 
 LONGEST_FORMULA = 500  # longer ones are left to the record: nobody reads them, and they take seconds to typeset
@@ -108,13 +108,6 @@ def theorems_of(ledger):
 
 
 # The page
-
-
-def named(records, name, what):
-    """The record that has a name."""
-    if name not in records:
-        raise Fault(f"{name} must be {what}")
-    return records[name]
 
 
 def in_namespace(functions, name):

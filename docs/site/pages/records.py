@@ -66,13 +66,18 @@ def motion_of_example(program, scene):
     return [[float(row[name]) for name in row if name.startswith("x_")] for row in rows]
 
 
+def named(records, name, what):
+    """The record that has a name."""
+    if name not in records:
+        raise Fault(f"{name} must be {what}")
+    return records[name]
+
+
 def record_of(run, claim):
     """The record of a claim, of which the ledger may have one for each of its equations, with the equation at its end."""
     shorter, _, equation = claim.rpartition("/")
-    record = run.claims.get(claim) or (run.claims.get(shorter) if equation in EQUATIONS else None)
-    if record is None:
-        raise Fault(f"claim {claim} must have its steps in derivation.json; run ./verify paper again")
-    return record
+    of_all = claim not in run.claims and equation in EQUATIONS
+    return named(run.claims, shorter if of_all else claim, "a claim with its steps in derivation.json; run ./verify paper again")
 
 
 def faults_of_stand_ins(run):
@@ -106,17 +111,15 @@ def read_figures(folder, source):
     captions, figures = read_json(source / "docs/ledger/figures.json"), {}
     scripts = {file.stem: file for file in (source / "paper-figures").rglob("*.gp")}
     for name in sorted(file.stem for file in folder.glob("*.svg") if file.stem in scripts):  # others an earlier run left
-        if name not in captions:
-            raise Fault(f"figure {name} must have its caption in docs/ledger/figures.json")
         record = read_json(folder / f"{name}.json") if (folder / f"{name}.json").exists() else None
         title = (record["title"] if record else title_of_script(scripts[name])).replace("->", "→").replace("zeta", "ζ")
         number = f"Fig. {int(name[3:5])}" if name.startswith("fig") else ""
         data = [file.name for ending in (".pdf", ".dat", ".csv") for file in sorted(folder.glob(f"{name}*{ending}"))]
         figures[name] = SimpleNamespace(
-            name=name, label=label("figure", name), number=number, title=title, record=record,
-            full_title=f"{number}: {title}" if number else title, data=data, caption=captions[name],
-            script=scripts[name].relative_to(source).as_posix())
-    return dict(sorted(figures.items(), key=lambda named: not named[1].number))
+            name=name, label=label("figure", name), number=number, title=title, record=record, data=data,
+            full_title=f"{number}: {title}" if number else title, script=scripts[name].relative_to(source).as_posix(),
+            caption=named(captions, name, "a figure with a caption in docs/ledger/figures.json"))
+    return dict(sorted(figures.items(), key=lambda item: not item[1].number))
 
 
 # Symbols
@@ -124,28 +127,24 @@ def read_figures(folder, source):
 
 def of_other_masses(latex):
     """The same symbol of another mass: psi_ki, psi_ji, psi_li; G_k, G_j."""
-    base, bar, below = latex.rpartition("_")
-    mass = next((mass for mass in "kj" if bar and mass in below), None)
-    if mass is None or "lim" in below:
-        return [latex]
-    at = latex.index(mass, len(base))
-    return [latex] + [latex[:at] + other + latex[at + 1:] for other in "kjl" if other != mass]
+    for mass in "kj":
+        if found := re.fullmatch(rf"(.*_[^_]*?){mass}([^_]*)", latex):
+            return [latex] + [found[1] + other + found[2] for other in "kjl" if other != mass]
+    return [latex]
 
 
 def read_symbols(notation):
     """The paper's symbols from the tables of the notation page."""
     symbols = []
     for row in re.findall(r"^\| (\$.*)\|$", notation.partition("\n## Symbols of ours\n")[0], re.M):
-        cells = [cell.strip() for cell in row.split("|")]
-        if len(cells) < 4:
-            raise Fault(f"a symbol must have its meaning and its equation: {row}")
-        for latex in re.findall(r"\$([^$]*)\$", cells[0]):
+        written, _, meaning, equations, units = (cell.strip() for cell in row.split("|"))
+        for latex in re.findall(r"\$([^$]*)\$", written):
             latex = re.sub(r"(\\overline|\\mathbf|\\dot) (.)", r"\1{\2}", latex).replace(r"\boldsymbol\Psi", r"\boldsymbol{\Psi}")
             latex = latex.replace("'", "")
             if latex not in ("", "j", "l", "t"):
                 symbols.append(SimpleNamespace(
-                    latex=of_other_masses(latex), meaning=cells[2], units=cells[4] if len(cells) > 4 else "",
-                    equations=[number for number in re.findall(r"\(([^)]*)\)", cells[3]) if number in EQUATIONS]))
+                    latex=of_other_masses(latex), meaning=meaning, units=units,
+                    equations=[number for number in re.findall(r"\(([^)]*)\)", equations) if number in EQUATIONS]))
     if not symbols:
         raise Fault("the notation page must have tables of symbols")
     return symbols
@@ -161,9 +160,9 @@ def symbols_in(symbols, latex):
     """The symbols of a formula with their names in it, in the order of the notation page; of equal meanings the first."""
     found = {}
     for symbol in symbols:
-        if any(stands_in(latex, name) for name in symbol.latex):
-            found.setdefault(symbol.meaning, symbol)
-    return [(next((name for name in symbol.latex if name in latex), symbol.latex[0]), symbol) for symbol in found.values()]
+        if names := [name for name in symbol.latex if stands_in(latex, name)]:
+            found.setdefault(symbol.meaning, (names[0], symbol))
+    return list(found.values())
 
 
 # Departures
