@@ -60,10 +60,9 @@ def relink(tree, own, kept, out_of_site, moved):
 
 
 def drop_idle_parts(tree, out_of_site):
-    """Of the lists of types and files drops what is left out, and shows all rows, as no script opens them; of every page drops
-    links to headings that may be left out, and links that have no name."""
+    """Of the lists of types and files drops what is left out; of every page drops links to headings that may be left out, and
+    links that have no name."""
     for row in tree.xpath('//table[@class="directory"]//tr'):
-        row.attrib.pop("style", None)
         if first(row, './/span[@class="icon"]/text()') == "C" and first(row, './/a[@class="el"]/@href') in out_of_site:
             drop(row)
     drop(*tree.xpath('//div[@class="levels" or @class="summary"]|//a[span/@class="icondoc"]'))

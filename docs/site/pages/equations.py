@@ -89,13 +89,13 @@ def witness_names(run, witness, claim=""):
 
 def statement_of(run, entry):
     """The printed formula and the one that holds, with the difference marked where a person has marked it."""
-    departure, read, two = run.departures[entry["equation"]], entry["statement"], entry["correction"] != ""
+    departure, read = run.departures[entry["equation"]], entry["statement"]
     held = departure.holds or entry["correction"]
+    plain = without_marks(held)
     why = "".join(displayed(part) if at % 2 else f"<p>{typeset(part, 'docs/ledger/departures.json')}</p>"
                   for at, part in enumerate(re.split(r"\$\$(.*?)\$\$", departure.why)) if part)
-    return SimpleNamespace(why=why, printed=departure.printed or read, held=held, plain=without_marks(held) or read,
-                           two=two, short=two and len(read) < 110 and len(without_marks(held)) < 110,
-                           symbols=symbols_in(run.notation, f"{read} {without_marks(held)}"))
+    return SimpleNamespace(why=why, printed=departure.printed or read, held=held, plain=plain or read,
+                           short=held and max(map(len, (read, plain))) < 110, symbols=symbols_in(run.notation, f"{read} {plain}"))
 
 
 def theorems_of(ledger):
