@@ -93,7 +93,8 @@ class SmallRun:
 
     def chapter(self, written):
         self.write("docs/chapter/chapter.md", written)
-        views, faults = site.chapter_views(self.run, site.read_chapter(self.folder / "docs/chapter"))
+        faults = []
+        views = site.chapter_views(self.run, site.read_chapter(self.folder / "docs/chapter"), faults)
         return [self.render("chapter", **view) for view in views], faults
 
 

@@ -28,11 +28,11 @@ def places_in_chapter(files):
             for name in reversed(files) for equation in re.findall(r"\{\{equation (.*?)\}\}", files[name])}
 
 
-def chapter_views(run, files):
-    """What the template shows of each page, and the faults: a claim on a result that the chapter leaves out is one."""
+def chapter_views(run, files, faults):
+    """What the template shows of each page. A claim on a result that the chapter leaves out is a fault, too."""
     mentioned = {claim for content in files.values() for claim in re.findall(r"\{\{steps (.*?)\}\}", content)}
     known = {"equation": run.entries, "claims": run.entries, "steps": run.claims, "explore": run.places, "figure": run.figures}
-    faults, names = [], list(files)
+    names = list(files)
 
     def piece(block, place):
         """A section, a paragraph or a place-holder."""
@@ -69,4 +69,4 @@ def chapter_views(run, files):
             claimed = record_of(run, claim["id"])["claim"]
             if claim["role"] != "observation" and claimed not in mentioned:
                 faults.append(f"claim {claimed} is on a result of the chapter, which does not mention it")
-    return views, faults
+    return views

@@ -26,9 +26,15 @@ def scene_of(record):
             f"&b={float(values['beta']):.6g}")
 
 
-def with_numbers(words, record, claim):
-    """A sentence with the values of the witness put in."""
-    values = {value["name"]: value["value"] for value in record["witness"]}
+def sentence_on(run, claim, verdict):
+    """The sentence on a claim with the numbers of the run; empty where nobody has written one."""
+    words = run.in_words.get(claim)
+    if words is None:
+        return ""
+    decided = "refuted at a threshold of ours" if verdict == "refuted" and words["verdict"] != "refuted" else verdict
+    if words["verdict"] != decided:
+        raise Fault(f"docs/ledger/in_words.json: {claim} is {verdict}, its sentence is for {words['verdict']}")
+    values = {value["name"]: value["value"] for value in record_of(run, claim)["witness"]}
 
     def number(mark):
         name, form = mark[1], mark[2].removeprefix(":")
@@ -40,22 +46,11 @@ def with_numbers(words, record, claim):
         value = float(values[name])
         return digits(100 * value, 2) + " %" if form == "%" else digits(value, int(form or 3))
 
-    names = sorted(map(re.escape, values), key=len, reverse=True) or ["-"]
-    said = re.sub(r"\{(" + "|".join(names) + r")((?::[0-9%])?)\}", number, words)
+    names = "|".join(sorted(map(re.escape, values), key=len, reverse=True)) or "-"
+    said = re.sub(r"\{(" + names + r")((?::[0-9%])?)\}", number, words["words"])
     if left := re.search(r"\{[^}]*\}", re.sub(r"\$[^$]*\$", "", said)):
         raise Fault(f"docs/ledger/in_words.json: {claim} has no value {left[0]}")
     return typeset(said, "docs/ledger/in_words.json")
-
-
-def sentence_on(run, claim, verdict):
-    """The sentence on a claim with the numbers of the run; empty where nobody has written one."""
-    words = run.in_words.get(claim)
-    if words is None:
-        return ""
-    decided = "refuted at a threshold of ours" if verdict == "refuted" and words["verdict"] != "refuted" else verdict
-    if words["verdict"] != decided:
-        raise Fault(f"docs/ledger/in_words.json: {claim} is {verdict}, its sentence is for {words['verdict']}")
-    return with_numbers(words["words"], record_of(run, claim), claim)
 
 
 def number_of_ours(threshold):

@@ -95,10 +95,8 @@ def make_pages(run, sources, chapter):
                  "audit", "accuracy_page", "conclusions", "equation_graph", "theorems"):
         with told_in(faults):
             add(name, name, {})
-    views, faults_of_chapter = chapter_views(run, files)
-    for view in views:
+    for view in chapter_views(run, files, faults):
         add(view["name"], "chapter", view)
-    faults += faults_of_chapter
     return pages, sorted(set(faults or faults_of_pages(pages)))  # a page that could not be made is missed by all that link to it
 
 
@@ -106,16 +104,13 @@ def script_files(run):
     """What the scripts of the pages read: symbols and statements for the formulas, places to go to, accuracy as a table."""
     as_json = lambda value: json.dumps(value, indent=0, ensure_ascii=False)
     in_html = lambda words: re.sub("`(.*?)`", r"<code>\1</code>", re.sub(r"\$(.*?)\$", r"\\(\1\\)", html(words)))
-    symbols = [{"latex": symbol.latex, "meaning": in_html(symbol.meaning),
-                "units": symbol.units, "equations": symbol.equations} for symbol in run.notation]
+    symbols = [vars(symbol) | {"meaning": in_html(symbol.meaning)} for symbol in run.notation]
     statements, places = {}, {}
     for entry in run.ledger:
         said = ". ".join(filter(None, (f"as printed: {verdict_text(entry['printed'])}", run.departures[entry["equation"]].said)))
         statements[entry["equation"]] = {"said": in_html(said), "latex": statement_of(run, entry).plain}
         places.setdefault(f"section {entry['section']}", f"equations.html#{text.label('equations', entry['section'])}")
-    for figure in run.figures.values():
-        if figure.number:
-            places[f"figure {figure.number[5:]}"] = f"{figure.label}.html"
+    places |= {f"figure {figure.number[5:]}": f"{figure.label}.html" for figure in run.figures.values() if figure.number}
     columns = ("function", "type", "zone", "points", "printed", "shipped", "shipped_at")
     rows = [",".join(json.dumps(row[column], ensure_ascii=False) for column in columns) for row in run.accuracy]
     return {"accuracy.csv": "\n".join([",".join(columns)] + rows) + "\n", "symbols.json": as_json(symbols) + "\n",
