@@ -430,9 +430,10 @@ class Pages(Case):
         self.small.run.departures["38"] = Departure(said="{{x}}", why="y")
         self.assertTells(make()[1], "page eq_38 has a place-holder")
         self.small.run.departures["38"] = Departure(said="x", why="y")
+        self.small.run.entries["67"]["remark"] = "it errs on the unsafe side of (69)"
         pages, faults = make()
         self.assertEqual((faults, len(pages)), ([], 103 + 14))
-        self.assertHas(pages["eq_67"], "errs on the unsafe side. The page of")
+        self.assertHas(pages["eq_67"], r'<p>It errs on the unsafe side of \ref eq_69 "(69)".</p>')
         files = site.script_files(self.small.run)
         self.assertEqual(json.loads(files["statements.json"])["38"], {"said": "as printed: refuted. x", "latex": "a=c"})
         self.assertEqual(files["sections.js"], 'window.siteSections = {\n"section 2.3": "equations.html#equations_2_3"\n};\n')
