@@ -420,9 +420,8 @@ class Pages(Case):
                        r'\subpage eq_38 "(38)"', "2.3 The mass in contact")
 
     def test_whole_site(self):
-        """A run without an equation of the paper is refused, and so is one whose pages have a fault."""
+        """A run whose departures or pages have a fault is refused."""
         make = lambda: site.make_pages(self.small.run, Sources(self.small.folder), self.small.folder / "docs/chapter")
-        self.assertTells(make()[1], "must have an entry for equation (46)")
         rest = [entry(number) for number in EQUATIONS if number not in ("37", "38")]
         self.small.run.ledger += rest
         self.small.run.entries |= {each["equation"]: each for each in rest}

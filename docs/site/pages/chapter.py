@@ -16,10 +16,7 @@ from .text import Fault, told_in, typeset
 def read_chapter(folder):
     """The files by the name of their page, the first one of the chapter first."""
     in_order = sorted(folder.glob("*.md"), key=lambda file: (file.stem != "chapter", file))
-    files = {f"derivation_{file.stem}": file.read_text() for file in in_order}
-    if "derivation_chapter" not in files:
-        raise Fault(f"the chapter must have a file chapter.md in {folder}")
-    return files
+    return {f"derivation_{file.stem}": file.read_text() for file in in_order}
 
 
 def places_in_chapter(files):

@@ -64,7 +64,7 @@ def kind_of_page(name):
         return 3 if "_more" in name else 0
     if name.startswith(("figure_", "derivation_")):
         return 1
-    return 4 if "_8" in name or name.startswith(("namespace", "struct", "class", "group__")) else 2
+    return 4 if "_8" in name or name.startswith(("namespace", "struct", "class")) else 2
 
 
 def search_documents(tree, name):

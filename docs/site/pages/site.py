@@ -69,8 +69,7 @@ def faults_of_pages(pages):
 
 def make_pages(run, sources, chapter):
     """The pages by name, and why they cannot be taken, a sentence each."""
-    faults = [f"the ledger must have an entry for equation ({number})" for number in EQUATIONS if number not in run.entries]
-    faults += faults_of_departures(run.departures, run.ledger) + faults_of_stand_ins(run)
+    faults = faults_of_departures(run.departures, run.ledger) + faults_of_stand_ins(run)
     if faults:
         return {}, faults
     jinja, pages, files = environment(run, sources), {}, read_chapter(chapter)
