@@ -403,12 +403,14 @@ class Pages(Case):
         theorem = {"name": "amplitude", "status": "checked", "says": "It is zeta_i"}
         self.small.entry["kernel"] = {"status": "checked", "theorems": [theorem], "negations": []}
         self.small.entry["claims"][0]["kernel"] = {"status": "checked", "file": "a.v", "lemmas": 4}
+        self.small.add_claim(self.small.entry, "37/sine")  # without a lemma
         run.theorems = "Definition amplitude : Prop :=\n  forall x, x < 1.\n\nDefinition other : Prop := True.\n"
         lemma = {"generators": [{"name": "g", "stands_for": "sin x"}], "statement": "g = g"}
         run.certificates["38/amplitude"] = {"lemmas": [lemma] * 4}
         page = self.small.page("38")
         self.assertHas(page, '<span class="verdict proved">checked</span> <strong>Theorem amplitude</strong>: It is ', "x, x &lt; 1.",
-                       "<code>g</code> stands for <code>sin x</code>.", "4 identities", "The other 1 are in a.v.")
+                       "<code>g</code> stands for <code>sin x</code>.", "4 identities", "The other 1 are in a.v.",
+                       'unknown">not run</span> Claim <code>37/sine</code>.')
         self.assertNotIn("True", page)
 
     def test_overviews(self):
