@@ -1,7 +1,6 @@
 """What a run wrote, as the pages take it: ledger, derivation, figures, measurements; and what people wrote beside it."""
 import csv
 import json
-import os
 import re
 import subprocess
 from collections import defaultdict, namedtuple
@@ -50,7 +49,7 @@ def read_run(verify, source):
             for row in rows.splitlines()],
         conformance={file.stem: file.read_text() for file in (verify / "conformance").glob("*.md")},
         departures=defaultdict(Departure, {row["equation"]: Departure(**row) for row in read_json(written / "departures.json")}),
-        tests={test.get("name"): dict(file=os.path.relpath(test.get("filename"), source.resolve()), line=test.get("line"))
+        tests={test.get("name"): dict(file="tests/" + test.get("filename").rpartition("/tests/")[2], line=test.get("line"))
                for results in (verify / "test-results").glob("*.xml") for test in ElementTree.parse(results).iter("TestCase")},
         statements=read_json(verify / "paper/statements.json"),
         in_words={row["claim"]: row for row in read_json(written / "in_words.json")},
