@@ -1,4 +1,4 @@
-# Fig. 1: the chain of N masses. The load acts on the mass l, friction on the mass j; damping is that of the modes.
+# The chain of N masses. The load acts on the mass l, friction on the mass j; damping is that of the modes.
 width = 1100; height = 380; diagram = 1
 load 'style.gp'
 unset border

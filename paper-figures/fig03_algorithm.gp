@@ -1,4 +1,4 @@
-# Fig. 3: flow chart of the paper's numerical algorithm, Section 3.1.
+# Flow chart of the paper's numerical algorithm, Section 3.1.
 width = 900; height = 860; diagram = 1
 load 'style.gp'
 unset border

@@ -10,25 +10,13 @@ import re
 
 from .equations import steps_of
 from .records import record_of
-from .text import EQUATIONS, Fault, told_in, typeset
-
-CHAPTER = set(EQUATIONS[3:])  # from (4) on, and the appendix
+from .text import Fault, told_in, typeset
 
 
 def read_chapter(folder):
     """The files by the name of their page, the first one of the chapter first."""
     in_order = sorted(folder.glob("*.md"), key=lambda file: (file.stem != "chapter", file))
-    files = {f"derivation_{file.stem}": file.read_text() for file in in_order}
-    if "derivation_chapter" not in files:
-        raise Fault(f"the chapter must have a file chapter.md in {folder}")
-    return files
-
-
-def with_links(text, place):
-    """A paragraph with its links to pages."""
-    parts = re.split(r"\[([^\]]*)\]\(page:(\w+)\)", text)
-    return "".join(typeset(part, place) if at % 3 == 0 else f'<a href="{parts[at + 1]}.html">{part}</a>' if at % 3 == 1 else ""
-                   for at, part in enumerate(parts))
+    return {f"derivation_{file.stem}": file.read_text() for file in in_order}
 
 
 def places_in_chapter(files):
@@ -37,24 +25,22 @@ def places_in_chapter(files):
             for name in reversed(files) for equation in re.findall(r"\{\{equation (.*?)\}\}", files[name])}
 
 
-def chapter_views(run, files):
-    """What the template shows of each page, and the faults: a claim on a result that the chapter leaves out is one."""
+def chapter_views(run, files, faults):
+    """What the template shows of each page. A claim on a result that the chapter leaves out is a fault, too."""
     mentioned = {claim for content in files.values() for claim in re.findall(r"\{\{steps (.*?)\}\}", content)}
-    known = {"equation": run.entries, "claims": run.entries, "steps": run.claims, "explore": run.places,
-             "figure": {figure.name: figure for figure in run.figures}}
-    faults, names = [], list(files)
+    known = {"equation": run.entries, "claims": run.entries, "steps": run.claims, "explore": run.places, "figure": run.figures}
+    names = list(files)
 
     def piece(block, place):
         """A section, a paragraph or a place-holder."""
         if block.startswith("## "):
             return {"kind": "section", "text": block[3:]}
         if not block.startswith("{{"):
-            return {"kind": "text", "text": with_links(block.replace("\n", " "), place)}
+            return {"kind": "text", "text": typeset(block.replace("\n", " "), place)}
         kind, _, name = block.removeprefix("{{").removesuffix("}}").partition(" ")
         if not block.endswith("}}") or name not in known.get(kind, {}):
-            kinds = ", ".join(known)
-            raise Fault(f"a place-holder must stand by itself, like {{{{equation 26}}}}: one of {kinds}, and a name of the run, "
-                        f"not {block}, in {place}")
+            raise Fault("a place-holder must stand by itself, like {{equation 26}}: one of " + ", ".join(known) +
+                        f", and a name of the run, not {block}, in {place}")
         shown, claims = known[kind][name], []
         for claim in shown["claims"] if kind == "claims" else []:
             record = record_of(run, claim["id"])
@@ -76,8 +62,8 @@ def chapter_views(run, files):
         views.append(dict(name=name, title=head[2:], pieces=pieces, first=at == 0, subpages=[] if at else names[1:],
                           previous=names[at - 1] if at > 1 else None, next=names[at + 1] if at + 1 < len(names) else None))
     for entry in run.ledger:
-        for claim in entry["claims"] if entry["kind"] == "result" and entry["equation"] in CHAPTER else []:
+        for claim in entry["claims"] if entry["kind"] == "result" else []:
             claimed = record_of(run, claim["id"])["claim"]
             if claim["role"] != "observation" and claimed not in mentioned:
                 faults.append(f"claim {claimed} is on a result of the chapter, which does not mention it")
-    return views, faults
+    return views

@@ -45,7 +45,10 @@ class Writer(ast.NodeTransformer):
         return f"{head}\n{self.body}    {self.language[3 if pair else 2].format(*written)}\n{self.language.end}"
 
     def text(self, node):
+        """A computation as text: C++ would divide integers as integers, and MATLAB multiply lists as matrices."""
         text = ast.unparse(node)
+        if self.language is LANGUAGES["cxx"]:
+            return re.sub(r"\b(\d+) / (?=\d)", r"\1.0 / ", text)
         return re.sub(r" ([*/]) ", r" .\1 ", text) if self.language is LANGUAGES["matlab"] else text
 
     def count(self, node, scope):
@@ -80,12 +83,6 @@ class Writer(ast.NodeTransformer):
     def visit_Name(self, node):
         indexed = self.scope and node.id in self.formula["of_modes"]
         return ast.Name(self.language.pi if node.id == "pi" else f"{node.id}[i]" if indexed else node.id)
-
-    def visit_BinOp(self, node):
-        left, right = self.visit(node.left), self.visit(node.right)
-        if self.language.prefix == "std::" and isinstance(left, ast.Constant) and isinstance(right, ast.Constant):
-            left = ast.Constant(float(left.value))  # which C++ would divide as integers
-        return ast.BinOp(left, node.op, right)
 
     def visit_Call(self, node):
         name = node.func.id

@@ -33,11 +33,6 @@ def boxes(tree):
     return [(title.getprevious(), title, title.getnext()) for title in tree.find_class("memtitle")]
 
 
-def header_name(stem):
-    """The name of a header in the name of its page: `formulas_2mode_8hpp` is formulas/mode.hpp."""
-    return re.sub("_(.)", lambda mark: {"2": "/", "8": "."}.get(mark[1], "_"), stem)
-
-
 def is_left_out(name, tree):
     """Whether a reader of the site has no use for a page."""
     if name.startswith(LEFT_OUT) or name.endswith(("-members.html", "_8cpp.html")):
@@ -65,10 +60,9 @@ def relink(tree, own, kept, out_of_site, moved):
 
 
 def drop_idle_parts(tree, out_of_site):
-    """Of the lists of types and files drops what is left out, and shows all rows, as no script opens them; of every page drops
-    links to headings that may be left out, and links that have no name."""
+    """Of the lists of types and files drops what is left out; of every page drops links to headings that may be left out, and
+    links that have no name."""
     for row in tree.xpath('//table[@class="directory"]//tr'):
-        row.attrib.pop("style", None)
         if first(row, './/span[@class="icon"]/text()') == "C" and first(row, './/a[@class="el"]/@href') in out_of_site:
             drop(row)
     drop(*tree.xpath('//div[@class="levels" or @class="summary"]|//a[span/@class="icondoc"]'))
@@ -76,13 +70,12 @@ def drop_idle_parts(tree, out_of_site):
 
 def description_first(tree):
     """Moves the description of a type or a namespace to the place of the sentence that begins its page."""
-    brief, heading = first(tree, '//div/p[a="More..."]'), first(tree, '//a[@id="details"]/following-sibling::h2[1]')
-    if brief is None or heading is None:
-        return
-    described = takewhile(lambda each: each.get("class") != "groupheader" and each.tag != "hr", list(heading.itersiblings()))
-    for element in (heading.getprevious(), *described):
-        brief.addprevious(element)
-    drop(brief, heading)
+    for brief in tree.xpath('(//div/p[a="More..."])[1]'):
+        heading = first(tree, '//a[@id="details"]/following-sibling::h2[1]')
+        described = takewhile(lambda each: each.get("class") != "groupheader" and each.tag != "hr", list(heading.itersiblings()))
+        for element in (heading.getprevious(), *described):
+            brief.addprevious(element)
+        drop(brief, heading)
 
 
 def drop_empty_sections(tree):
@@ -95,13 +88,6 @@ def drop_empty_sections(tree):
 
 
 # The pages of namespaces
-
-
-def declared_in(trees):
-    """The header that declares a name, by its place on the page of a namespace, as the pages of the headers have it."""
-    rows = '//td[contains(@class, "ItemRight")]/a[@class="el" and starts-with(@href, "namespace")]/@href'
-    return {place: page.removesuffix(".html") for page, tree in trees.items() if page.endswith(("_8hpp.html", "_8h.html"))
-            for place in tree.xpath(rows)}
 
 
 def split_by_header(name, tree, declared):
@@ -122,11 +108,12 @@ def split_by_header(name, tree, declared):
     del first(frame, '//div[@class="contents"]')[:]
     listed = ""
     for file, of_file in sorted(items.items()):
-        page, header = f"{name.removesuffix('.html')}_in_{file}.html", header_name(file)
-        by_name = {text_of(shown, "@class='permalink'").partition(" [")[0]: anchor.get("id")
-                   for anchor, shown, _ in reversed(of_file)}  # of overloads the first
-        names = ", ".join(f'<a class="el" href="{page}#{anchor}">{html(shown)}</a>'
-                          for shown, anchor in reversed(by_name.items()))
+        page = f"{name.removesuffix('.html')}_in_{file}.html"
+        header = re.sub("_(.)", lambda mark: {"2": "/", "8": "."}.get(mark[1], "_"), file)  # in_2mode_8hpp: in/mode.hpp
+        by_name = {}  # of overloads the first
+        for anchor, shown, _ in of_file:
+            by_name.setdefault(text_of(shown, "@class='permalink'").partition(" [")[0], anchor.get("id"))
+        names = ", ".join(f'<a class="el" href="{page}#{anchor}">{html(shown)}</a>' for shown, anchor in by_name.items())
         listed += f'<dt><a class="el" href="{page}">{header}</a></dt>\n<dd>{names}</dd>\n'
         pages[page] = deepcopy(frame)
         first(pages[page], '//h1[@class="title"]').text = f"{title} in {header}"
@@ -159,21 +146,16 @@ def split_by_header(name, tree, declared):
 # The page of a type
 
 
-def line_of_source(box):
-    """The line of the source that a box leads to, if the box says nothing but a sentence, this line and who calls whom."""
-    said = first(box, './div[@class="memdoc"]')
-    more = said.xpath(".//dl|.//div|.//pre|.//table|.//ul|.//ol") + said.xpath('.//p[not(@class="reference")]')[2:]
-    return None if more else first(said, './/p[@class="definition"]/a/@href')
-
-
 def class_page(tree, name):
     """The page of a type as a reader wants it: the description comes first. A member whose documentation is the sentence beside
     its declaration has no box of its own; its name leads to the line of the source. Every place that a page may link to stays."""
     for box in boxes(tree):
-        source, anchor = line_of_source(box[2]), box[0].get("id")
-        link = f'//a[@href="{name}#{anchor}"]'
+        said, anchor = first(box[2], './div[@class="memdoc"]'), box[0].get("id")
+        source, link = first(said, './/p[@class="definition"]/a/@href'), f'//a[@href="{name}#{anchor}"]'
+        # What is more than a sentence, the line of the source and who calls whom.
+        more = said.xpath(".//dl|.//div|.//pre|.//table|.//ul|.//ol") + said.xpath('.//p[not(@class="reference")]')[2:]
         declared = first(tree, f'//tr[@class="memitem:{anchor}"][1]{link}')
-        if source and declared is not None:
+        if source and not more and declared is not None:
             declared.attrib.update({"id": anchor, "href": source})
             drop(*tree.xpath(f'//tr[@class="memdesc:{anchor}"]{link}'), *box)
     drop_empty_sections(tree)
@@ -189,9 +171,11 @@ def trim(texts):
     """The pages of the site by the names of their files, as trees: what is left out is not there, and links follow."""
     trees = {name: lxml_html.document_fromstring(text) for name, text in texts.items()}
     out_of_site = {name for name, tree in trees.items() if is_left_out(name, tree)}
-    for name in out_of_site:
-        del trees[name]
-    moved, declared = {}, declared_in(trees)
+    trees = {name: tree for name, tree in trees.items() if name not in out_of_site}
+    # The header that declares a name, by its place on the page of a namespace, as the pages of the headers have it.
+    rows = '//td[contains(@class, "ItemRight")]/a[@class="el" and starts-with(@href, "namespace")]/@href'
+    moved, declared = {}, {place: page.removesuffix(".html") for page, tree in trees.items()
+                           if page.endswith(("_8hpp.html", "_8h.html")) for place in tree.xpath(rows)}
     for name, tree in list(trees.items()):
         drop_idle_parts(tree, out_of_site)
         if name.startswith(OF_TYPE):

@@ -3,12 +3,11 @@ import re
 from types import SimpleNamespace
 
 from .conclusions import number_of_ours, sentence_on
-from .records import meant_by, record_of, symbols_in
-from .text import (EQUATIONS, Fault, counted, displayed, equation_label, escaped, fails, formula, label, prose,
-                   statement_that_holds, symbol, typeset, without_marks)
+from .records import meant_by, named, record_of, symbols_in
+from .text import (EQUATIONS, counted, displayed, equation_label, escaped, fails, formula, label, prose, symbol, typeset,
+                   without_marks)
 
 LONGEST_FORMULA = 500  # longer ones are left to the record: nobody reads them, and they take seconds to typeset
-LONGEST_STATEMENT = 4000  # in the language of Coq
 ABBREVIATED, DIVISORS = "Abbreviations", "where no divisor is zero"  # steps of the record that are no steps of the argument
 ROLES = {"both": "on the formula as printed and as shipped", "printed": "on the formula as printed",
          "shipped": "on the formula as shipped", "observation": "on what the text says about it"}
@@ -28,14 +27,6 @@ SAMPLES_OF_MODES = {"R": "0.8, 0.3", "zeta": "0.05, 0.03", "psi_k": "0.6, 0.7", 
 # Claims
 
 
-def step_sentence(step, claim):
-    """The sentence of a step; the generators of the zero test, which follow "zero with", stay as the run wrote them."""
-    if "text_latex" in step:
-        return typeset(step["text_latex"], claim)
-    head, zero_with, generators = step["text"].partition("reduces to zero with ")
-    return prose(head + zero_with) + (f"<code>{escaped(generators)}</code>" if zero_with else "")
-
-
 def steps_of(run, record):
     """The steps of a claim: a sentence and formulas each; what abbreviations stand for is looked up and comes last."""
     steps = []
@@ -44,9 +35,8 @@ def steps_of(run, record):
         if text == DIVISORS and steps:
             steps[-1].update(text=steps[-1]["text"].removesuffix("."), condition=text + "\n" + displayed(latex))
             continue
-        end = ":" if latex else "" if "zero with" in text else "."
-        long = len(latex) > LONGEST_FORMULA and not here
-        steps.append({"here": here, "text": "Here" if here else step_sentence(step, record["claim"]) + end, "condition": "",
+        said, long = typeset(step.get("text_latex", text), record["claim"]), len(latex) > LONGEST_FORMULA and not here
+        steps.append({"here": here, "text": "Here" if here else said + (":" if latex else "."), "condition": "",
                       "latex": "" if long else latex, "left_out": len(latex) if long else 0})
     return sorted(steps, key=lambda step: step["here"])
 
@@ -55,26 +45,24 @@ def claim_view(run, sources, claim, equation):
     """A claim in full; its steps stand on the page of the equation that its id begins with, else of its first one."""
     record, again = record_of(run, claim["id"]), claim.get("same_as", "")
     home = sorted(record["equations"], key=lambda number: number != record["claim"].partition("/")[0])[0]
-    witness, thresholds, kind = claim.get("witness", {}), claim.get("thresholds", []), claim.get("kind", "")
-    again = f" (it says the same as {escaped(again)})" if again and kind != "argument" else ""
+    witness, thresholds = claim.get("witness", {}), claim.get("thresholds", [])
+    again = f" (it says the same as {escaped(again)})" if again else ""
     return dict(
         claim, record=record, home=home, here=home == equation, place=sources.claim(claim["id"]),
         label=label("claim", record["claim"]),
-        bears=f"{KINDS.get(kind, 'derived')}{again}, {ROLES.get(claim['role'], 'a step of the argument')}",
+        bears=f"{KINDS.get(claim['kind'], 'derived')}{again}, {ROLES.get(claim['role'], 'a step of the argument')}",
         witness=witness if witness != run.entries[equation]["witness"] else {},  # which stands at the head of the page
         said=sentence_on(run, claim["id"], claim["verdict"]), thresholds=[number_of_ours(threshold) for threshold in thresholds],
         whatever=claim["verdict"] == "refuted" and not any(t["decides"] for t in thresholds),
-        steps=steps_of(run, record),
-        count=sum(step["text"] not in (ABBREVIATED, DIVISORS) for step in record["steps"]))
+        steps=steps_of(run, record))
 
 
 def sorted_claims(entry):
     """The equation's own claims, about the paper's formula and not about a form of it; all others; observations."""
     decides = lambda claim: claim["role"] != "step" and not claim.get("same_as")
-    is_form = lambda claim: claim.get("kind") == "refinement"
-    claims, observations = [], []
-    for claim in entry["claims"]:
-        (observations if claim["role"] == "observation" else claims).append(claim)
+    is_form = lambda claim: claim["kind"] == "refinement"
+    observations = [claim for claim in entry["claims"] if claim["role"] == "observation"]
+    claims = [claim for claim in entry["claims"] if claim not in observations]
     its = [claim for claim in claims if decides(claim) and claim["id"].startswith(entry["equation"] + "/")]
     own = [claim for claim in its if not is_form(claim)]
     if all(claim["role"] == "printed" for claim in own):  # (A.12) is decided by how a shipped formula follows from others
@@ -99,80 +87,31 @@ def witness_names(run, witness, claim=""):
             for name in sorted(witness, key=["under test", "derived"].__contains__)]
 
 
-def is_of_formula(run, name, latex):
-    """Whether a name of a witness is one of the formula's; R_1 stands for R_i."""
-    shown = run.symbols.get(name) or symbol(name, True)
-    if not shown or shown in latex:
-        return True
-    for mass in "123":
-        before, found, after = shown.rpartition(mass)
-        shown = before + "i" + after if found else shown
-    return shown.replace("_{i}", "_i", 1) in latex
-
-
 def statement_of(run, entry):
     """The printed formula and the one that holds, with the difference marked where a person has marked it."""
-    departure = run.departures.get(entry["equation"])
-    marked = departure is not None and departure.printed != ""
-    held = departure.holds if marked else entry["correction"]
-    read, two = entry["statement"], entry["correction"] != ""
-    latex = f"{read} {without_marks(held)}"
-    of_formula = {name: value for name, value in entry["witness"].items()
-                  if is_of_formula(run, name, f"{read} {entry['correction']}")}
-    parts = re.split(r"\$\$(.*?)\$\$", departure.why) if departure and departure.why else []
+    departure, read = run.departures[entry["equation"]], entry["statement"]
+    held = departure.holds or entry["correction"]
+    plain = without_marks(held)
     why = "".join(displayed(part) if at % 2 else f"<p>{typeset(part, 'docs/ledger/departures.json')}</p>"
-                  for at, part in enumerate(parts))
-    return SimpleNamespace(departure=departure, marked=marked, why=why, printed=departure.printed if marked else read, held=held,
-                           two=two, short=two and len(read) < 110 and len(without_marks(held)) < 110,
-                           symbols=symbols_in(run.notation, latex), witness=of_formula or entry["witness"])
-
-
-# The kernel of Coq
-
-
-def kernel_of(run, entry):
-    """What the kernel says of an equation: theorems with their statements, claims with the lemmas that were exported."""
-    kernel, claims = entry.get("kernel", {"status": "not_run"}), []
-    statement_of_theorem = lambda name: re.search(rf"Definition {re.escape(name)} : Prop :=.*?\.(?=\n)|\Z", run.theorems, re.S)[0]
-    theorems = [(title, theorem, statement_of_theorem(theorem["name"]))
-                for title, kind in (("Theorem", "theorems"), ("Negation", "negations")) for theorem in kernel.get(kind, [])]
-    for claim in entry["claims"] if kernel["status"] != "not_run" else []:
-        told = claim.get("kernel", {"status": "not_run"})
-        found = run.certificates.get(claim["id"]) or run.certificates.get(claim["id"].rpartition("/")[0])
-        certificate = found if found and found["lemmas"] and told["status"] != "not_run" else None
-        claims.append(SimpleNamespace(id=claim["id"], kernel=told, certificate=certificate))
-    return dict(kernel, theorems=theorems, claims=claims)
+                  for at, part in enumerate(re.split(r"\$\$(.*?)\$\$", departure.why)) if part)
+    return SimpleNamespace(why=why, printed=departure.printed or read, held=held, plain=plain or read,
+                           short=held and max(map(len, (read, plain))) < 110, symbols=symbols_in(run.notation, f"{read} {plain}"))
 
 
 def theorems_of(ledger):
     """All theorems of the kernel by their names, in the order of the equations: what each says, and of which equations."""
     theorems = {}
     for entry in ledger:
-        for kind in ("theorems", "negations"):
-            for theorem in entry.get("kernel", {}).get(kind, []):
-                told = {"says": theorem["name"], "status": "not_run"} | theorem | {"equations": []}
-                theorems.setdefault(theorem["name"], told)["equations"].append(entry["equation"])
+        for theorem in entry["kernel"]["theorems"] + entry["kernel"]["negations"]:
+            theorems.setdefault(theorem["name"], theorem | {"equations": []})["equations"].append(entry["equation"])
     return theorems
 
 
 # The page
 
 
-def figure_named(run, name):
-    for figure in run.figures:
-        if figure.name == name:
-            return figure
-    raise Fault(f"figure {name} must be drawn; run ./verify figures")
-
-
 def in_namespace(functions, name):
     return [function for function in functions if f"::{name}::" in function["name"]]
-
-
-def accuracy_rows(run, equation=None):
-    """Rows of the records of accuracy, with the number type of each; of one equation, or all."""
-    return [row | {"type": record["type"]} for record in run.accuracy for row in record["functions"]
-            if equation is None or equation in row["equations"]]
 
 
 def equation_view(run, sources, entry):
@@ -183,19 +122,16 @@ def equation_view(run, sources, entry):
     callers = [function for function in functions if function not in paper and function not in forms]
     own, others, observations = ([claim_view(run, sources, claim, equation) for claim in claims]
                                  for claims in sorted_claims(entry))
-    statement, correction = statement_of(run, entry), entry["correction"]
-    accuracy = [row for row in accuracy_rows(run, equation) if row["type"] == "double"]
-    departure, code, questions = statement.departure, run.formulas.get(equation), run.questions.get(equation, [])
-    cost = fails(entry["printed"]) and bool(entry.get("scene") or entry["consequence"])
+    accuracy = [row for row in run.accuracy if row["type"] == "double" and equation in row["equations"]]
     more = [what for there, what in (
         (forms, "the forms that keep their digits"), (others, counted(len(others), "further claim", "further claims")),
         (accuracy, "the measured accuracy"), (callers, "the functions that use it")) if there]
     return dict(
-        entry=entry, equation=equation, name=equation_label(equation), statement=statement, fails=fails(entry["printed"]),
+        entry=entry, equation=equation, name=equation_label(equation), statement=statement_of(run, entry),
+        fails=fails(entry["printed"]), more=more, accuracy=accuracy, place=run.places.get(equation),
         previous=EQUATIONS[at - 1] if at else None, next=EQUATIONS[at + 1] if at + 1 < len(EQUATIONS) else None,
-        place=run.places.get(equation), cost=cost, more=more,
-        own=own, others=others, observations=observations, paper=paper, forms=forms, callers=callers, code=code,
-        questions=questions, figures=[figure_named(run, name) for name in entry["figures"]], kernel=kernel_of(run, entry),
-        tests=[(name, verdict, sources.test(name)) for key, verdict in (("tests_failed", "failed"), ("tests", "passed"))
-               for name in entry[key]], accuracy=accuracy,
-        copied=without_marks(departure.holds) if correction and departure and departure.holds else statement_that_holds(entry))
+        own=own, others=others, observations=observations, paper=paper, forms=forms, callers=callers,
+        code=run.formulas.get(equation), questions=run.questions.get(equation, []),
+        figures=[named(run.figures, name, "a figure of the run; run ./verify figures") for name in entry["figures"]],
+        tests=[(name, verdict, named(run.tests, name, "a test that ran"))
+               for key, verdict in (("tests_failed", "failed"), ("tests", "passed")) for name in entry[key]])

@@ -64,8 +64,7 @@ def kind_of_page(name):
         return 3 if "_more" in name else 0
     if name.startswith(("figure_", "derivation_")):
         return 1
-    of_code = name.startswith(("namespace", "struct", "class", "dir_", "functions", "globals", "group__"))
-    return 4 if of_code or "_8" in name or "-members" in name else 2
+    return 4 if "_8" in name or name.startswith(("namespace", "struct", "class")) else 2
 
 
 def search_documents(tree, name):

@@ -1,30 +1,18 @@
 """The graph of what rests on what: where each equation stands, and the lines between them."""
 from collections import defaultdict
-from graphlib import CycleError, TopologicalSorter
+from graphlib import TopologicalSorter
 from types import SimpleNamespace
 
-from .text import Fault
-
 WIDTH, HEIGHT, COLUMN, ROW, MARGIN, TOP = 42, 24, 48, 46, 8, 34  # of a box, from box to box, at the edges
-
-
-def depths(ledger):
-    """How far each equation stands below the first: below all that it rests on."""
-    grounds, depth = {entry["equation"]: entry["rests_on"] for entry in ledger}, {}
-    try:
-        for equation in TopologicalSorter(grounds).static_order():
-            if equation not in grounds:
-                raise Fault(f"equation ({equation}) is rested on and must have an entry")
-            depth[equation] = 1 + max((depth[ground] for ground in grounds[equation]), default=-1)
-    except CycleError as error:
-        raise Fault(f"equation ({error.args[1][0]}) must not rest on itself by any way round") from error
-    return depth
 
 
 def layout(ledger, columns=3):
     """Row and column of each equation, in the band of its section, at most so many columns wide; what does not fit goes on in the
     row below. The bands are in the order of the paper, but the Appendix stands after Section 2.2, which asks for it."""
-    depth, levels = depths(ledger), defaultdict(lambda: defaultdict(list))
+    grounds, depth = {entry["equation"]: entry["rests_on"] for entry in ledger}, {}  # the ledger sees that there is no way round
+    for equation in TopologicalSorter(grounds).static_order():  # below all that it rests on
+        depth[equation] = 1 + max((depth[ground] for ground in grounds[equation]), default=-1)
+    levels = defaultdict(lambda: defaultdict(list))
     for entry in ledger:
         levels[depth[entry["equation"]]][entry.get("section", "")].append(entry["equation"])
     order = sorted({section for level in levels.values() for section in level},

@@ -1,13 +1,15 @@
 """What a run wrote, as the pages take it: ledger, derivation, figures, measurements; and what people wrote beside it."""
 import csv
 import json
-import math
 import re
 import subprocess
-from itertools import takewhile
+from collections import defaultdict, namedtuple
 from types import SimpleNamespace
+from xml.etree import ElementTree
 
 from .text import EQUATIONS, Fault, label
+
+Departure = namedtuple("Departure", "equation said printed holds why", defaults=[""] * 5)
 
 
 def read_json(file):
@@ -21,64 +23,60 @@ def read_if_there(file):
     return file.read_text() if file.exists() else ""
 
 
-def told(command, asked=""):
+def told(*command):
     """What a program answers."""
-    return subprocess.run(list(map(str, command)), input=asked, check=True, stdout=subprocess.PIPE, text=True).stdout
+    return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
 
 
 def read_run(verify, source):
     """Everything that the pages are made of."""
     ledger, written = read_json(verify / "paper/ledger.json"), source / "docs/ledger"
     claims = {claim["claim"]: claim for claim in read_json(verify / "paper/derivation.json")}
-    exported = verify / "kernel/certificates.json"
-    certificates = read_json(exported)["certificates"] if exported.exists() else []
-    accuracy = [read_json(file) for file in sorted((verify / "test-results/accuracy").glob("*.json"))]
-    program, offers = verify / "bin/denhartog", json.loads(told([verify / "bin/offers", source / "tests/conformance/vectors"]))
+    exported = json.loads(read_if_there(verify / "kernel/certificates.json") or '{"certificates": []}')
+    accuracy = sorted(map(read_json, sorted((verify / "test-results/accuracy").glob("*.json"))),
+                      key=lambda record: {"d": 0, "l": 1}.get(record["type"][0], 2))  # double, long double, others
+    offers = json.loads(told(verify / "bin/offers", source / "tests/conformance/vectors"))
     return SimpleNamespace(
         ledger=ledger, entries={entry["equation"]: entry for entry in ledger}, claims=claims,
-        symbols={value["name"]: value["name_latex"] for claim in claims.values() for value in claim.get("witness", [])
-                 if value.get("name_latex")},
+        symbols={each["name"]: each["name_latex"] for claim in claims.values() for each in claim["witness"]},
         run=read_json(verify / "paper/run.json"), audit=(verify / "paper/audit.md").read_text(),
-        certificates={certificate["claim"]: certificate for certificate in certificates},
+        certificates={certificate["claim"]: certificate for certificate in exported["certificates"]},
         theorems=read_if_there(source / "derivation/kernel/Statements.v"), figures=read_figures(verify / "figures", source),
-        accuracy=sorted(accuracy, key=lambda record: {"d": 0, "l": 1}.get(record["type"][0], 2)),  # double, long double, others
+        accuracy=[row | {"type": record["type"]} for record in accuracy for row in record["functions"]],
         chart=read_if_there(verify / "chart/tables.md"), batch=read_if_there(verify / "chart/batch.md"),
         benchmark=[(solver, *row.split()) for solver, rows in re.findall(
             r"# name \d+ (.*)\n#.*\n((?:\d.*\n)*)", (source / "paper-figures/beyond/benchmark_work_precision.dat").read_text())
             for row in rows.splitlines()],
         conformance={file.stem: file.read_text() for file in (verify / "conformance").glob("*.md")},
-        departures={row["equation"]: SimpleNamespace(**({"printed": "", "holds": "", "why": ""} | row))
-                    for row in read_json(written / "departures.json")},
+        departures=defaultdict(Departure, {row["equation"]: Departure(**row) for row in read_json(written / "departures.json")}),
+        tests={test.get("name"): dict(file="tests/" + test.get("filename").rpartition("/tests/")[2], line=test.get("line"))
+               for results in (verify / "test-results").glob("*.xml") for test in ElementTree.parse(results).iter("TestCase")},
         statements=read_json(verify / "paper/statements.json"),
         in_words={row["claim"]: row for row in read_json(written / "in_words.json")},
         stand_for=read_json(written / "stand_for.json"), names=read_json(written / "names.json"),
         notation=read_symbols((source / "docs/notation.md").read_text()), places=read_json(source / "docs/explore/places.json"),
-        formulas=offers["formulas"], questions=offers["questions"], excess_of_67=excess_of_67(program),
-        motion=motion_of_example(program, source / "docs/example.json"))
+        formulas=offers["formulas"], questions=offers["questions"],
+        motion=motion_of_example(verify / "bin/denhartog", source / "docs/example.json"))
 
 
-def motion_of_example(program, scene, samples=36):
+def motion_of_example(program, scene):
     """Displacements of the masses of the program's example, a list an instant of the period."""
-    rows = csv.DictReader(told([program, "motion", scene, "--samples", samples]).splitlines())
+    rows = csv.DictReader(told(program, "motion", scene, "--samples", "36").splitlines())
     return [[float(row[name]) for name in row if name.startswith("x_")] for row in rows]
 
 
-def excess_of_67(program):
-    """How far (67) is above the boundary (69), in percent, for the two masses of Fig. 10 with the least damping."""
-    first, second = (math.sqrt(5) - 1) / 2, (math.sqrt(5) + 1) / 2
-    scene = {"mass_ratios": [1, 1], "stiffness_ratios": [1, 1], "damping_ratios": [0.001 / first, 0.001 / second],
-             "contact": 2, "load": 1, "r": 0.55}
-    limit = json.loads(told([program, "boundary", "--json"], json.dumps(scene)))["beta_lim"]
-    return 100 * (limit["approximate"] / limit["exact"] - 1)
+def named(records, name, what):
+    """The record that has a name."""
+    if name not in records:
+        raise Fault(f"{name} must be {what}")
+    return records[name]
 
 
 def record_of(run, claim):
     """The record of a claim, of which the ledger may have one for each of its equations, with the equation at its end."""
     shorter, _, equation = claim.rpartition("/")
-    record = run.claims.get(claim) or (run.claims.get(shorter) if equation in EQUATIONS else None)
-    if record is None:
-        raise Fault(f"claim {claim} must have its steps in derivation.json; run ./verify paper again")
-    return record
+    of_all = claim not in run.claims and equation in EQUATIONS
+    return named(run.claims, shorter if of_all else claim, "a claim with its steps in derivation.json; run ./verify paper again")
 
 
 def faults_of_stand_ins(run):
@@ -101,32 +99,26 @@ def meant_by(run, claim, latex):
 # Figures
 
 
-def title_of_script(lines):
+def title_of_script(script):
     """The first sentence of a plot script, where no program has recorded a title."""
-    comment = " ".join(line[2:] for line in takewhile(lambda line: line.startswith("# "), lines))
-    if not comment.startswith("Fig. "):
-        return re.split("[.;]", comment)[0]
-    title = comment.partition(": ")[2].partition(". ")[0].removesuffix(".")  # Fig. 1: the chain of N masses. ...
-    return title[0].upper() + title[1:]
+    comment = re.match("(# .*\n)+", script.read_text())[0]
+    return re.split(r"\.\s|;", comment.replace("# ", "").replace("\n", " "))[0]
 
 
 def read_figures(folder, source):
-    """The figures of the run, those of the paper first."""
-    captions, figures = read_json(source / "docs/ledger/figures.json"), []
+    """The figures of the run by name, those of the paper first."""
+    captions, figures = read_json(source / "docs/ledger/figures.json"), {}
     scripts = {file.stem: file for file in (source / "paper-figures").rglob("*.gp")}
     for name in sorted(file.stem for file in folder.glob("*.svg") if file.stem in scripts):  # others an earlier run left
-        if name not in captions:
-            raise Fault(f"figure {name} must have its caption in docs/ledger/figures.json")
         record = read_json(folder / f"{name}.json") if (folder / f"{name}.json").exists() else None
-        title = record["title"] if record else title_of_script(scripts[name].read_text().splitlines())
-        title = title.replace("->", "→").replace("zeta", "ζ")
+        title = (record["title"] if record else title_of_script(scripts[name])).replace("->", "→").replace("zeta", "ζ")
         number = f"Fig. {int(name[3:5])}" if name.startswith("fig") else ""
         data = [file.name for ending in (".pdf", ".dat", ".csv") for file in sorted(folder.glob(f"{name}*{ending}"))]
-        figures.append(SimpleNamespace(
-            name=name, label=label("figure", name), number=number, title=title, record=record,
-            full_title=f"{number}: {title}" if number else title, data=data, caption=captions[name],
-            script=scripts[name].relative_to(source).as_posix()))
-    return sorted(figures, key=lambda figure: not figure.number)
+        figures[name] = SimpleNamespace(
+            name=name, label=label("figure", name), number=number, title=title, record=record, data=data,
+            full_title=f"{number}: {title}" if number else title, script=scripts[name].relative_to(source).as_posix(),
+            caption=named(captions, name, "a figure with a caption in docs/ledger/figures.json"))
+    return dict(sorted(figures.items(), key=lambda item: not item[1].number))
 
 
 # Symbols
@@ -134,28 +126,24 @@ def read_figures(folder, source):
 
 def of_other_masses(latex):
     """The same symbol of another mass: psi_ki, psi_ji, psi_li; G_k, G_j."""
-    base, bar, below = latex.rpartition("_")
-    mass = next((mass for mass in "kj" if bar and mass in below), None)
-    if mass is None or "lim" in below:
-        return [latex]
-    at = latex.index(mass, len(base))
-    return [latex] + [latex[:at] + other + latex[at + 1:] for other in "kjl" if other != mass]
+    for mass in "kj":
+        if found := re.fullmatch(rf"(.*_[^_]*?){mass}([^_]*)", latex):
+            return [latex] + [found[1] + other + found[2] for other in "kjl" if other != mass]
+    return [latex]
 
 
 def read_symbols(notation):
     """The paper's symbols from the tables of the notation page."""
     symbols = []
     for row in re.findall(r"^\| (\$.*)\|$", notation.partition("\n## Symbols of ours\n")[0], re.M):
-        cells = [cell.strip() for cell in row.split("|")]
-        if len(cells) < 4:
-            raise Fault(f"a symbol must have its meaning and its equation: {row}")
-        for latex in re.findall(r"\$([^$]*)\$", cells[0]):
+        written, _, meaning, equations, units = (cell.strip() for cell in row.split("|"))
+        for latex in re.findall(r"\$([^$]*)\$", written):
             latex = re.sub(r"(\\overline|\\mathbf|\\dot) (.)", r"\1{\2}", latex).replace(r"\boldsymbol\Psi", r"\boldsymbol{\Psi}")
             latex = latex.replace("'", "")
             if latex not in ("", "j", "l", "t"):
                 symbols.append(SimpleNamespace(
-                    latex=of_other_masses(latex), meaning=cells[2], units=cells[4] if len(cells) > 4 else "",
-                    equations=[number for number in re.findall(r"\(([^)]*)\)", cells[3]) if number in EQUATIONS]))
+                    latex=of_other_masses(latex), meaning=meaning, units=units,
+                    equations=[number for number in re.findall(r"\(([^)]*)\)", equations) if number in EQUATIONS]))
     if not symbols:
         raise Fault("the notation page must have tables of symbols")
     return symbols
@@ -171,9 +159,9 @@ def symbols_in(symbols, latex):
     """The symbols of a formula with their names in it, in the order of the notation page; of equal meanings the first."""
     found = {}
     for symbol in symbols:
-        if any(stands_in(latex, name) for name in symbol.latex):
-            found.setdefault(symbol.meaning, symbol)
-    return [(next((name for name in symbol.latex if name in latex), symbol.latex[0]), symbol) for symbol in found.values()]
+        if names := [name for name in symbol.latex if stands_in(latex, name)]:
+            found.setdefault(symbol.meaning, (names[0], symbol))
+    return list(found.values())
 
 
 # Departures
@@ -185,13 +173,13 @@ def faults_of_departures(departures, ledger):
                        r"\\(misprint|mended|Bigl|Bigr|left\.?|right\.?)|[{}&\s\\]")
     faults = []
     for entry in ledger:
-        departure, departs = departures.get(entry["equation"]), entry["departure"] != "none"
-        printed, statement = (marks.sub("", latex) for latex in (departure.printed if departure else "", entry["statement"]))
-        differs = departure and r"\misprint{" in departure.printed and r"\mended{" in departure.holds
+        departure, departs = departures[entry["equation"]], entry["departure"] != "none"
+        printed, statement = marks.sub("", departure.printed), marks.sub("", entry["statement"])
+        differs = r"\misprint{" in departure.printed and r"\mended{" in departure.holds
         faults += [f"docs/ledger/departures.json: ({entry['equation']}) {told}" for told, there in (
-            ("has a sentence and does not depart", departure and not departs),
-            ("departs from the print and has no sentence", departs and not departure),
-            ("is refuted as printed and does not say why", departure and entry["printed"] == "refuted" and not departure.why),
+            ("has a sentence and does not depart", departure.said and not departs),
+            ("departs from the print and has no sentence", departs and not departure.said),
+            ("is refuted as printed and does not say why", entry["printed"] == "refuted" and not departure.why),
             (f"without its marks is not the printed formula: {printed} against {statement}", printed and printed != statement),
             ("shows no difference", printed and not differs and entry["equation"] != "68")) if there]
     return faults

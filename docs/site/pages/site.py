@@ -1,8 +1,7 @@
 """All generated pages: each kind has a template; the pages are Doxygen's, which resolves links to what is in the sources."""
 import json
 import re
-from collections import Counter
-from itertools import groupby
+from itertools import count, groupby
 from pathlib import Path
 
 import jinja2
@@ -10,13 +9,12 @@ import jinja2
 from . import text
 from .chapter import chapter_views, places_in_chapter, read_chapter
 from .code import code_of
-from .conclusions import conclusions_view
-from .equations import (LONGEST_STATEMENT, SAMPLES, SAMPLES_OF_MODES, accuracy_rows, equation_view, in_namespace, theorems_of,
-                        witness_names)
+from .conclusions import conclusions_of
+from .equations import SAMPLES, SAMPLES_OF_MODES, equation_view, in_namespace, statement_of, theorems_of, witness_names
 from .graph import graph_of
 from .records import faults_of_departures, faults_of_stand_ins, read_run, record_of
 from .sources import Sources, code_lines, coq_lines
-from .text import EQUATIONS, Fault, html, statement_that_holds, told_in, verdict_text, without_marks
+from .text import EQUATIONS, Fault, html, told_in, verdict_text
 
 SECTIONS = {"1": "Introduction", "2.1": "Formulation", "2.2": "Modal superposition", "2.3": "The mass in contact",
             "2.4": "Time response", "2.5": "The other masses", "2.6": "Domain of validity", "3.1": "Numerical approach",
@@ -28,19 +26,13 @@ DEPARTURES = {"scan": "a slip of the scan", "misprint": "a misprint: the paper's
 
 
 def tables(markdown, prefix):
-    """Headings, tables and sentences of a text in Markdown."""
-    parts = []
-    for is_table, lines in groupby(markdown.splitlines(), lambda line: line.startswith("|")):
-        if is_table:
-            rows = [[cell.strip().replace("\\|", "|") for cell in re.split(r"(?<!\\)\|", line)[1:-1]] for line in lines]
-            if any(len(row) != len(rows[0]) for row in rows):
-                raise Fault(f"a row of a table must have as many cells as its head: {rows[0]}")
-            parts.append({"rows": rows[:1] + rows[2:]})  # the second one is a line
-        else:
-            parts += [{"heading": line.lstrip("# ")} if line.startswith("#") else {"text": line} for line in lines if line]
-    for number, heading in enumerate((each for each in parts if "heading" in each), 1):
-        heading["label"] = f"{prefix}_{number}"
-    return parts
+    """A text of the surveys, whose tables Doxygen reads, with its words typeset and labels for its headings."""
+    for table in re.findall(r"(?:^\|.*\n)+", markdown, re.M):
+        if len({line.count("|") for line in table.splitlines()}) > 1:
+            raise Fault(f"a row of a table must have as many cells as its head: {table}")
+    number = count(1)
+    return "\n".join(rf"\section {prefix}_{next(number)} {line.lstrip('# ')}" if line.startswith("#") else
+                     text.typeset(line, "a table of measurements") for line in markdown.splitlines())
 
 
 def environment(run, sources):
@@ -56,14 +48,12 @@ def environment(run, sources):
         brief=lambda function: sources.snippet(function).brief, number="{:.10g}".format,
         sample=lambda name, of_modes: SAMPLES_OF_MODES[name] if of_modes else SAMPLES.get(name, "1"),
         names=lambda witness, claim="": witness_names(run, witness, claim), record=lambda claim: record_of(run, claim),
+        statement_of_theorem=lambda of: re.search(rf"Definition {of['name']} : Prop :=.*?\.(?=\n)|\Z", run.theorems, re.S)[0],
         in_order=lambda entries, key: [(name, list(group)) for name, group in groupby(entries, lambda entry: entry[key])],
         section_title=lambda section: f"{section} {SECTIONS[section]}" if section in SECTIONS else section,
-        counts=lambda ledger, key: ", ".join(f"{n} {text.verdict_text(word)}"
-                                             for word, n in sorted(Counter(entry[key] for entry in ledger).items())),
-        tables=lambda markdown, prefix: jinja.get_template("tables.html").render(pieces=tables(markdown, prefix)))
-    said = {equation: text.typeset(departure.said, "departures.json") for equation, departure in run.departures.items()}
-    jinja.globals |= dict(run=run, chapter={}, ledger=run.ledger, figures=run.figures, departures=run.departures,
-                          said_of=lambda equation: said.get(equation, ""), longest_statement=LONGEST_STATEMENT)
+        tables=tables, conclusions_of=conclusions_of, graph_of=graph_of, theorems_of=theorems_of)
+    jinja.globals |= dict(run=run, chapter={}, ledger=run.ledger, departures=run.departures,
+                          said_of=lambda equation: text.typeset(run.departures[equation].said, "departures.json"))
     jinja.globals["part"] = jinja.get_template("parts.html").module
     return jinja
 
@@ -72,17 +62,14 @@ def faults_of_pages(pages):
     """A sentence for each page with a dollar outside of a formula or a place-holder that nothing replaced. Doxygen finds labels
     that are there twice or not at all, formulas that are not closed and LaTeX outside of them; KaTeX, a formula that is wrong."""
     raw = re.compile(r"\\f\$.*?\\f\$|\\f\[.*?\\f\]|\\htmlonly.*?\\endhtmlonly", re.S)
-    texts = {name: raw.sub("", page) for name, page in pages.items()}
-    return [f"page {name} has {what}: {found[0]}" for name, text in texts.items()
-            for what, mark in (("a dollar outside of a formula", r"(?<!\\)\$.*"),
-                               ("a place-holder that nothing replaced", r"\{\{.*"))
-            if (found := re.search(mark, text))]
+    what = {"$": "a dollar outside of a formula", "{": "a place-holder that nothing replaced"}
+    return [f"page {name} has {what[found[0][0]]}: {found[0]}" for name, page in pages.items()
+            if (found := re.search(r"(?<!\\)\$.*|\{\{.*", raw.sub("", page)))]
 
 
 def make_pages(run, sources, chapter):
     """The pages by name, and why they cannot be taken, a sentence each."""
-    faults = [f"the ledger must have an entry for equation ({number})" for number in EQUATIONS if number not in run.entries]
-    faults += faults_of_departures(run.departures, run.ledger) + faults_of_stand_ins(run)
+    faults = faults_of_departures(run.departures, run.ledger) + faults_of_stand_ins(run)
     if faults:
         return {}, faults
     jinja, pages, files = environment(run, sources), {}, read_chapter(chapter)
@@ -94,7 +81,7 @@ def make_pages(run, sources, chapter):
         page = page.replace("<!--contents-->", contents)
         pages[name] = re.sub(r"\n*(\n\\(?:sub)?section .*\n)\n*", r"\n\1\n", page)  # a heading stands apart
 
-    for figure in run.figures:
+    for figure in run.figures.values():
         with told_in(faults):
             add(figure.label, "figure", dict(figure=figure, program=figure.script.removesuffix("gp") + "cpp"))
     for equation in EQUATIONS:
@@ -103,18 +90,12 @@ def make_pages(run, sources, chapter):
             add(view["name"], "equation", view)
             if view["more"]:
                 add(view["name"] + "_more", "equation_more", view)
-    views = {"audit": lambda: dict(zip(("summary", "audit"), tables(run.audit, "audit"), strict=True)),
-             "accuracy_page": lambda: dict(zones=[row for row in accuracy_rows(run) if row["type"] == "double"]),
-             "conclusions": lambda: conclusions_view(run), "equation_graph": lambda: dict(graph=graph_of(run.ledger)),
-             "theorems": lambda: dict(theorems=theorems_of(run.ledger))}
     for name in ("home", "equations", "errata", "errata_sheet", "stand_ins", "figures_page", "speed_page", "conformance_page",
-                 *views):
+                 "audit", "accuracy_page", "conclusions", "equation_graph", "theorems"):
         with told_in(faults):
-            add(name, name, views.get(name, dict)())
-    views, faults_of_chapter = chapter_views(run, files)
-    for view in views:
+            add(name, name, {})
+    for view in chapter_views(run, files, faults):
         add(view["name"], "chapter", view)
-    faults += faults_of_chapter
     return pages, sorted(set(faults or faults_of_pages(pages)))  # a page that could not be made is missed by all that link to it
 
 
@@ -122,20 +103,15 @@ def script_files(run):
     """What the scripts of the pages read: symbols and statements for the formulas, places to go to, accuracy as a table."""
     as_json = lambda value: json.dumps(value, indent=0, ensure_ascii=False)
     in_html = lambda words: re.sub("`(.*?)`", r"<code>\1</code>", re.sub(r"\$(.*?)\$", r"\\(\1\\)", html(words)))
-    symbols = [{"latex": symbol.latex, "meaning": in_html(symbol.meaning),
-                "units": symbol.units, "equations": symbol.equations} for symbol in run.notation]
+    symbols = [vars(symbol) | {"meaning": in_html(symbol.meaning)} for symbol in run.notation]
     statements, places = {}, {}
     for entry in run.ledger:
-        departure = run.departures.get(entry["equation"])
-        said = f"as printed: {verdict_text(entry['printed'])}" + (f". {departure.said}" if departure else "")
-        latex = without_marks(departure.holds) if departure and departure.holds else statement_that_holds(entry)
-        statements[entry["equation"]] = {"said": in_html(said), "latex": latex}
+        said = ". ".join(filter(None, (f"as printed: {verdict_text(entry['printed'])}", run.departures[entry["equation"]].said)))
+        statements[entry["equation"]] = {"said": in_html(said), "latex": statement_of(run, entry).plain}
         places.setdefault(f"section {entry['section']}", f"equations.html#{text.label('equations', entry['section'])}")
-    for figure in run.figures:
-        if figure.number:
-            places[f"figure {figure.number[5:]}"] = f"{figure.label}.html"
+    places |= {f"figure {figure.number[5:]}": f"{figure.label}.html" for figure in run.figures.values() if figure.number}
     columns = ("function", "type", "zone", "points", "printed", "shipped", "shipped_at")
-    rows = [",".join(json.dumps(row[column], ensure_ascii=False) for column in columns) for row in accuracy_rows(run)]
+    rows = [",".join(json.dumps(row[column], ensure_ascii=False) for column in columns) for row in run.accuracy]
     return {"accuracy.csv": "\n".join([",".join(columns)] + rows) + "\n", "symbols.json": as_json(symbols) + "\n",
             "statements.json": as_json(statements) + "\n", "sections.js": f"window.siteSections = {as_json(places)};\n"}
 

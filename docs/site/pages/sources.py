@@ -1,15 +1,14 @@
-"""What the pages take from the sources: the lines of functions, and where claims and tests stand."""
+"""What the pages take from the sources: the lines of functions, and where claims stand."""
 import re
 from collections import namedtuple
+from itertools import takewhile
 from pathlib import Path
 
 from .text import Fault, html, prose
 
-Place = namedtuple("Place", "file line")
 Snippet = namedtuple("Snippet", "file first lines brief")
 
 LITERAL = r'"(?:[^"\\]|\\.)*"'
-TEST = re.compile(rf"(?:TEST_CASE|SCENARIO)\(\s*((?:{LITERAL}\s*)+),\s*((?:{LITERAL}\s*)+)")
 KEYWORDS = re.compile(r"\b(template|class|struct|return|const|typename|inline|requires)\b", re.ASCII)
 COQ_KEYWORDS = set("""Lemma Theorem Definition forall exists Proof Qed Section End Variables Hypothesis Fixpoint fun match with
 end if then else let in Require Import Open Scope""".split())
@@ -19,10 +18,9 @@ class Sources:
     """The sources of the project."""
 
     def __init__(self, root):
-        self.root, self.ids, self.literals, self.tests = Path(root), {}, {}, {}
-        for folder, read in (("derivation", self.read_claims), ("tests", self.read_tests)):
-            for file in sorted((self.root / folder).rglob("*.cpp")):
-                read(file.relative_to(self.root).as_posix(), file.read_text())
+        self.root, self.ids, self.literals = Path(root), {}, {}
+        for file in sorted((self.root / "derivation").rglob("*.cpp")):
+            self.read_claims(file.relative_to(self.root).as_posix(), file.read_text())
 
     def read_claims(self, name, text):
         """Keeps the literals of a source: those with a slash, the ones that a claim takes as its id rather than others, and those
@@ -30,13 +28,7 @@ class Sources:
         for number, line in enumerate(text.splitlines(), 1):
             for is_id, literal in re.findall(rf"(\.id = )?({LITERAL})", line.partition("//")[0]):
                 key = literal[1:-1] if "/" in literal else (name, literal[1:-1])
-                (self.ids if is_id else self.literals).setdefault(key, Place(name, number))
-
-    def read_tests(self, name, text):
-        for test in TEST.finditer(text):
-            if "[eq:" in test[2]:
-                told = "".join(re.sub(r"\\(.)", r"\1", part[1:-1]) for part in re.findall(LITERAL, test[1]))
-                self.tests.setdefault(told, Place(name, text.count("\n", 0, test.start(1)) + 1))
+                (self.ids if is_id else self.literals).setdefault(key, dict(file=name, line=number))
 
     def claim(self, claim):
         """Where a claim is made, of whose id a source may have the beginning and the rest apart."""
@@ -44,15 +36,8 @@ class Sources:
             for at in range(len(claim), 0, -1):
                 if claim[:at] in literals and (claim[at - 1] in "=/" or claim[at:at + 1] in ("", "/")):
                     place = literals[claim[:at]]
-                    return self.literals.get((place.file, claim[at:] or None), place)
+                    return self.literals.get((place["file"], claim[at:] or None), place)
         raise Fault(f"claim {claim} must be made in a source under derivation")
-
-    def test(self, name):
-        """Where a test is declared, by its name as it ran: that of a test over types ends with the type."""
-        place = self.tests.get(name) or self.tests.get(name.rpartition(" - ")[0])
-        if place is None:
-            raise Fault(f"test '{name}' must stand in a source under tests")
-        return place
 
     def snippet(self, function):
         """A function or a type of the ledger, from its template head to its closing brace."""
@@ -61,23 +46,16 @@ class Sources:
         word = name.rpartition("::")[2]
         if not 1 <= at <= len(lines) or not re.search(rf"(?<!\w){re.escape(word)}(?!\w)", lines[at - 1], re.ASCII):
             raise Fault(f"{name} must stand where the ledger has it, {file}:{at}; run ./verify paper again")
-        first = at - 1
-        while first > 0 and not re.match(r"\s*($|//|#)|.*[;{}]\s*$", lines[first - 1]):
-            first -= 1
-        end, depth = first, 0
-        while end == first or depth > 0 or not re.search(r"[;}]\s*$", code):
-            code = lines[end].partition("//")[0]
-            end += 1
-            depth += code.count("{") - code.count("}")
-        return Snippet(file, first + 1, lines[first:end], self.brief(lines, first))
+        first = next(n for n in range(at - 1, -1, -1) if re.match(r"\s*($|//|#)|.*[;{}]\s*$", lines[n - 1]))
+        ends = re.compile(rf"{re.match(' *', lines[first])[0]}(\S.*)?[;}}]\s*(//.*)?$")  # no further to the right than it began
+        end = next(n for n in range(first, len(lines)) if ends.match(lines[n]))
+        return Snippet(file, first + 1, lines[first:end + 1], self.brief(lines, first))
 
     @staticmethod
     def brief(lines, first):
         """The first sentence after @brief in the comment above a line, its formulas as Doxygen has them; and the domain."""
-        above = first
-        while above > 0 and lines[above - 1].startswith("///"):
-            above -= 1
-        told = " ".join(line.removeprefix("///").strip() for line in lines[above:first])
+        comment = list(takewhile(lambda line: line.startswith("///"), reversed(lines[:first])))
+        told = " ".join(line.removeprefix("///").strip() for line in reversed(comment))
         found = re.search(r"@brief (.*?)(?=\.(?: |\Z)| \\f\[| @|\Z)", told)
         domain = re.search(r"@domain\{(.*?)\}(?= |\Z)", told)
         return (found[1].strip() + "." if found else "") + (f" Domain: {prose(domain[1])}." if domain else "")

@@ -9,7 +9,11 @@ GREEK = set("alpha beta gamma delta zeta eta theta kappa mu pi phi psi sigma tau
 BARRED = {"X": r"\overline{X}", "x": r"\bar{x}", "K": r"\overline{K}", "C": r"\overline{C}", "M": r"\overline{M}"}
 WORD = re.compile(r"\w+", re.ASCII)
 OPERATORS = {"<=": "≤", ">=": "≥", "->": "→", "sqrt": "√"}
-PART = {"r": r"\mathrm{Re}\,", "i": r"\mathrm{Im}\,"}
+TOKEN = re.compile(r"""(?<![\w\\])\((?P<equation>(?:A\.)?[0-9]+)\)|<=|>=|->|sqrt(?=\()|
+    (?P<number>(?<![\w.])(?:\d+\.\d{9,}|\d+(?:\.\d+)?e[+-]?\d+)(?![\w.]*\w))|
+    (?P<function>sinh?|cosh?|exp)\((?P<of>\w+)\)|
+    (?<=[./:`#])(?<!(?<!\w)1/)(?!r_n,i)\w+|\w+(?=[(:*`]|\.\w)|  # part of a path or of a name
+    (?P<word>r_n,i|\w+)(?P<value>=\d(?:[\d.]*\d)?(?:e[+-]?\d+)?|\^\d+(?![\w.]))?(?P<primes>'*)|.""", re.A | re.S | re.X)
 
 
 class Fault(Exception):
@@ -63,69 +67,24 @@ def equation_links(equations):
 
 
 def source_link(place, shown):
-    """A link to a line of a source, resolved when the site is there; the place is that of a claim or a function."""
-    file, line = (place["file"], place["line"]) if isinstance(place, dict) else place
-    return f'<a href="source:{file}:{line}">{escaped(shown)}</a>'
-
-
-def subscripted(base, below):
-    """A letter with its subscript as the paper writes it: V_dj, U_dj, S_dj, v_di, u_di, s_di have a d that code leaves out."""
-    part = ""
-    if base in ("V", "v") and re.fullmatch("[^d][ri]", below):  # V_jr, V_ji: real and imaginary part
-        part, below = PART[below[1]], below[0]
-    elif base == "v" and re.match("[ri].", below):  # v_r1, v_i1
-        part, below = PART[below[0]], below[1:]
-    if base in tuple("VUSvus") and not below.startswith("d"):
-        below = "d" + below
-    letter = BARRED.get(base, "\\" + base if base in GREEK else base)
-    return part + letter + "_{" + {"lim": r"\lim"}.get(below, below) + "}"
+    """A link to a line of a source, resolved when the site is there."""
+    return f'<a href="source:{place["file"]}:{place["line"]}">{escaped(shown)}</a>'
 
 
 @cache
 def symbol(name, alone):
-    """LaTeX of a symbol that the run names in plain text, e.g. `eta_prime_0`; empty where it is none. Alone, a letter is one."""
+    """LaTeX of a symbol that the run names in plain text, e.g. `zeta_i`; empty where it is none. Alone, a letter is one. V_dj,
+    U_dj, S_dj, v_di, u_di, s_di of the paper have a d that code leaves out."""
     if name in GREEK:
         return "\\" + name
     if alone and len(name) == 1:
         return BARRED.get(name, name)
-    if alone and re.fullmatch("P[A-Z]", name):  # PA to PR: the coefficients of (A.10)
-        return rf"\mathcal{{{name[1]}}}"
-    base, bar, below = name.partition("_")
-    if not bar:  # R1, zeta1
-        found = re.fullmatch(r"(.*[^0-9])([0-9]+)", name)
-        known = found and (found[1] in GREEK or alone and len(found[1]) == 1)
-        return subscripted(found[1], found[2]) if known else ""
-    if not below or base not in GREEK and len(base) != 1:
+    base, _, below = name.partition("_")
+    if not 1 <= len(below) <= 3 or "_" in below or base not in GREEK and len(base) != 1:
         return ""
-    if below.startswith("prime_"):
-        return subscripted(base, below[6:]) + "'"
-    if below.endswith("_abs"):
-        return f"|{subscripted(base, below[:-4])}|"
-    return "" if "_" in below or len(below) > 3 else subscripted(base, below)
-
-
-def formula_at(text, at):
-    """The formula that starts at a word, and where it ends; empty where the word is no symbol, or part of a path or a name."""
-    word = WORD.match(text, at)[0]
-    end = at + len(word)
-    call = re.compile(r"\((\w*)\)", re.ASCII).match(text, end) if word in ("sin", "cos", "sinh", "cosh", "exp") else None
-    if call and symbol(call[1], False):
-        return rf"\{word}({symbol(call[1], False)})", call.end()
-    over_one = re.search(r"(?<!\w)1/$", text[:at], re.ASCII)
-    after_mark = at > 0 and text[at - 1] in "./:`#" and text[at:at + 5] != "r_n,i" and not over_one
-    if after_mark or re.compile(r"[(:*`]|\.\w", re.ASCII).match(text, end):
-        return "", end
-    if word == "r_n" and text.startswith(",i", end):
-        return "r_{n,i}", end + 2
-    latex = symbol(word, False)
-    value = re.compile(r"=[0-9](?:[0-9.]*[0-9])?|\^[0-9]+(?![\w.])").match(text, end)
-    if not latex and not (value and re.fullmatch("[A-Za-z]", word)):
-        return "", end
-    more = value or (re.compile("'*").match(text, end) if "_" in word else None)
-    after = more[0] if more else ""
-    if value:
-        after = f"^{{{value[0][1:]}}}" if value[0][0] == "^" else "=" + legible(value[0][1:])
-    return (latex or word) + after, more.end() if more else end
+    if base in tuple("VUSvus") and not below.startswith("d"):
+        below = "d" + below
+    return BARRED.get(base, "\\" + base if base in GREEK else base) + "_{" + {"lim": r"\lim"}.get(below, below) + "}"
 
 
 def legible(number):
@@ -139,44 +98,50 @@ def spelled(text):
     """A text with the names of scenes in words: `2DOF j=2 l=1 #7` is two masses, j=2, l=1, scene 7."""
     masses = {"S": "one mass", "2": "two masses", "3": "three masses", "4": "four masses", "5": "five masses"}
     text = re.sub(r"\b([S2-5])DOF\b( (?=\w+=))?", lambda name: masses[name[1]] + (", " if name[2] else ""), text)
-    text = re.sub(r"(=[^\s;()]*[^\s;(),]) (?=[a-zA-Z]\w*=|#\d)", r"\1, ", text)
+    text = re.sub(r"(=[^\s;()]*[^\s;(),]) (?=[a-zA-Z]\w*=|#\d|undamped)", r"\1, ", text)
     text = re.sub(r"(?<= )#(?=\d)", "scene ", text).replace("seed 2022 N", "seed 2022, N")
     grid = "on the grid of the paper's scenes, "
     return text.replace(f"off by up to 0 % {grid}", f"right {grid}off by up to ")
 
 
+def token_text(found):
+    """What is shown in place of an equation's number, of a number, a symbol, a function of one, an operator, or of other text."""
+    text, word, value, argument = found[0], found["word"], found["value"] or "", symbol(found["of"] or "", False)
+    if found["equation"] in EQUATIONS:
+        return equation_link(found["equation"])
+    if found["number"]:
+        return formula(legible(text)) if "\\" in legible(text) else legible(text)
+    if argument:
+        return formula(rf"\{found['function']}({argument})")
+    if not word:
+        return OPERATORS.get(text) or escaped(text)
+    latex = "r_{n,i}" if word == "r_n,i" else symbol(word, False) or (word if value and re.fullmatch("[A-Za-z]", word) else "")
+    if not latex:
+        return escaped(word) + prose(value) + found["primes"]
+    after = f"^{{{value[1:]}}}" if value[:1] == "^" else "=" + legible(value[1:]) if value else ""
+    return formula(latex + after + found["primes"])
+
+
 @cache
 def prose(text):
     """A sentence of the run: escaped, its symbols typeset, its scenes in words, the numbers of equations linked."""
-    text, out, at = spelled(text), [], 0
-    token = re.compile(r"(?<![\w\\])\(((?:A\.)?[0-9]+)\)|<=|>=|->|sqrt(?=\()|"
-                       r"(?P<number>(?<![\w.])(?:\d+\.\d{9,}|\d+(?:\.\d+)?e[+-]?\d+)(?![\w.]*\w))|\w+", re.ASCII)
-    while found := token.search(text, at):
-        out.append(escaped(text[at:found.start()]))
-        at = found.end()
-        if found[1]:
-            out.append(equation_link(found[1]) if found[1] in EQUATIONS else escaped(found[0]))
-        elif found[0] in OPERATORS:
-            out.append(OPERATORS[found[0]])
-        elif found["number"]:
-            shown = legible(found[0])
-            out.append(formula(shown) if "\\" in shown else shown)
-        else:
-            latex, at = formula_at(text, found.start())
-            out.append(formula(latex) if latex else escaped(text[found.start():at]))
-    return "".join(out) + escaped(text[at:])
+    return TOKEN.sub(token_text, spelled(text))
 
 
 def typeset(text, place):
-    """Text with formulas between dollars and code between backquotes; the rest as `prose`."""
-    out, at = "", 0
-    for found in re.finditer(r"\$([^$]*)\$|`([^`]*)`|[$`]", text):
-        if found.lastindex is None:
-            raise Fault(f"a formula or code must be closed, not '{text[found.start():][:40]}', in {place}")
-        inner = formula(found[1]) if found[1] is not None else f"<code>{escaped(found[2])}</code>"
-        out += prose(text[at:found.start()]) + inner
-        at = found.end()
-    return out + prose(text[at:])
+    """Text with formulas between dollars, code between backquotes and links, [words](page:label); the rest as `prose`."""
+    marked = r"\$[^$]*\$|`[^`]*`|\[[^\]]*\]\(page:\w+\)"
+    if unclosed := re.search("[$`].*", re.sub(marked, "", text)):
+        raise Fault(f"a formula or code must be closed, not '{unclosed[0][:40]}', in {place}")
+    out = ""
+    for part in re.split(f"({marked})", text):
+        if link := re.fullmatch(r"\[(.*)\]\(page:(.*)\)", part):
+            out += f'<a href="{link[2]}.html">{link[1]}</a>'
+        elif part.startswith("$"):
+            out += formula(part[1:-1])
+        else:
+            out += f"<code>{escaped(part[1:-1])}</code>" if part.startswith("`") else prose(part)
+    return out
 
 
 def sentence(note):
@@ -191,8 +156,7 @@ def witness_value(value):
     """A fraction typeset, a decimal with the digits that somebody reads."""
     if fraction := re.fullmatch("(-?)([0-9]+)/([0-9]+)", value):
         return formula(rf"{fraction[1]}\tfrac{{{fraction[2]}}}{{{fraction[3]}}}")
-    sign, number = ("-", value[1:]) if re.fullmatch(r"-[0-9.]+(E-?\d+)?", value) else ("", value)
-    return escaped(sign) + prose(number.replace("E", "e") if re.fullmatch(r"[0-9.]+E-?\d+", number) else number)
+    return prose(value.replace("E", "e") if re.fullmatch(r"-?[0-9.]+E-?\d+", value) else value)
 
 
 def digits(value, count):
