@@ -5,7 +5,6 @@
 #include <cmath>
 #include <sstream>
 
-#include "denhartog/number/errors.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/speed_accuracy/chart_output.hpp"
 #include "tests/speed_accuracy/chart_scenes.hpp"

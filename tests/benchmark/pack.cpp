@@ -7,7 +7,6 @@
 
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
 #include "tests/benchmark/generator/pack.hpp"
-#include "tests/catch.hpp"
 #include "tests/conformance/shell.hpp"
 #include "tests/support/sha256.hpp"
 

@@ -4,7 +4,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "tests/catch.hpp"
 #include "tests/conformance/shell.hpp"
 
 namespace denhartog::tests {

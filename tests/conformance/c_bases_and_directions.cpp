@@ -8,7 +8,6 @@
 #include "denhartog/c/denhartog.h"
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/scene/scene_json.hpp"
-#include "tests/catch.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 
 using namespace denhartog;

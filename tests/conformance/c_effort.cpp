@@ -5,7 +5,6 @@
 #include <string>
 #include <thread>
 
-#include "tests/catch.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 
 using namespace denhartog;

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/scene/scene.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/scene_builder.hpp"
 

@@ -7,7 +7,6 @@
 
 #include "denhartog/c/denhartog.h"
 #include "denhartog/denhartog.hpp"
-#include "tests/catch.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 
 using namespace denhartog;

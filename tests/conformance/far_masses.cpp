@@ -9,9 +9,7 @@
 #include <vector>
 
 #include "denhartog/model/contact_and_load.hpp"
-#include "denhartog/number/number_text.hpp"
 #include "denhartog/sliding/steady_state.hpp"
-#include "tests/catch.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 #include "tests/conformance/shell.hpp"
 

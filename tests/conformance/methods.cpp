@@ -1,7 +1,6 @@
 // Answers are judged by the abilities of their method.
 #include "conformance/verdict.hpp"
 
-#include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/runner_fixtures.hpp"
 

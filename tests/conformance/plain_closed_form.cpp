@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "conformance/vector.hpp"
 #include "conformance/verdict.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/vector_folder.hpp"

@@ -1,7 +1,6 @@
 // Lines of vector files that are no vectors: each is refused with the quantity at fault, before anybody is asked or judged by it.
 #include <nlohmann/json.hpp>
 
-#include "denhartog/number/errors.hpp"
 #include "denhartog/scene/json_document.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/runner_fixtures.hpp"

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "tests/catch.hpp"
 #include "tests/conformance/generator/vector_files.hpp"
 #include "tests/conformance/shell.hpp"
 #include "tests/conformance/vector_folder.hpp"

@@ -8,7 +8,6 @@
 #include "derivation/algebra/symbols.hpp"
 #include "derivation/kernel/coq_text.hpp"
 #include "derivation/kernel/kernel_check.hpp"
-#include "tests/catch.hpp"
 #include "tests/unit/ledger_fixtures.hpp"
 
 using namespace denhartog::derivation;

@@ -4,13 +4,11 @@
 #include <set>
 
 #include "denhartog/denhartog.hpp"
-#include "denhartog/model/modal_basis.hpp"
-#include "denhartog/number/errors.hpp"
 #include "denhartog/solve/quantities.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/reference/surveyed_scenes.hpp"
 #include "tests/support/closed_form.hpp"
-#include "tests/support/wide_scene.hpp"
+#include "tests/support/multiprecision.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;
@@ -238,7 +236,7 @@ const std::vector<SurveyedScene>& denhartog::tests::surveyed_scenes() {
                 if (value.is_string() && value != json.value("comment", "") && value != json.value("base_motion", ""))
                     of_doubles = false;
             const SceneSource source = scene_source(SceneText{line});
-            const bool couples = json.contains("damping_matrix") && modal_basis(scene_in<Real100>(line).system).couples;
+            const bool couples = json.contains("damping_matrix") && modal_basis(read_scene<Real100>(line).system).couples;
             read.push_back({line, json, source, couples, of_doubles});
         }
         return read;

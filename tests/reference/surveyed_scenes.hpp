@@ -4,8 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "denhartog/answer/solution.hpp"
-
 #include "tests/reference/survey_of_bounds.hpp"
 #include "tests/reference/truth.hpp"
 

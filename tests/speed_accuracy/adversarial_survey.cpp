@@ -14,14 +14,7 @@
 #include <nlohmann/json.hpp>
 #include <typeinfo>
 
-#include "denhartog/answer/scene_source.hpp"
 #include "denhartog/denhartog.hpp"
-#include "denhartog/model/modal_basis.hpp"
-#include "denhartog/number/effort.hpp"
-#include "denhartog/sliding/mode_sums.hpp"
-#include "denhartog/solve/sampled_solution.hpp"
-#include "denhartog/solve/solve.hpp"
-#include "denhartog/stick_slip/exact_motion.hpp"
 #include "tests/speed_accuracy/answer_numbers.hpp"
 #include "tests/support/invariant_points.hpp"
 

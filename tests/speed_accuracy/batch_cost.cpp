@@ -11,7 +11,6 @@
 
 #include "denhartog/evaluation/mode_arrays.hpp"
 #include "denhartog/map/regime_map.hpp"
-#include "denhartog/number/number.hpp"
 #include "denhartog/sliding/contact_alone.hpp"
 #include "tests/speed_accuracy/chart_output.hpp"
 #include "tests/support/paper_systems.hpp"

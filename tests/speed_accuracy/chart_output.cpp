@@ -4,7 +4,6 @@
 #include <fstream>
 #include <map>
 
-#include "denhartog/number/errors.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/speed_accuracy/peers/own_methods.hpp"
 

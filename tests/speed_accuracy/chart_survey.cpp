@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <ctime>
 
-#include "denhartog/number/errors.hpp"
-
 namespace denhartog::tests {
 namespace {
 

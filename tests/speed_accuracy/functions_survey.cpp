@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "denhartog/evaluation/demand.hpp"
 #include "denhartog/evaluation/mode_arrays.hpp"
 #include "denhartog/evaluation/resonance.hpp"
 #include "tests/speed_accuracy/function_errors.hpp"

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <random>
 
-#include "denhartog/number/errors.hpp"
-#include "denhartog/number/number.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"

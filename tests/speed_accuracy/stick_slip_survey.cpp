@@ -4,7 +4,6 @@
 #include <cmath>
 #include <random>
 
-#include "denhartog/number/errors.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
 #include "denhartog/solve/solve.hpp"

@@ -3,15 +3,10 @@
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/answer/models_in_double.hpp"
-#include "denhartog/evaluation/mode.hpp"
 #include "denhartog/number/bounded.hpp"
-#include "denhartog/scene/scene_json.hpp"
-#include "denhartog/sliding/boundary.hpp"
 #include "denhartog/sliding/bounded_modes.hpp"
-#include "denhartog/sliding/mode_sums.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/closed_form.hpp"
-#include "tests/support/multiprecision.hpp"
 #include "tests/unit/program_table.hpp"
 
 using namespace denhartog::tests;

@@ -3,9 +3,6 @@
 
 #include <cmath>
 
-#include "denhartog/number/errors.hpp"
-#include "denhartog/number/why.hpp"
-#include "denhartog/scene/scene_json.hpp"
 #include "denhartog/solve/detail/amplitude_search.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/closed_form.hpp"

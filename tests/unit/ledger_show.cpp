@@ -2,14 +2,12 @@
 #include <fstream>
 
 #include "denhartog/ledger/ledger.hpp"
-#include "denhartog/ledger/ledger_entry.hpp"
 #include "denhartog/number/errors.hpp"
 #include "derivation/ledger/ledger_audit.hpp"
 #include "derivation/ledger/ledger_figures.hpp"
 #include "derivation/ledger/ledger_join.hpp"
 #include "derivation/ledger/ledger_kernel.hpp"
 #include "derivation/ledger/ledger_scenes.hpp"
-#include "tests/catch.hpp"
 #include "tests/unit/ledger_fixtures.hpp"
 
 using namespace denhartog::derivation;

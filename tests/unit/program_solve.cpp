@@ -3,7 +3,6 @@
 #include <numbers>
 
 #include "tests/catch.hpp"
-#include "tests/unit/program_runs.hpp"
 #include "tests/unit/program_table.hpp"
 
 using namespace denhartog::tests;

@@ -1,5 +1,4 @@
 #include "denhartog/answer/reference.hpp"
-#include "denhartog/number/errors.hpp"
 #include "tests/benchmark/generator/pack.hpp"
 #include "tests/conformance/generator/linear_half_period.hpp"
 #include "tests/support/held_contact.hpp"

@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "denhartog/number/errors.hpp"
 #include "tests/benchmark/pack_scene.hpp"
 #include "tests/conformance/adapters/solvers/steady_motion.hpp"
 

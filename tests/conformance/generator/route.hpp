@@ -7,9 +7,7 @@
 #include <vector>
 
 #include "conformance/question.hpp"
-#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/scene/scene_json.hpp"
-#include "denhartog/sliding/boundary.hpp"
 #include "denhartog/stick_slip/motion_record.hpp"
 #include "tests/support/multiprecision.hpp"
 
