@@ -16,7 +16,7 @@ namespace denhartog::fuzz {
 /// @brief Choices, one byte or a few each; where the bytes end every choice is the first.
 class Choices {
 public:
-    /// @param bytes  the input; outlives the object
+    /// @brief Of the input, which outlives the object.
     explicit Choices(std::span<const std::uint8_t> bytes) : rest(bytes) {}
 
     /// @brief Whether there are bytes left. @return whether there are

@@ -21,8 +21,7 @@ inline constexpr std::uint64_t unwritten = 0x7ff8'dead'beef'1234;
 /// @brief An array for numbers, rarely a null pointer.
 class Output {
 public:
-    /// @param choices  whether it is null
-    /// @param size     how many numbers it has room for
+    /// @brief Room for so many numbers; the choices say whether it is null.
     Output(Choices& choices, std::size_t size)
         : numbers(size, std::bit_cast<double>(unwritten)), pointer(choices.rarely() ? nullptr : numbers.data()) {}
     /// @brief The array. @return its start; null where there is none
@@ -46,7 +45,7 @@ private:
 template <class Struct>
 class StructOutput {
 public:
-    /// @param choices  its size, and whether it is null
+    /// @brief The choices say what size it has, and whether it is null.
     explicit StructOutput(Choices& choices) : bytes(sizeof(Struct) + 16, filler) {
         const std::size_t sizes[] = {sizeof(Struct), sizeof(Struct) + 16, sizeof(Struct) - 1, 0};
         const std::size_t size = sizes[choices.rarely() ? choices.of(4) : 0];
@@ -76,11 +75,8 @@ private:
     Struct* pointer = nullptr;
 };
 
-/// @brief Checks the status of a call, and the message that a fault leaves.
-/// @param status   what the call returned
-/// @param allowed  what the header says that it may return, but for #DH_OK
-/// @param what     its name
-/// @return         whether it answered
+/// @brief Checks the status of a call, and the message that a fault leaves. `allowed` is what the header says that it may return,
+/// but for #DH_OK. True where it answered.
 inline bool answered(int status, std::initializer_list<int> allowed, const char* what) {
     if (status == DH_OK) return true;
     bool documented = false;

@@ -9,17 +9,12 @@
 
 namespace denhartog::tests {
 
-/// @brief The worst errors of a survey as JSON.
-/// @param type  the number type, e.g. `double`
-/// @param all   what the survey found
-/// @return      an object with `type` and `functions`: function, equations, zone, points, printed, shipped, shipped_at; an error
-///              that is no number is null
+/// @brief The worst errors of a survey as JSON. It is an object with `type`, e.g. `double`, and `functions`: function, equations,
+/// zone, points, printed, shipped, shipped_at; an error that is no number is null.
 [[nodiscard]] std::string accuracy_record(const std::string& type, const std::vector<FunctionInZone>& all);
 
-/// @brief Writes a record into the folder that the environment names in DENHARTOG_RECORDS; does nothing where it names none.
-/// @param name  of the file, without `.json`
-/// @param text  the record
-/// @return      false where it cannot be written
+/// @brief Writes a record into the folder that the environment names in DENHARTOG_RECORDS; does nothing where it names none. The
+/// name is without `.json`. False where it cannot be written.
 [[nodiscard]] bool keep_record(const std::string& name, const std::string& text);
 
 } // namespace denhartog::tests

@@ -6,16 +6,10 @@
 
 namespace denhartog::tests {
 
-/// @brief exp, sin and cos, each a loop of its own that the compiler can make vectors of.
-/// @param x       arguments
-/// @param exps    exp(-|x|), as long as x
-/// @param sines   sin(x), as long as x
-/// @param cosines cos(x), as long as x
+/// @brief exp, sin and cos, each a loop of its own that the compiler can make vectors of. The exponentials are exp(-|x|).
 void bare_functions(std::span<const double> x, std::span<double> exps, std::span<double> sines, std::span<double> cosines);
 
-/// @brief A square root of every entry: the limit of X_j over friction ratios.
-/// @param x      arguments, not negative
-/// @param roots  square roots, as long as x
+/// @brief A square root of every entry: the limit of X_j over friction ratios. Arguments are not negative.
 void bare_roots(std::span<const double> x, std::span<double> roots);
 
 } // namespace denhartog::tests

@@ -6,13 +6,12 @@
 
 namespace denhartog::tests {
 
-/// @brief Nanoseconds an (r, mode), an r and an (r, beta) for modes, sums and maps over arrays, each with its limit.
-/// @param repeats  runs of which the median is taken
-/// @return         the rates, the limits and the ratios
+/// @brief Nanoseconds an (r, mode), an r and an (r, beta) for modes, sums and maps over arrays, each with its limit. Of so many
+/// runs the median is taken.
 [[nodiscard]] Table batch_speed(int repeats);
 
-/// @brief Errors of the vector maths library and of the functions used instead, in units in the last place.
-/// @return  the worst over seeded arguments, against long double
+/// @brief Errors of the vector maths library and of the functions used instead, in units in the last place. They are the worst
+/// over seeded arguments, against long double.
 [[nodiscard]] Table vector_function_errors();
 
 } // namespace denhartog::tests

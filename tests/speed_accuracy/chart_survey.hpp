@@ -9,7 +9,7 @@
 namespace denhartog::tests {
 
 /// @brief How a method can fail at a point, by name; an answer with another opinion on sticking than the truth is one of them.
-/// @return  the names, in the order of `ChartRow::failures`
+/// They come in the order of `ChartRow::failures`.
 [[nodiscard]] const std::array<std::string, 5>& failure_names();
 
 /// @brief A method at one setting on one scene.
@@ -43,11 +43,8 @@ struct ChartGround {
 /// @brief Finds the truth at the points of a scene and its limits. @param scene the scene @return both
 [[nodiscard]] ChartGround ground_of(const ChartScene& scene);
 
-/// @brief Runs a method over a scene. Setup and every point are timed apart, in processor time.
-/// @param peer    the method
-/// @param ground  scene and truth
-/// @param budget  seconds after which no further point is begun
-/// @return        what it gave
+/// @brief Runs a method over a scene. Setup and every point are timed apart, in processor time. After so many seconds as the
+/// budget has no further point is begun.
 [[nodiscard]] ChartRow measure(const Peer& peer, const ChartGround& ground, double budget);
 
 /// @brief Digits that an error leaves. @param error relative @return at least 0
@@ -56,13 +53,9 @@ struct ChartGround {
 /// @brief Whether a method was right at every point of its scene. @param row the row @return true where it failed nowhere
 [[nodiscard]] bool right_everywhere(const ChartRow& row);
 
-/// @brief The fastest at a number of digits on a scene: right at every point, with these digits at the worst.
-/// @param rows        rows
-/// @param scene       name of the scene
-/// @param digits      digits wanted; the error may be 5 in the next one, which is what rounding to so many leaves
-/// @param with_setup  whether the setup counts: a single question, else one more of many
-/// @param counts      which methods count
-/// @return            the fastest row; null where nobody has the digits
+/// @brief The fastest at a number of digits on a scene: right at every point, with these digits at the worst. The error may be 5
+/// in the next digit, which is what rounding to so many leaves. The setup counts for a single question, and not for one more of
+/// many. `counts` tells which methods count. Null where nobody has the digits.
 [[nodiscard]] const ChartRow* fastest(const std::vector<ChartRow>& rows, const std::string& scene, double digits, bool with_setup,
                                       const std::function<bool(const ChartRow&)>& counts);
 

@@ -16,16 +16,10 @@ struct ChartTruth {
 
 /// @brief The truth at a point: `solve` asked for 40 digits, which it takes from two precisions or from a residual; its change
 /// with r and beta by central differences.
-/// @param system  the system
-/// @param point   the point
-/// @return        the truth
 [[nodiscard]] ChartTruth truth_at(const System<double>& system, const ChartPoint& point);
 
 /// @brief Distance of an answer from the truth, relative, in 100 digits. Where the contact rests for ever its place is not asked
-/// for: zero.
-/// @param answer  an answer
-/// @param truth   the truth
-/// @return        the distance; at least 1e-36, which is as far as the truth is trusted
+/// for: zero. It is at least 1e-36, which is as far as the truth is trusted.
 [[nodiscard]] double error_of(const PeerAnswer& answer, const ChartTruth& truth);
 
 } // namespace denhartog::tests

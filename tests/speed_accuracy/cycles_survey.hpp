@@ -28,14 +28,8 @@ struct CyclesSurvey {
     int unanswered = 0;              ///< points without a periodic orbit; left out
 };
 
-/// @brief Amplitudes in the last of a number of cycles from rest, by the exact solver, against the periodic orbit; mu = 1.
-/// @param name    the system's name
-/// @param system  the system
-/// @param zeta    its damping ratio, as named
-/// @param beta    friction ratio
-/// @param r       frequency ratios
-/// @param cycles  cycles from rest, e.g. the paper's 200
-/// @return        the errors
+/// @brief Amplitudes in the last of a number of cycles from rest, by the exact solver, against the periodic orbit; mu = 1. The
+/// system has a name and its damping ratio as named; the cycles are those from rest, e.g. the paper's 200.
 [[nodiscard]] CyclesSurvey survey_cycles(const std::string& name, const System<double>& system, double zeta, double beta,
                                          const std::vector<double>& r, int cycles);
 

@@ -39,27 +39,18 @@ struct FunctionInZone {
     int finite_at_poles = 0;   ///< of these, where something finite was given
 };
 
-/// @brief Errors of v, u and g at seeded points and at the hard ones.
-/// @param precision  number type
-/// @param points     how many seeded points, over all zones
-/// @return           one entry a function and zone, the hard points last
+/// @brief Errors of v, u and g at seeded points and at the hard ones. So many points are seeded over all zones, here and below.
+/// An entry a function and zone, the hard points last.
 [[nodiscard]] std::vector<FunctionInZone> survey_mode_functions(Precision precision, int points);
 
 /// @brief The same in double with the arrays of `evaluation/mode_arrays.hpp` in place of the scalar forms, at the same points.
-/// @param points  how many seeded points, over all zones
-/// @return        as above
 [[nodiscard]] std::vector<FunctionInZone> survey_array_mode_functions(int points);
 
-/// @brief Errors of (A.8), (A.9) and the expression of (57), at tau uniform over the half-period and close to its ends.
-/// @param precision  number type
-/// @param points     how many seeded points, over all zones; the hard ones are added
-/// @return           one entry a zone and function
+/// @brief Errors of (A.8), (A.9) and the expression of (57), at tau uniform over the half-period and close to its ends. The hard
+/// points are added. An entry a zone and function.
 [[nodiscard]] std::vector<FunctionInZone> survey_motion(Precision precision, int points);
 
-/// @brief Errors of (79), (83)-(85) from subnormal damping up.
-/// @param precision  number type
-/// @param points     how many seeded points
-/// @return           one entry a function
+/// @brief Errors of (79), (83)-(85) from subnormal damping up. An entry a function.
 [[nodiscard]] std::vector<FunctionInZone> survey_resonance(Precision precision, int points);
 
 /// @brief What the shipped forms are held to in every number type: units of eps over the condition number.

@@ -36,13 +36,9 @@ struct RegimeSurvey {
     std::vector<std::string> unexplained;             ///< all that are
 };
 
-/// @brief Compares seeded points: random systems, half of them with mu = 1, friction up to 1.25 times the upper boundary.
-/// @param points        how many
-/// @param most_masses   largest system, at most 10
-/// @param most_periods  periods of propagation after which a motion is taken not to settle; ten times as many where the
-///                     steady velocities are unique
-/// @param seed          any number
-/// @return              the comparison
+/// @brief Compares seeded points: random systems, half of them with mu = 1, friction up to 1.25 times the upper boundary. Systems
+/// have at most 10 masses. After `most_periods` of propagation a motion is taken not to settle; ten times as many where the
+/// steady velocities are unique.
 [[nodiscard]] RegimeSurvey survey_regimes(int points, std::size_t most_masses, int most_periods, std::uint64_t seed);
 
 /// @brief The survey as tables. @param s the survey @return counts by kind

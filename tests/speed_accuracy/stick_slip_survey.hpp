@@ -19,9 +19,6 @@ struct StickSlipScene {
 
 /// @brief Seeded random systems with friction between the boundary (69) and that of permanent sticking, the start from rest
 /// leading to stick-slip; N from 1 to 6, every second with mu = 1.
-/// @param scenes  how many
-/// @param seed    any number
-/// @return        the scenes
 [[nodiscard]] std::vector<StickSlipScene> stick_slip_scenes(int scenes, std::uint64_t seed);
 
 /// @brief Differences over all scenes.
@@ -36,16 +33,11 @@ struct StickSlipSurvey {
 };
 
 /// @brief The motion from rest over a number of periods by both: last period's amplitudes and stops, and the state at the end.
-/// @param scenes     scenes
-/// @param periods    how many periods
-/// @param tolerance  absolute and relative tolerance of the paper's algorithm
-/// @return           the differences
+/// The tolerance of the paper's algorithm is absolute and relative, here and below.
 [[nodiscard]] StickSlipSurvey from_rest(const std::vector<StickSlipScene>& scenes, int periods, double tolerance);
 
-/// @brief Periodic orbits of the exact solver: the paper's algorithm, started on one, has to stay there.
-/// @param scenes     scenes
-/// @param tolerance  absolute and relative tolerance of the paper's algorithm
-/// @return           the differences after two of the orbit's periods
+/// @brief Periodic orbits of the exact solver: the paper's algorithm, started on one, has to stay there. The differences are
+/// those after two of the orbit's periods.
 [[nodiscard]] StickSlipSurvey on_orbits(const std::vector<StickSlipScene>& scenes, double tolerance);
 
 /// @brief A survey as a row of a table. @param what what was compared @param s the survey @return the row

@@ -159,11 +159,6 @@ inline void check_masses_within(const Solution& found, const Solution& exact) {
 }
 
 /// @brief A map of one point.
-/// @param scene   the scene, with r and beta
-/// @param masses  those whose amplitudes it has
-/// @param start   the start of its motion
-/// @param phases  whether it has phases
-/// @return        the map
 inline RegimeMap map_of_point(const Scene<double>& scene, std::vector<Mass> masses = {Mass{0}}, MapStart start = MapStart::rest,
                               bool phases = false) {
     MapRequest request{{*scene.r}, {*scene.beta}, std::move(masses), start, 1};

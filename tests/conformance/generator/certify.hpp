@@ -28,15 +28,12 @@ struct Certified {
 /// @brief Least digits that a vector has in the computation in 100 digits.
 inline constexpr int least_digits = 40;
 
-/// @brief Computes the vectors of a case. The tier that a question has is the easiest that its vector may have.
-/// @param c     the case
-/// @param only  ids wanted; empty for all
-/// @return      the vectors
+/// @brief Computes the vectors of a case. The tier that a question has is the easiest that its vector may have. `only` has the
+/// ids that are wanted; none stands for all.
 [[nodiscard]] Certified certify(const Case& c, const std::set<std::string>& only = {});
 
-/// @brief Names of the mistakes that a vector catches: their answers are wrong by more than four times what is inaccurate.
-/// @param v  a vector
-/// @return   the names, ascending
+/// @brief Names of the mistakes that a vector catches: their answers are wrong by more than four times what is inaccurate. Names
+/// ascend.
 [[nodiscard]] std::vector<std::string> catches_of(const Vector& v);
 
 } // namespace denhartog::conformance::generator

@@ -10,8 +10,7 @@
 
 namespace denhartog::conformance::generator {
 
-/// @brief A number rounded to some significant digits, zeros at their end left out. @param x the number
-/// @param digits  how many @return the text
+/// @brief A number rounded to some significant digits, zeros at their end left out.
 template <class T>
 [[nodiscard]] std::string text_of_digits(const T& x, int digits);
 
@@ -19,10 +18,7 @@ template <class T>
 [[nodiscard]] double two_digits(const Real50& x);
 
 /// @brief Digits on which two lists of numbers agree: of every number its own, of what counts as zero those of the largest.
-/// @param a      the numbers
-/// @param b      the same by another way
-/// @param angle  whether they are angles: absolute, round the circle
-/// @return       the least; none where the lists differ in length or hold what is no number
+/// Angles are compared round the circle, absolutely. None where the lists differ in length or hold what is no number.
 template <class T>
 [[nodiscard]] std::optional<int> agreement(const std::vector<T>& a, const std::vector<T>& b, bool angle);
 

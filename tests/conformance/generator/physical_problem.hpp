@@ -9,8 +9,6 @@
 namespace denhartog::conformance::generator {
 
 /// @brief The boundary-value problem of a question's scene, its numbers taken as exact.
-/// @param q  the question
-/// @return   matrices in the number type
 template <class T>
 [[nodiscard]] HalfPeriodProblem<T> problem_of(const ProtocolQuestion& q);
 /// @brief In 50 digits. @param q the question @return the problem

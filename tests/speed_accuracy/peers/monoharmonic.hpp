@@ -6,8 +6,8 @@
 
 namespace denhartog::tests {
 
-/// @brief Equivalent linearisation with the first harmonic \f$ 4\beta/\pi \f$ of a square wave, in closed form.
-/// @return one method, without settings
+/// @brief Equivalent linearisation with the first harmonic \f$ 4\beta/\pi \f$ of a square wave, in closed form. One method,
+/// without settings.
 [[nodiscard]] std::vector<Peer> monoharmonic_peers();
 
 } // namespace denhartog::tests

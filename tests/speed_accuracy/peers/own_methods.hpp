@@ -8,45 +8,36 @@
 
 namespace denhartog::tests {
 
-/// @brief (38) by (22)-(35) as printed, in float, double, long double and 50 digits; no question of the regime is asked.
-/// @return  a peer a number type
+/// @brief (38) by (22)-(35) as printed, in float, double, long double and 50 digits; no question of the regime is asked. A peer a
+/// number type.
 [[nodiscard]] std::vector<Peer> printed_form_peers();
 
-/// @brief (38) by the forms that callers get, outside the domain (69) without an answer; in float without (69).
-/// @return  a peer a number type
+/// @brief (38) by the forms that callers get, outside the domain (69) without an answer; in float without (69). A peer a number
+/// type.
 [[nodiscard]] std::vector<Peer> shipped_form_peers();
 
 /// @brief The exact solver's periodic orbit from rest, amplitude of the contact alone.
-/// @return  two peers
 [[nodiscard]] Peer exact_solver_peer();
 
 /// @brief The paper's Runge-Kutta at tolerances from 1e-3 to 1e-12, absolute and relative alike: over its 200 cycles, and over as
-/// many as damping needs to bring transients down to the tolerance.
-/// @return  two peers a tolerance
+/// many as damping needs to bring transients down to the tolerance. Two peers a tolerance.
 [[nodiscard]] std::vector<Peer> paper_algorithm_peers();
 
 /// @brief What `solve` is asked on the chart, the same as all other methods: the amplitude of the mass in contact.
-/// @param system  the system
-/// @param digits  digits
-/// @return        the question
 [[nodiscard]] Question question_of_chart(const System<double>& system, int digits);
 
-/// @brief `solve` of a prepared system, asked for the amplitude of the contact to 2, 4, 8, 12, 15 and 30 digits.
-/// @return  a peer a number of digits
+/// @brief `solve` of a prepared system, asked for the amplitude of the contact to 2, 4, 8, 12, 15 and 30 digits. A peer a number
+/// of digits.
 [[nodiscard]] std::vector<Peer> solve_peers();
 
 /// @brief All of these. @return the peers
 [[nodiscard]] std::vector<Peer> own_peers();
 
-/// @brief Rate at which the slowest transient of a system that slides decays. @param system the system
-/// @return  smallest \f$ \zeta_i r_{n,i} \f$
+/// @brief Rate at which the slowest transient of a system that slides decays. The smallest \f$ \zeta_i r_{n,i} \f$.
 [[nodiscard]] double slowest_decay(const System<double>& system);
 
-/// @brief Cycles that bring every transient down to a tolerance, from 20 to 20000.
-/// @param decay      `slowest_decay`
-/// @param r          frequency ratio, Eq. (10)
-/// @param tolerance  wanted size of what is left
-/// @return           \f$ -\ln(\mathrm{tolerance})\, r / (2\pi\,\mathrm{decay}) \f$, rounded up
+/// @brief Cycles that bring every transient down to a tolerance, from 20 to 20000. With the `slowest_decay` they are
+/// \f$ -\ln(\mathrm{tolerance})\, r / (2\pi\,\mathrm{decay}) \f$, rounded up.
 [[nodiscard]] int cycles_needed(double decay, double r, double tolerance);
 
 /// @brief Tolerances that the integrators of the chart are asked for. @return 1e-3, 1e-4 to 1e-12
