@@ -6,9 +6,8 @@
 #include <sstream>
 
 #include "denhartog/solve/solve.hpp"
-#include "tests/speed_accuracy/chart_output.hpp"
-#include "tests/speed_accuracy/chart_scenes.hpp"
-#include "tests/speed_accuracy/peers/own_methods.hpp"
+#include "tests/speed_accuracy/chart_survey.hpp"
+#include "tests/speed_accuracy/peers/peers.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

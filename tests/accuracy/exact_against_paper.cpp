@@ -3,8 +3,7 @@
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "tests/accuracy/witness_survey.hpp"
-#include "tests/speed_accuracy/cycles_survey.hpp"
-#include "tests/speed_accuracy/stick_slip_survey.hpp"
+#include "tests/speed_accuracy/surveys.hpp"
 #include "tests/support/paper_systems.hpp"
 
 using namespace denhartog::tests;

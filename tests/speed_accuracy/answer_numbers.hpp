@@ -45,7 +45,7 @@ struct NamedNumber {
 [[nodiscard]] std::vector<std::string> faults_of(const Solution& s);
 
 /// @brief Two answers to the same question.
-struct Comparison {
+struct ComparedNumber {
     std::string name;  ///< the number
     double difference; ///< in size; of angles in the shorter way round
     double allowed;    ///< the sum of the bounds of both
@@ -53,6 +53,6 @@ struct Comparison {
 
 /// @brief Compares the numbers that two answers both have. A number of stops or other things that differs is no number to
 /// compare.
-[[nodiscard]] std::vector<Comparison> compared(const std::vector<NamedNumber>& a, const std::vector<NamedNumber>& b);
+[[nodiscard]] std::vector<ComparedNumber> compared(const std::vector<NamedNumber>& a, const std::vector<NamedNumber>& b);
 
 } // namespace denhartog::tests

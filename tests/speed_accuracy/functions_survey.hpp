@@ -1,6 +1,6 @@
 /// @file
 /// @brief The functions of a mode, of its motion and of resonance against a reference in more digits than their cancellations use
-/// up, zone by zone.
+/// up, zone by zone; and the record of it for the pages of the site.
 #pragma once
 
 #include <string>
@@ -65,5 +65,13 @@ inline constexpr double most_allowed_with_exact_R = 6;
 
 /// @brief Entries as a table. @param title its title @param all the entries @return the table
 [[nodiscard]] Table table_of(const std::string& title, const std::vector<FunctionInZone>& all);
+
+/// @brief The worst errors of a survey as JSON. It is an object with `type`, e.g. `double`, and `functions`: function, equations,
+/// zone, points, printed, shipped, shipped_at; an error that is no number is null.
+[[nodiscard]] std::string accuracy_record(const std::string& type, const std::vector<FunctionInZone>& all);
+
+/// @brief Writes a record into the folder that the environment names in DENHARTOG_RECORDS; does nothing where it names none. The
+/// name is without `.json`. False where it cannot be written.
+[[nodiscard]] bool keep_record(const std::string& name, const std::string& text);
 
 } // namespace denhartog::tests

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "tests/speed_accuracy/peers/own_methods.hpp"
+#include "tests/speed_accuracy/peers/peers.hpp"
 
 namespace denhartog::tests {
 

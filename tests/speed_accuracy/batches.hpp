@@ -1,5 +1,5 @@
 /// @file
-/// @brief What a batch costs against the number of modes and against the size of its grid.
+/// @brief What a batch costs against the number of modes and the size of its grid, and at what rates it runs.
 #pragma once
 
 #include <string>
@@ -45,5 +45,13 @@ struct BatchCost {
 
 /// @brief The costs as CSV with what is needed to repeat them: compiler, processor, widest vectors.
 [[nodiscard]] std::string batch_cost_csv(const std::vector<BatchCost>& costs, int repeats);
+
+/// @brief Nanoseconds an (r, mode), an r and an (r, beta) for modes, sums and maps over arrays, each with its limit. Of so many
+/// runs the median is taken.
+[[nodiscard]] Table batch_speed(int repeats);
+
+/// @brief Errors of the vector maths library and of the functions used instead, in units in the last place. They are the worst
+/// over seeded arguments, against long double.
+[[nodiscard]] Table vector_function_errors();
 
 } // namespace denhartog::tests
