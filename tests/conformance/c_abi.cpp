@@ -15,15 +15,6 @@ using namespace denhartog::tests;
 
 namespace {
 
-// The two computations are the same: not a digit may differ.
-void check_same(const std::vector<double>& found, const std::vector<double>& expected) {
-    REQUIRE(found.size() == expected.size());
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        INFO("number " << i << ": " << hexadecimal(found[i]) << " for " << hexadecimal(expected[i]));
-        CHECK(found[i] == expected[i]);
-    }
-}
-
 // Numbers with their bounds, of which one lot is proved: they have to overlap.
 void check_within(const std::vector<double>& proved, const std::vector<double>& proved_errors, const std::vector<double>& plain,
                   const std::vector<double>& plain_errors) {

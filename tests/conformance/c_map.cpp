@@ -1,7 +1,6 @@
 // Arrays of points from C: the bytes of `map` and `solve`, wherever the caller wants them.
 #include <cmath>
 #include <cstring>
-#include <memory>
 #include <set>
 #include <string>
 

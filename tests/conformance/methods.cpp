@@ -20,10 +20,6 @@ Judged judged_by(const SolverMethod& method, Vector& v, double off) {
     return judged;
 }
 
-std::string adapter(const std::string& name) {
-    return "'" + (std::filesystem::path(std::getenv("DENHARTOG_PROGRAM")).parent_path() / name).string() + "'";
-}
-
 const std::string groups = "contact,boundary,stick-slip,stuck,solver";
 
 } // namespace
@@ -85,7 +81,7 @@ TEST_CASE("integrators and harmonic balance conform by what their methods can do
     for (const Solver& solver : {Solver{"paper_algorithm_adapter", "1e-6", "event-driven"},
                                  Solver{"harmonic_balance_adapter", "51", "harmonic-balance"}}) {
         const std::string ask = "run --jobs 2 --filter '[05]$' --group " + groups + " ",
-                          program = " -- " + adapter(solver.program) + " " + solver.setting;
+                          program = " -- " + quoted_program(solver.program) + " " + solver.setting;
         const Run by_method = conform(ask + "--method " + solver.method + program);
         INFO(by_method.output << by_method.error);
         CHECK(by_method.status == 0);
@@ -94,7 +90,7 @@ TEST_CASE("integrators and harmonic balance conform by what their methods can do
     }
     // Friction that is too large by a tenth is no matter of the method.
     const std::string halved =
-        adapter("paper_algorithm_adapter") + " 1e-6 | stdbuf -oL sed -E 's/\"value\":0\\.0/\"value\":0.1/'";
+        quoted_program("paper_algorithm_adapter") + " 1e-6 | stdbuf -oL sed -E 's/\"value\":0\\.0/\"value\":0.1/'";
     const Run wrong =
         conform("run --filter '[05]$' --group contact --method event-driven -- " + script("tenth.sh", halved + "\n"));
     INFO(wrong.output << wrong.error);

@@ -14,10 +14,10 @@ namespace denhartog::tests {
 
 /// @brief A mistake as what it changes: the question that is read, the formulas, the answer that is given.
 struct UnknownMistake {
-    std::string rule;                                                                  ///< by which it was drawn
-    std::string told;                                                                  ///< what it is
-    std::function<void(conformance::ProtocolQuestion&)> read;                          ///< changes the question
-    std::function<void(conformance::Choices&)> choose;                                 ///< changes the formulas
+    std::string rule;                                                                          ///< by which it was drawn
+    std::string told;                                                                          ///< what it is
+    std::function<void(conformance::ProtocolQuestion&)> read;                                  ///< changes the question
+    std::function<void(conformance::Choices&)> choose;                                         ///< changes the formulas
     std::function<void(const conformance::ProtocolQuestion&, conformance::Value&)> answer_out; ///< changes the answer
 };
 

@@ -3,7 +3,6 @@
 #include <array>
 
 #include "tests/conformance/generator/linear_half_period.hpp"
-#include "tests/conformance/generator/physical_problem.hpp"
 #include "tests/conformance/generator/route.hpp"
 #include "tests/support/contact_phase.hpp"
 
