@@ -3,7 +3,6 @@
 #include <array>
 
 #include "tests/benchmark/generator/motion.hpp"
-#include "tests/conformance/generator/linear_half_period.hpp"
 #include "tests/support/contact_phase.hpp"
 #include "tests/support/second_witness.hpp"
 
@@ -12,8 +11,6 @@ namespace {
 
 using Index = Eigen::Index;
 using T = Real50;
-using conformance::generator::furthest_turn;
-using conformance::generator::moved;
 using std::abs;
 
 // Unknowns: the state (x, x') at the maximum of the force, then the instants of the events. Equations: at each event its
@@ -46,22 +43,16 @@ public:
         Motion found;
         found.rests = rests_;
         found.at_start = directions_.front();
-        furthest_.resize(static_cast<std::size_t>(N_));
+        for (Index k = 0; k < N_; ++k) furthest_.push_back({T(0), T(0)});
         Vector<T> z = z_0_;
         T tau(0);
         int sample = 0;
         for (std::size_t n = 0; n < directions_.size(); ++n) {
             if (!(ends_[n] > tau)) throw DomainError("a phase has no length");
-            moves_as_said(n, moved(of(n), z, T((ends_[n] - tau) / 2)));
-            for (Index k = 0; k < N_; ++k) {
-                if (k == j_) continue; // it turns at events
-                const auto turn =
-                    furthest_turn<T>(of(n), z, Vector<T>(Vector<T>::Unit(2 * N_ + 3, k)), T(ends_[n] - tau), instants);
-                note(k, turn.x, T(tau + turn.instant));
-            }
+            moves_as_said(n, Vector<T>(moved(n, z, T((ends_[n] - tau) / 2))));
             while (sample < instants && T(2 * pi<T>() * sample / instants) < ends_[n]) {
                 const T next = 2 * pi<T>() * sample / instants;
-                z = moved(of(n), z, T(next - tau));
+                z = follow(n, z, tau, next);
                 tau = next;
                 Sample state;
                 for (Index k = 0; k < N_; ++k) {
@@ -71,14 +62,14 @@ public:
                 found.samples.push_back(state);
                 ++sample;
             }
-            z = moved(of(n), z, T(ends_[n] - tau));
+            z = follow(n, z, tau, ends_[n]);
             tau = ends_[n];
             if (n + 1 == directions_.size()) break;
             if (directions_[n] != 0) note(j_, z(j_), tau);
             found.events.push_back({tau, directions_[n], directions_[n + 1], z(j_)});
         }
         if (rests_) furthest_[static_cast<std::size_t>(j_)] = {z(j_), T(0)};
-        for (const auto& e : furthest_) {
+        for (const Furthest& e : furthest_) {
             found.amplitude.push_back(abs(e.x));
             const T turned = e.instant + (e.x < 0 ? pi<T>() : T(0));
             found.phase.emplace_back(atan2(T(sin(turned)), T(cos(turned))));
@@ -88,6 +79,10 @@ public:
     }
 
 private:
+    struct Furthest {
+        T x, instant;
+    };
+
     HalfPeriodProblem<T> p_;
     Index N_, j_;
     T mu_beta_;
@@ -96,9 +91,12 @@ private:
     std::vector<T> ends_;         ///< of the phases
     std::array<Matrix<T>, 3> A_;  ///< of z' = A z, z = (x, x', cos tau, sin tau, 1): sliding down, at rest, sliding up
     Vector<T> z_0_;
-    std::vector<conformance::generator::FurthestPlace<T>> furthest_;
+    std::vector<Furthest> furthest_;
 
     const Matrix<T>& of(std::size_t n) const { return A_[static_cast<std::size_t>(directions_[n] + 1)]; }
+    Vector<T> moved(std::size_t n, const Vector<T>& z, const T& dt) const {
+        return matrix_exponential(Matrix<T>(of(n) * dt)) * z;
+    }
 
     StateRow<T> event(std::size_t n) const {
         return end_of_phase(p_, mu_beta_, directions_[n], n + 1 < directions_.size() ? directions_[n + 1] : 0);
@@ -146,8 +144,27 @@ private:
     }
 
     void note(Index k, const T& x, const T& tau) {
-        auto& e = furthest_[static_cast<std::size_t>(k)];
+        Furthest& e = furthest_[static_cast<std::size_t>(k)];
         if (abs(x) > abs(e.x) * (1 + T(1) / 1000000000)) e = {x, tau};
+    }
+
+    // The state at a later instant of a phase; on the way the turning points of the masses that are not in contact.
+    Vector<T> follow(std::size_t n, const Vector<T>& from, const T& tau, const T& until) {
+        const Vector<T> to = moved(n, from, T(until - tau));
+        for (Index k = 0; k < N_; ++k) {
+            if (k == j_ || (from(N_ + k) > 0) == (to(N_ + k) > 0)) continue;
+            T low(0), high = until - tau, dt = high * from(N_ + k) / (from(N_ + k) - to(N_ + k)), step = high;
+            Vector<T> z = moved(n, from, dt);
+            for (int i = 0; i < 60 && abs(step) > std::numeric_limits<T>::epsilon() * 64; ++i) {
+                ((z(N_ + k) > 0) == (from(N_ + k) > 0) ? low : high) = dt;
+                step = z(N_ + k) / (of(n) * z)(N_ + k);
+                const T next = dt - step;
+                dt = next > low && next < high ? next : T((low + high) / 2);
+                z = moved(n, from, dt);
+            }
+            note(k, z(k), T(tau + dt));
+        }
+        return to;
     }
 };
 
