@@ -6,9 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "denhartog/answer/scene_source.hpp"
 #include "denhartog/denhartog.hpp"
-#include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/speed_accuracy/answer_numbers.hpp"
 #include "tests/support/named_scenes.hpp"

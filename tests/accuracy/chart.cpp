@@ -5,11 +5,9 @@
 #include <cmath>
 #include <sstream>
 
-#include "denhartog/number/errors.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "tests/speed_accuracy/chart_output.hpp"
-#include "tests/speed_accuracy/chart_scenes.hpp"
-#include "tests/speed_accuracy/peers/own_methods.hpp"
+#include "tests/speed_accuracy/chart_survey.hpp"
+#include "tests/speed_accuracy/peers/peers.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

@@ -1,15 +1,10 @@
 #include <cmath>
 
-#include "denhartog/number/number.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "tests/accuracy/witness_survey.hpp"
-#include "tests/catch.hpp"
-#include "tests/speed_accuracy/cycles_survey.hpp"
-#include "tests/speed_accuracy/stick_slip_survey.hpp"
+#include "tests/speed_accuracy/surveys.hpp"
 #include "tests/support/paper_systems.hpp"
-#include "tests/support/plain_response.hpp"
-#include "tests/support/sample_scenes.hpp"
 
 using namespace denhartog::tests;
 using namespace denhartog;

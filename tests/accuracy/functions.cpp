@@ -9,10 +9,9 @@
 #include "denhartog/evaluation/driven_motion.hpp"
 #include "denhartog/evaluation/mode_arrays.hpp"
 #include "tests/catch.hpp"
-#include "tests/speed_accuracy/accuracy_record.hpp"
 #include "tests/speed_accuracy/bounds_survey.hpp"
 #include "tests/speed_accuracy/functions_survey.hpp"
-#include "tests/speed_accuracy/regime_survey.hpp"
+#include "tests/speed_accuracy/surveys.hpp"
 #include "tests/support/multiprecision.hpp"
 
 using namespace denhartog::tests;

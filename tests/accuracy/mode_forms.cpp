@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/evaluation/friction_motion.hpp"
-#include "denhartog/evaluation/mode.hpp"
 #include "denhartog/formulas/modal_coordinate.hpp"
 #include "denhartog/number/bounded.hpp"
 #include "tests/catch.hpp"

@@ -5,10 +5,8 @@
 
 #include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
-#include "tests/speed_accuracy/peers/harmonic_balance.hpp"
-#include "tests/speed_accuracy/peers/monoharmonic.hpp"
 #include "tests/speed_accuracy/peers/peer.hpp"
-#include "tests/speed_accuracy/peers/plain_integrators.hpp"
+#include "tests/speed_accuracy/peers/peers.hpp"
 #include "tests/support/paper_systems.hpp"
 
 using namespace denhartog::tests;

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/scene/scene.hpp"
 #include "tests/support/scene_builder.hpp"
 
 namespace denhartog::benchmark {

@@ -4,7 +4,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "tests/catch.hpp"
 #include "tests/conformance/shell.hpp"
 
 namespace denhartog::tests {
@@ -139,21 +138,17 @@ TEST_CASE("the scores in the repository are what the solvers give") {
     if (!is_there_or_skipped("python3")) return;
     const std::string stored = content_of(source_file("tests/benchmark/scores.csv"));
     const std::string scenes = " '" + source_file("tests/benchmark/pack/scenes.json") + "'";
-    const std::filesystem::path programs = std::filesystem::path(std::getenv("DENHARTOG_PROGRAM")).parent_path();
-    const std::string solver = (programs / "benchmark-solver").string();
+    const std::string solver = quoted_program("benchmark-solver");
     struct Sample {
         std::string command, method, setting;
     };
-    std::vector<Sample> samples{
-        {"'" + solver + "' solve 10" + scenes, "denhartog, solve", "10 digits"},
-        {"'" + solver + "' paper 1e-6" + scenes + " --every 9", "the paper's Runge-Kutta", "tolerance 1e-6"},
-        {"'" + solver + "' tanh 1e-2" + scenes + " --every 9", "tanh(v/width), Dormand-Prince", "width 1e-2"},
-        {"'" + solver + "' harmonic-balance 15" + scenes + " --every 9", "harmonic balance", "15 harmonics"}};
+    std::vector<Sample> samples{{solver + " solve 10" + scenes, "denhartog, solve", "10 digits"},
+                                {solver + " paper 1e-6" + scenes + " --every 9", "the paper's Runge-Kutta", "tolerance 1e-6"},
+                                {solver + " tanh 1e-2" + scenes + " --every 9", "tanh(v/width), Dormand-Prince", "width 1e-2"},
+                                {solver + " harmonic-balance 15" + scenes + " --every 9", "harmonic balance", "15 harmonics"}};
     const auto add_if_built = [&](const char* name, const char* arguments, const char* method, const char* setting) {
-        if (std::filesystem::exists(programs / name))
-            samples.push_back({"'" + (programs / name).string() + "' " + arguments + scenes + " --every 6", method, setting});
-        else
-            SKIPPED(name << " is not built, as its package is missing");
+        if (is_built_or_skipped(name))
+            samples.push_back({quoted_program(name) + " " + arguments + scenes + " --every 6", method, setting});
     };
     add_if_built("benchmark-cvode", "1e-9", "SUNDIALS CVODE", "tolerance 1e-9");
     add_if_built("benchmark-siconos", "256", "Siconos, Moreau-Jean", "256 steps a period");

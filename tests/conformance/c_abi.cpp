@@ -8,22 +8,12 @@
 
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "tests/catch.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;
 
 namespace {
-
-// The two computations are the same: not a digit may differ.
-void check_same(const std::vector<double>& found, const std::vector<double>& expected) {
-    REQUIRE(found.size() == expected.size());
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        INFO("number " << i << ": " << hexadecimal(found[i]) << " for " << hexadecimal(expected[i]));
-        CHECK(found[i] == expected[i]);
-    }
-}
 
 // Numbers with their bounds, of which one lot is proved: they have to overlap.
 void check_within(const std::vector<double>& proved, const std::vector<double>& proved_errors, const std::vector<double>& plain,

@@ -1,14 +1,12 @@
 // Moving bases and contacts of any direction from C: absolute numbers and phases of maps, warnings, the limit (86).
 #include <atomic>
 #include <cmath>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "denhartog/c/denhartog.h"
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/scene/scene_json.hpp"
-#include "tests/catch.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 
 using namespace denhartog;
@@ -23,11 +21,6 @@ double limit_of(const std::string& text) {
     double limit = 0;
     REQUIRE(dh_high_frequency_limit(handle_of(text).get(), 1.25, &limit) == DH_OK);
     return limit;
-}
-
-void check_same(const std::vector<double>& a, const std::vector<double>& b) {
-    REQUIRE(a.size() == b.size());
-    for (std::size_t n = 0; n < a.size(); ++n) CHECK((a[n] == b[n] || (std::isnan(a[n]) && std::isnan(b[n]))));
 }
 
 } // namespace

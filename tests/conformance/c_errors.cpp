@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "denhartog/number/errors.hpp"
-#include "tests/catch.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 #include "tests/conformance/vector_folder.hpp"
 #include "tests/support/multiprecision.hpp"

@@ -11,7 +11,6 @@
 #include <limits>
 
 #include "denhartog/c/handles.hpp"
-#include "tests/catch.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 
 using namespace denhartog;

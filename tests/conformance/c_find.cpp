@@ -1,12 +1,11 @@
 // The inverse question from C: the numbers of the library, wherever the caller wants them.
 #include <array>
-#include <string>
 
-#include "denhartog/c/denhartog.h"
 #include "denhartog/solve/find.hpp"
-#include "tests/catch.hpp"
+#include "tests/conformance/c_fixtures.hpp"
 
 using namespace denhartog;
+using namespace denhartog::tests;
 
 namespace {
 
@@ -14,8 +13,7 @@ const std::string scene = R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 1],
     "load": 1, "r": 0.4, "beta": 0.1})";
 
 dh_find_request request_for(const char* so_that) {
-    dh_find_request request{};
-    request.size = sizeof request;
+    auto request = sized<dh_find_request>();
     request.scene = scene.data();
     request.scene_length = scene.size();
     request.vary = "r";
@@ -33,8 +31,7 @@ TEST_CASE("dh_find has the places of the library", "[c_interface]") {
     const dh_find_request request = request_for(wanted);
     std::array<double, 8> at{}, from{}, to{}, amplitude{}, error{};
     std::array<int, 8> is{};
-    dh_places places{};
-    places.size = sizeof places;
+    auto places = sized<dh_places>();
     places.room = at.size();
     places.at = at.data();
     places.from = from.data();
@@ -53,8 +50,7 @@ TEST_CASE("dh_find has the places of the library", "[c_interface]") {
         CHECK((amplitude[n] == p.amplitude.value && error[n] == p.amplitude.error));
         CHECK(is[n] == static_cast<int>(p.is));
     }
-    dh_places few{};
-    few.size = sizeof few;
+    auto few = sized<dh_places>();
     few.room = places.count - 1;
     CHECK(dh_find(&request, &few) == DH_ERROR_SIZE);
     CHECK(std::string(dh_last_message()).find("room must be") == 0);
@@ -64,8 +60,7 @@ TEST_CASE("dh_find has the places of the library", "[c_interface]") {
 }
 
 TEST_CASE("dh_find refuses what is missing or breaks a rule", "[c_interface][faults]") {
-    dh_places places{};
-    places.size = sizeof places;
+    auto places = sized<dh_places>();
     const dh_find_request good = request_for("amplitude of mass 2 is largest");
     CHECK(dh_find(nullptr, &places) == DH_ERROR_NULL);
     CHECK(dh_find(&good, nullptr) == DH_ERROR_NULL);

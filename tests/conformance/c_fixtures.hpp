@@ -4,12 +4,12 @@
 
 #include <denhartog.h>
 
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "denhartog/scene/scene.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/scene_builder.hpp"
 
@@ -47,6 +47,15 @@ inline Handle handle_of(const std::string& text) {
     dh_system* system = nullptr;
     if (dh_system_from_json(text.data(), text.size(), &system) != DH_OK) throw std::runtime_error(dh_last_message());
     return Handle(system);
+}
+
+/// @brief The two computations are the same: not a digit may differ, and what is no number in one is none in the other.
+inline void check_same(const std::vector<double>& found, const std::vector<double>& expected) {
+    REQUIRE(found.size() == expected.size());
+    for (std::size_t n = 0; n < found.size(); ++n) {
+        INFO("number " << n << ": " << hexadecimal(found[n]) << " for " << hexadecimal(expected[n]));
+        CHECK((found[n] == expected[n] || (std::isnan(found[n]) && std::isnan(expected[n]))));
+    }
 }
 
 /// @brief A struct of the interface that knows its size. @return all else zero

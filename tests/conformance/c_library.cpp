@@ -4,7 +4,6 @@
 #include <regex>
 #include <sstream>
 
-#include "tests/catch.hpp"
 #include "tests/conformance/shell.hpp"
 
 using namespace denhartog::tests;

@@ -1,13 +1,11 @@
 // Arrays of points from C: the bytes of `map` and `solve`, wherever the caller wants them.
 #include <cmath>
 #include <cstring>
-#include <memory>
 #include <set>
 #include <string>
 
 #include "denhartog/c/denhartog.h"
 #include "denhartog/denhartog.hpp"
-#include "tests/catch.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 
 using namespace denhartog;
@@ -19,6 +17,74 @@ const std::string chain = R"({"mass_ratios": [1, 2.5, 0.75], "stiffness_ratios":
     "damping_ratios": [0.03, 0.06, 0.09], "contact": 2, "load": 1})";
 
 bool same_bytes(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b)); }
+
+Scene<double> at_point(const std::string& text, double r, double beta, double mu) {
+    Scene<double> at = scene(text);
+    at.r = r;
+    at.beta = beta;
+    at.mu = mu;
+    return at;
+}
+
+// Points of a system with mu = 1; r and beta must outlive the request.
+dh_points_request points_request(const std::vector<double>& r, const std::vector<double>& beta, std::ptrdiff_t beta_step) {
+    auto request = sized<dh_points_request>();
+    request.count = r.size();
+    request.r = r.data();
+    request.r_step = 1;
+    request.beta = beta.data();
+    request.beta_step = beta_step;
+    request.mu = 1;
+    return request;
+}
+
+// Points of so many systems.
+dh_systems_request systems_request(std::size_t count, const dh_system* const* systems, const double* r, const double* beta,
+                                   const double* mu) {
+    auto request = sized<dh_systems_request>();
+    request.count = count;
+    request.systems = systems;
+    request.r = r;
+    request.beta = beta;
+    request.mu = mu;
+    request.system_step = request.r_step = request.beta_step = request.mu_step = 1;
+    return request;
+}
+
+// Room for all numbers of so many points with so many masses each.
+struct Points {
+    std::vector<signed char> status, regime;
+    std::vector<int> stops, periods;
+    std::vector<double> amplitude, error, phase, phase_error;
+    dh_points out;
+
+    Points(std::size_t count, std::size_t masses, std::ptrdiff_t masses_step, std::ptrdiff_t mass_step)
+        : status(count, 9), regime(status), stops(count, 9), periods(stops), amplitude(count * masses, 9), error(amplitude),
+          phase(amplitude),
+          phase_error(amplitude), out{sizeof out,  1,         status.data(),    regime.data(), stops.data(), periods.data(),
+                                      masses_step, mass_step, amplitude.data(), error.data(),  phase.data(), phase_error.data()} {
+    }
+
+    // The numbers of a point are those of `solve`; where the system does not have a mass they are none.
+    void check(std::size_t n, const Scene<double>& at, const std::vector<std::size_t>& masses) const {
+        const Solution s = solve(at, {Asked::phase, 9});
+        CHECK(status[n] == DH_POINT_ANSWERED);
+        CHECK(regime[n] == static_cast<signed char>(s.regime.regime));
+        CHECK(stops[n] == static_cast<int>(s.stops.size()));
+        CHECK(periods[n] == s.periods);
+        for (std::size_t m = 0; m < masses.size(); ++m) {
+            const std::size_t place = n * static_cast<std::size_t>(out.masses_step) + m * static_cast<std::size_t>(out.mass_step);
+            const bool exists = masses[m] <= s.masses.size();
+            CHECK(std::isnan(amplitude[place]) == !exists);
+            CHECK(std::isnan(error[place]) == !exists);
+            if (!exists) continue;
+            const SolvedMass& mass = s.masses[masses[m] - 1];
+            CHECK(std::abs(amplitude[place] - mass.amplitude.value) <= error[place] + mass.amplitude.error);
+            CHECK(std::isnan(phase[place]) == !mass.phase);
+            if (mass.phase) CHECK(std::abs(phase[place] - mass.phase->value) <= phase_error[place] + mass.phase->error);
+        }
+    }
+};
 
 int stop_at_once(size_t, size_t, void* calls) {
     ++*static_cast<int*>(calls);
@@ -78,47 +144,17 @@ TEST_CASE("dh_solve_points has the numbers of dh_solve", "[c_interface]") {
     const Handle system = handle_of(chain);
     const std::vector<double> r{0.5, 1.125, 1.125, 0.3}, beta{0.75, 0.15625, 0.6, 40};
     const size_t masses[] = {3, 2};
-    std::vector<signed char> regime(4);
-    std::vector<int> stops(4);
-    std::vector<double> amplitude(8), error(8), phase(8), phase_error(8);
-    auto request = sized<dh_points_request>();
-    request.count = 4;
-    request.r = r.data();
-    request.beta = beta.data();
-    request.r_step = request.beta_step = 1;
-    request.mu = 1;
+    dh_points_request request = points_request(r, beta, 1);
     request.digits = 9;
     request.mass_count = 2;
     request.masses = masses;
     request.threads = 2;
-    auto points = sized<dh_points>();
-    points.step = 1;
-    points.regime = regime.data();
-    points.stops = stops.data();
-    points.masses_step = 2;
-    points.mass_step = 1;
-    points.amplitude = amplitude.data();
-    points.error = error.data();
-    points.phase = phase.data();
-    points.phase_error = phase_error.data();
-    REQUIRE(dh_solve_points(system.get(), &request, &points) == DH_OK);
-    for (std::size_t n = 0; n < 4; ++n) {
-        Scene<double> at = scene(chain);
-        at.r = r[n];
-        at.beta = beta[n];
-        const Solution s = solve(at, {Asked::phase, 9});
-        CHECK(regime[n] == static_cast<signed char>(s.regime.regime));
-        CHECK(stops[n] == static_cast<int>(s.stops.size()));
-        for (std::size_t m = 0; m < 2; ++m) {
-            const SolvedMass& mass = s.masses[masses[m] - 1];
-            CHECK(std::abs(amplitude[2 * n + m] - mass.amplitude.value) <= error[2 * n + m] + mass.amplitude.error);
-            CHECK(std::isnan(phase[2 * n + m]) == !mass.phase);
-            if (mass.phase) CHECK(std::abs(phase[2 * n + m] - mass.phase->value) <= phase_error[2 * n + m] + mass.phase->error);
-        }
-    }
+    const Points found(4, 2, 2, 1);
+    REQUIRE(dh_solve_points(system.get(), &request, &found.out) == DH_OK);
+    for (std::size_t n = 0; n < 4; ++n) found.check(n, at_point(chain, r[n], beta[n], 1), {3, 2});
     request.r_step = request.beta_step = 0; // one point four times
-    REQUIRE(dh_solve_points(system.get(), &request, &points) == DH_OK);
-    for (std::size_t n = 2; n < 8; ++n) CHECK(same_bytes(amplitude[n], amplitude[n % 2]));
+    REQUIRE(dh_solve_points(system.get(), &request, &found.out) == DH_OK);
+    for (std::size_t n = 2; n < 8; ++n) CHECK(same_bytes(found.amplitude[n], found.amplitude[n % 2]));
 }
 
 TEST_CASE("dh_solve_systems has the numbers of dh_solve for the system of each point", "[c_interface]") {
@@ -129,69 +165,30 @@ TEST_CASE("dh_solve_systems has the numbers of dh_solve for the system of each p
     const dh_system* const systems[] = {handles[0].get(), handles[1].get(), handles[2].get(), handles[1].get(), handles[0].get()};
     const double r[] = {1.125, -1, 0.75, -1, 0.5, -1, 0.75, -1, 1.125}, beta[] = {0.15625, 0.5, 0.25, 40, 0.6};
     const double mu[] = {1, 1.25, 1, 1, 1.375};
-    std::vector<signed char> status(5, 9), regime(5, 9);
-    std::vector<int> stops(5, 9), periods(5, 9);
-    std::vector<double> amplitude(15, 9), error(15, 9), phase(15, 9), phase_error(15, 9);
-    auto request = sized<dh_systems_request>();
-    request.count = 5;
-    request.systems = systems;
-    request.r = r;
+    dh_systems_request request = systems_request(5, systems, r, beta, mu);
     request.r_step = 2;
-    request.beta = beta;
-    request.mu = mu;
-    request.system_step = request.beta_step = request.mu_step = 1;
     request.digits = 9;
-    auto points = sized<dh_points>();
-    points.step = points.masses_step = 1;
-    points.mass_step = 5; // mass after mass
-    points.status = status.data();
-    points.regime = regime.data();
-    points.stops = stops.data();
-    points.periods = periods.data();
-    points.amplitude = amplitude.data();
-    points.error = error.data();
-    points.phase = phase.data();
-    points.phase_error = phase_error.data();
+    const Points found(5, 3, 1, 5); // mass after mass
     std::vector<double> of_one_thread;
     for (const unsigned threads : {1U, 3U}) {
         request.threads = threads;
-        REQUIRE(dh_solve_systems(&request, &points) == DH_OK);
-        if (threads == 1) of_one_thread = amplitude;
+        REQUIRE(dh_solve_systems(&request, &found.out) == DH_OK);
+        if (threads == 1) of_one_thread = found.amplitude;
     }
-    for (std::size_t n = 0; n < 15; ++n) CHECK(same_bytes(amplitude[n], of_one_thread[n]));
-    std::set<int> regimes;
+    for (std::size_t n = 0; n < 15; ++n) CHECK(same_bytes(found.amplitude[n], of_one_thread[n]));
     for (std::size_t n = 0; n < 5; ++n) {
         const std::string& text = systems[n] == handles[0].get() ? chain : systems[n] == handles[1].get() ? two : one;
-        Scene<double> at = scene(text);
-        at.r = r[2 * n];
-        at.beta = beta[n];
-        at.mu = mu[n];
-        const Solution s = solve(at, {Asked::phase, 9});
-        CHECK(status[n] == DH_POINT_ANSWERED);
-        CHECK(regime[n] == static_cast<signed char>(s.regime.regime));
-        CHECK(stops[n] == static_cast<int>(s.stops.size()));
-        CHECK(periods[n] == s.periods);
-        regimes.insert(regime[n]);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t place = n + 5 * k;
-            const bool exists = k < s.masses.size();
-            CHECK(std::isnan(amplitude[place]) == !exists);
-            CHECK(std::isnan(error[place]) == !exists);
-            if (!exists) continue;
-            const SolvedMass& mass = s.masses[k];
-            CHECK(std::abs(amplitude[place] - mass.amplitude.value) <= error[place] + mass.amplitude.error);
-            CHECK(std::isnan(phase[place]) == !mass.phase);
-            if (mass.phase) CHECK(std::abs(phase[place] - mass.phase->value) <= phase_error[place] + mass.phase->error);
-        }
+        found.check(n, at_point(text, r[2 * n], beta[n], mu[n]), {1, 2, 3});
     }
-    CHECK(regimes.size() == 3); // they are all met
+    CHECK(std::set<int>(found.regime.begin(), found.regime.end()).size() == 3); // they are all met
     const size_t first = 1;
     request.masses = &first;
     request.mass_count = 1;
     std::vector<double> of_first(5, 9);
-    points = {sizeof points, 0, nullptr, nullptr, nullptr, nullptr, 1, 0, of_first.data(), nullptr, nullptr, nullptr};
+    const dh_points points{sizeof points,   0,       nullptr, nullptr, nullptr, nullptr, 1, 0,
+                           of_first.data(), nullptr, nullptr, nullptr};
     REQUIRE(dh_solve_systems(&request, &points) == DH_OK);
-    for (std::size_t n = 0; n < 5; ++n) CHECK(of_first[n] == Approx(amplitude[n]).epsilon(1e-9));
+    for (std::size_t n = 0; n < 5; ++n) CHECK(of_first[n] == Approx(found.amplitude[n]).epsilon(1e-9));
 }
 
 TEST_CASE("what is wrong with the points of many systems is told by name, and nothing is written", "[c_interface][bad-input]") {
@@ -203,13 +200,7 @@ TEST_CASE("what is wrong with the points of many systems is told by name, and no
     auto points = sized<dh_points>();
     points.step = 1;
     points.stops = stops.data();
-    auto request = sized<dh_systems_request>();
-    request.count = 1;
-    request.systems = systems;
-    request.r = r;
-    request.beta = beta;
-    request.mu = mu;
-    request.system_step = request.r_step = request.beta_step = request.mu_step = 1;
+    const dh_systems_request request = systems_request(1, systems, r, beta, mu);
     const auto fault = [&](const dh_systems_request& asked) {
         const int status = dh_solve_systems(&asked, &points);
         CHECK(status != DH_OK);
@@ -248,10 +239,7 @@ TEST_CASE("the contact of two masses that rub against each other has its own amp
         const Handle system = handle_of(text);
         const Answered solution = solved(system.get(), 1.125, 0.0625, 1);
         const dh_mass found = contact_of(solution.get());
-        Scene<double> at = scene(text);
-        at.r = 1.125;
-        at.beta = 0.0625;
-        const Solution s = solve(at);
+        const Solution s = solve(at_point(text, 1.125, 0.0625, 1));
         const SolvedMass& expected = s.between ? *s.between : s.masses[1];
         CHECK(s.between.has_value() == (contact != "2"));
         CHECK(same_bytes(found.amplitude, expected.amplitude.value));
@@ -275,12 +263,7 @@ TEST_CASE("a report of progress ends a call, and nothing is written", "[c_interf
     CHECK_THAT(dh_last_message(), Catch::Contains("cancelled"));
     CHECK(calls == 1);
     CHECK(stops == std::vector<int>(100, 9));
-    auto at = sized<dh_points_request>();
-    at.count = 100;
-    at.r = r.data();
-    at.r_step = 1;
-    at.beta = beta.data();
-    at.mu = 1;
+    dh_points_request at = points_request(r, beta, 0);
     at.progress = stop_at_once;
     at.context = &calls;
     auto points = sized<dh_points>();

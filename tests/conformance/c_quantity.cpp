@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "conformance/question.hpp"
-#include "tests/catch.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 
 using namespace denhartog;

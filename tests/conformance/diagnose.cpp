@@ -1,7 +1,5 @@
 #include "conformance/diagnose.hpp"
 
-#include <cmath>
-
 #include "conformance/verdict.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/runner_fixtures.hpp"

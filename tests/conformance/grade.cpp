@@ -5,9 +5,7 @@
 #include <limits>
 
 #include "conformance/plain/closed_form.hpp"
-#include "conformance/vector.hpp"
 #include "denhartog/number/number.hpp"
-#include "denhartog/scene/scene.hpp"
 #include "denhartog/sliding/boundary.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/runner_fixtures.hpp"

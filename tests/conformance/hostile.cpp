@@ -184,13 +184,10 @@ TEST_CASE("an interruption of the runner takes the program under test with it", 
     const std::string name = "interrupted-" + std::to_string(::getpid()) + ".sh";
     const std::string program = script(name, greet + "sleep 1000");
     const auto report = scratch() / "interrupted-report";
-    const char* runner = std::getenv("DENHARTOG_PROGRAM");
-    REQUIRE(runner != nullptr);
-    const std::string caller = script("interrupting.sh", "'" + std::string(runner) + "' conform run --timeout 60 --output '" +
-                                                             report.string() + "' --vectors '" + three() + "' -- " + program +
-                                                             " 2>/dev/null & sleep 1; kill -TERM $!; wait $!\n");
-    const int status = std::system(caller.c_str());
-    CHECK(WEXITSTATUS(status) == 128 + SIGTERM);
+    const std::string caller =
+        script("interrupting.sh", quoted_program() + " conform run --timeout 60 --output '" + report.string() + "' --vectors '" +
+                                      three() + "' -- " + program + " 2>/dev/null & sleep 1; kill -TERM $!; wait $!\n");
+    CHECK(run_shell(caller).status == 128 + SIGTERM);
     CHECK(left_of(name) == 0);
     std::ifstream written(report);
     const std::string text{std::istreambuf_iterator<char>(written), {}};
@@ -224,8 +221,6 @@ TEST_CASE("after the total time the report tells what was answered until then", 
 }
 
 TEST_CASE("standard error without an end costs the runner no memory, and the answers count", "[conformance][hostile]") {
-    const char* runner = std::getenv("DENHARTOG_PROGRAM");
-    REQUIRE(runner != nullptr);
     const std::vector<std::array<std::string, 2>> programs{
         {greet + "read -r q; cat /dev/zero >&2", "timeout"},
         {"cat /dev/zero >&2 & " + greet + "while read -r id q; do echo \"$id value 1\"; done; kill $!", "pass"}};
@@ -233,8 +228,8 @@ TEST_CASE("standard error without an end costs the runner no memory, and the ans
     for (const auto& [text, verdict] : programs) {
         const std::string name = "flooding-" + std::to_string(::getpid()) + "-" + std::to_string(++number) + ".sh";
         // In memory that the flood would fill at once if it were kept.
-        const Run run = run_program("--version >/dev/null; ( ulimit -v 500000; exec '" + std::string(runner) +
-                                    "' conform run --format json --timeout " + std::to_string(patience) + " --vectors '" +
+        const Run run = run_program("--version >/dev/null; ( ulimit -v 500000; exec " + quoted_program() +
+                                    " conform run --format json --timeout " + std::to_string(patience) + " --vectors '" +
                                     three() + "' -- " + script(name, text + "\n") + " 2>/dev/null )");
         INFO(run.output);
         CHECK(run.status == (verdict == "pass" ? 0 : 3));
@@ -245,8 +240,6 @@ TEST_CASE("standard error without an end costs the runner no memory, and the ans
 }
 
 TEST_CASE("a runner that hangs up or is killed leaves no program that computes for ever", "[conformance][hostile]") {
-    const char* runner = std::getenv("DENHARTOG_PROGRAM");
-    REQUIRE(runner != nullptr);
     const auto report = scratch() / "killed-report";
     for (const int signal : {SIGHUP, SIGKILL})
         for (const std::string jobs : {"1", "3"}) {
@@ -254,13 +247,12 @@ TEST_CASE("a runner that hangs up or is killed leaves no program that computes f
             const auto started = scratch() / (name + ".started");
             const std::string program = script(name, greet + "echo >'" + started.string() + "'; while :; do :; done\n");
             const std::string caller =
-                script("killing.sh", "'" + std::string(runner) + "' conform run --timeout 60 --jobs " + jobs + " --output '" +
+                script("killing.sh", quoted_program() + " conform run --timeout 60 --jobs " + jobs + " --output '" +
                                          report.string() + "' --vectors '" + three() + "' -- " + program +
                                          " 2>/dev/null & for n in $(seq 500); do [ -e '" + started.string() +
                                          "' ] && break; sleep 0.02; done; kill -" + std::to_string(signal) + " $!; wait $!\n");
-            const int status = std::system((caller + " 2>/dev/null").c_str());
             INFO("signal " << signal << ", " << jobs << " at a time");
-            CHECK(WEXITSTATUS(status) == 128 + signal);
+            CHECK(run_shell(caller).status == 128 + signal);
             for (int n = 0; n < 200 && left_of(name) > 0; ++n) ::usleep(10'000);
             CHECK(left_of(name) == 0);
             CHECK(std::filesystem::exists(report) == (signal == SIGHUP)); // the report tells what was answered until then
@@ -269,11 +261,8 @@ TEST_CASE("a runner that hangs up or is killed leaves no program that computes f
 }
 
 TEST_CASE("a hang-up that the runner was told to ignore, as nohup does, ends nothing", "[conformance][hostile]") {
-    const char* runner = std::getenv("DENHARTOG_PROGRAM");
-    REQUIRE(runner != nullptr);
     const std::string program = script("slow.sh", greet + "while read -r id q; do sleep 0.3; echo \"$id value 1\"; done\n");
-    const std::string caller =
-        script("ignoring.sh", "trap '' HUP; '" + std::string(runner) + "' conform run --vectors '" + three() + "' -- " + program +
-                                  " >/dev/null & sleep 0.3; kill -HUP $!; wait $!\n");
-    CHECK(WEXITSTATUS(std::system(caller.c_str())) == 0);
+    const std::string caller = script("ignoring.sh", "trap '' HUP; " + quoted_program() + " conform run --vectors '" + three() +
+                                                         "' -- " + program + " >/dev/null & sleep 0.3; kill -HUP $!; wait $!\n");
+    CHECK(run_shell(caller).status == 0);
 }

@@ -1,7 +1,6 @@
 // Answers are judged by the abilities of their method.
 #include "conformance/verdict.hpp"
 
-#include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/runner_fixtures.hpp"
 
@@ -19,10 +18,6 @@ Judged judged_by(const SolverMethod& method, Vector& v, double off) {
     Judged judged = grade(v, Value{{1 + off}, ""});
     excuse(judged, method);
     return judged;
-}
-
-std::string adapter(const std::string& name) {
-    return "'" + (std::filesystem::path(std::getenv("DENHARTOG_PROGRAM")).parent_path() / name).string() + "'";
 }
 
 const std::string groups = "contact,boundary,stick-slip,stuck,solver";
@@ -86,7 +81,7 @@ TEST_CASE("integrators and harmonic balance conform by what their methods can do
     for (const Solver& solver : {Solver{"paper_algorithm_adapter", "1e-6", "event-driven"},
                                  Solver{"harmonic_balance_adapter", "51", "harmonic-balance"}}) {
         const std::string ask = "run --jobs 2 --filter '[05]$' --group " + groups + " ",
-                          program = " -- " + adapter(solver.program) + " " + solver.setting;
+                          program = " -- " + quoted_program(solver.program) + " " + solver.setting;
         const Run by_method = conform(ask + "--method " + solver.method + program);
         INFO(by_method.output << by_method.error);
         CHECK(by_method.status == 0);
@@ -95,7 +90,7 @@ TEST_CASE("integrators and harmonic balance conform by what their methods can do
     }
     // Friction that is too large by a tenth is no matter of the method.
     const std::string halved =
-        adapter("paper_algorithm_adapter") + " 1e-6 | stdbuf -oL sed -E 's/\"value\":0\\.0/\"value\":0.1/'";
+        quoted_program("paper_algorithm_adapter") + " 1e-6 | stdbuf -oL sed -E 's/\"value\":0\\.0/\"value\":0.1/'";
     const Run wrong =
         conform("run --filter '[05]$' --group contact --method event-driven -- " + script("tenth.sh", halved + "\n"));
     INFO(wrong.output << wrong.error);

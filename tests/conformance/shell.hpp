@@ -7,14 +7,6 @@
 
 namespace denhartog::tests {
 
-/// @brief Runs a shell command. @param command the command @param input standard input @return status and what it wrote
-inline Run run_shell(const std::string& command, const std::string& input = "") {
-    const auto in = file_with("shell-input", input), out = scratch() / "shell-output", err = scratch() / "shell-error";
-    const std::string whole = "{ " + command + "\n} <'" + in.string() + "' >'" + out.string() + "' 2>'" + err.string() + "'";
-    const int status = std::system(whole.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), content_of(out), content_of(err)};
-}
-
 /// @brief Whether a command is there. @param name its name @return whether the shell finds it
 inline bool has_command(const std::string& name) { return run_shell("command -v " + name).status == 0; }
 
@@ -23,6 +15,13 @@ inline bool is_there_or_skipped(const std::string& name) {
     const bool there = has_command(name);
     if (!there) SKIPPED(name << " is not there");
     return there;
+}
+
+/// @brief Whether a program with somebody else's solver was built; if not, the test says that it is skipped. @param name its name
+inline bool is_built_or_skipped(const std::string& name) {
+    const bool built = std::filesystem::exists(built_program(name));
+    if (!built) SKIPPED(name << " is not built, as its package is missing");
+    return built;
 }
 
 } // namespace denhartog::tests

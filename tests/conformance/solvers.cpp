@@ -1,11 +1,9 @@
 // The time integrators of the conformance kit, asked through a pipe.
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 
-#include "tests/catch.hpp"
-#include "tests/unit/program_runs.hpp"
+#include "tests/conformance/shell.hpp"
 
 namespace denhartog::tests {
 namespace {
@@ -14,31 +12,11 @@ using Json = nlohmann::json;
 
 constexpr double near = 1e-9; // tolerances are 1e-12; errors add up over periods, and a largest displacement is flat
 
-// The adapters stand beside the program.
-std::filesystem::path file_of(const std::string& adapter) {
-    const char* program = std::getenv("DENHARTOG_PROGRAM");
-    if (program == nullptr) throw std::runtime_error("DENHARTOG_PROGRAM must name the program: run the tests by ctest");
-    return std::filesystem::path(program).parent_path() / adapter;
-}
-
-std::string adapter(const std::string& name) { return "'" + file_of(name).string() + "'"; }
-
-// Whether an adapter of somebody else's solver was built; else the test is skipped.
-bool is_built_or_skipped(const std::string& name) {
-    if (std::filesystem::exists(file_of(name))) return true;
-    SKIPPED(name << " is not built, as its package is missing");
-    return false;
-}
-
 std::vector<std::string> lines_through_a_pipe(const std::string& command, const std::string& input) {
-    const auto in = file_with("questions", input);
-    FILE* pipe = popen(("cat '" + in.string() + "' | " + command).c_str(), "r");
-    if (pipe == nullptr) throw std::runtime_error("no pipe");
-    std::string output;
-    std::array<char, 4096> some{};
-    for (std::size_t n = 0; (n = std::fread(some.data(), 1, some.size(), pipe)) > 0;) output.append(some.data(), n);
-    REQUIRE(pclose(pipe) == 0);
-    return lines_of(output);
+    const Run run = run_shell("cat | " + command, input);
+    INFO(run.error);
+    REQUIRE(run.status == 0);
+    return lines_of(run.output);
 }
 
 std::vector<Json> answers(const std::string& command, const std::vector<Json>& questions) {
@@ -107,7 +85,7 @@ void check_against_solve(const Json& scene, const std::string& regime,
         questions.push_back(question(scene, "phase", k));
         questions.push_back(question(scene, "motion_under_force", k, 6));
     }
-    const std::vector<Json> given = answers(adapter(integrator), questions);
+    const std::vector<Json> given = answers(quoted_program(integrator), questions);
     CHECK(given[0].at("value") == regime);
     if (regime == "permanent_sticking") {
         CHECK(given[1].contains("skip"));
@@ -159,7 +137,7 @@ TEST_CASE("with mu > 1 integration is not led by extrapolation to a motion that 
     const Json scene = one_mass(0.03125, 3.75, 0.359375, 0.1640625), truth = solved(scene);
     REQUIRE(truth.at("symmetric") == false);
     const std::vector<Json> given =
-        answers(adapter("paper_algorithm_adapter"), {question(scene, "amplitude", 1), question(scene, "stop_durations")});
+        answers(quoted_program("paper_algorithm_adapter"), {question(scene, "amplitude", 1), question(scene, "stop_durations")});
     check_near(given[0].at("value"), truth.at("masses").at(0).at("amplitude"), "amplitude");
     REQUIRE(given[1].at("value").size() == 2);
     const Json& shorter = truth.at("stops").at(0);
@@ -167,7 +145,7 @@ TEST_CASE("with mu > 1 integration is not led by extrapolation to a motion that 
     // The motion of the next scene returns after three periods only.
     const Json of_three = one_mass(0.015625, 3.5, 0.40625, 0.078125);
     CHECK(solved(of_three).at("periods") == 3);
-    CHECK(answers(adapter("paper_algorithm_adapter"), {question(of_three, "amplitude", 1)})[0].contains("skip"));
+    CHECK(answers(quoted_program("paper_algorithm_adapter"), {question(of_three, "amplitude", 1)})[0].contains("skip"));
 }
 
 TEST_CASE("without friction the motion under the force is that of a linear oscillator", "[eq:23]") {
@@ -175,7 +153,7 @@ TEST_CASE("without friction the motion under the force is that of a linear oscil
     const double real = 1 - r * r, imaginary = 2 * zeta * r, size = std::hypot(real, imaginary),
                  lag = std::atan2(imaginary, real);
     const std::vector<Json> given =
-        answers(adapter("paper_algorithm_adapter"),
+        answers(quoted_program("paper_algorithm_adapter"),
                 {question(one_mass(zeta, 1, r, 0), "motion_under_force", 1, 32), question(one_mass(zeta, 1, r, 0), "phase", 1)});
     const std::vector<double> x = given[0].at("value");
     REQUIRE(x.size() == 32);
@@ -190,7 +168,7 @@ TEST_CASE("an integrator that cannot tell says so, and a scene that breaks a rul
     unknown["quantity"] = "colour";
     // The last at the resonance of a mode without damping, of which so little friction takes less than the force gives.
     const std::vector<Json> given =
-        answers(adapter("paper_algorithm_adapter"),
+        answers(quoted_program("paper_algorithm_adapter"),
                 {question(fine, "H_j"), unknown, question(one_mass(0.0625, 0.5, 1.125, 0.25), "amplitude", 1),
                  question(fine, "amplitude", 2), question(one_mass(0, 1, 1, 0.03125), "amplitude", 1)});
     CHECK(given[0].contains("skip"));
@@ -202,7 +180,7 @@ TEST_CASE("an integrator that cannot tell says so, and a scene that breaks a rul
 
 TEST_CASE("a solver whose package is missing skips every question by the package's name", "[eq:6]") {
     const std::vector<Json> given = answers(
-        adapter("missing_adapter") + " 'SUNDIALS CVODE' libsundials-dev",
+        quoted_program("missing_adapter") + " 'SUNDIALS CVODE' libsundials-dev",
         {question(one_mass(0.0625, 1, 1.125, 0.25), "amplitude", 1), question(one_mass(0.0625, 1, 1.125, 0.25), "regime")});
     for (const Json& answer : given) CHECK(answer.at("skip") == "not installed: libsundials-dev");
 }
@@ -221,7 +199,7 @@ TEST_CASE("Siconos under the conformance kit is as near as its steps allow", "[e
     const Json scene = one_mass(0.0625, 1, 0.25, 0.75);
     const Json truth = solved(scene), &stop = truth.at("stops").at(0);
     const std::vector<Json> given =
-        answers(adapter("siconos_adapter"), {question(scene, "amplitude", 1), question(scene, "stop_durations")});
+        answers(quoted_program("siconos_adapter"), {question(scene, "amplitude", 1), question(scene, "stop_durations")});
     CHECK(given[0].at("value").get<double>() == Approx(truth.at("masses").at(0).at("amplitude").get<double>()).epsilon(1e-6));
     // A step is 2 pi / 16384 long; the instants in it are interpolated, and a tenth of what is allowed would not hold.
     CHECK(given[1].at("value").at(0).get<double>() ==

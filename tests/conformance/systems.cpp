@@ -4,10 +4,6 @@
 
 #include "conformance/mistakes/mistake.hpp"
 #include "conformance/plain/closed_form.hpp"
-#include "conformance/vector.hpp"
-#include "denhartog/number/errors.hpp"
-#include "denhartog/scene/scene.hpp"
-#include "tests/catch.hpp"
 #include "tests/conformance/runner_fixtures.hpp"
 #include "tests/conformance/seeded_questions.hpp"
 #include "tests/conformance/shell.hpp"

@@ -1,13 +1,18 @@
 // The certified vectors: their files agree with each other, with the manifest, and with what is computed anew.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "conformance/plain/closed_form.hpp"
+#include "conformance/verdict.hpp"
+#include "denhartog/scene/json_document.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/generator/vector_files.hpp"
+#include "tests/conformance/runner_fixtures.hpp"
 #include "tests/conformance/shell.hpp"
 #include "tests/conformance/vector_folder.hpp"
 #include "tests/support/multiprecision.hpp"
@@ -33,13 +38,6 @@ public:
     }
     std::filesystem::path folder;
 };
-
-std::vector<std::string> lines_of(const std::filesystem::path& file) {
-    std::istringstream stream(bytes_of(file));
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    return lines;
-}
 
 bool has_all(const nlohmann::json& object, const nlohmann::json& names) {
     return std::all_of(names.begin(), names.end(), [&](const nlohmann::json& name) { return object.contains(name); });
@@ -89,7 +87,7 @@ TEST_CASE("every line of the vectors has what the schema requires, which has the
     nlohmann::json twin;
     for (const auto& entry : std::filesystem::directory_iterator(vector_folder())) {
         if (entry.path().extension() != ".jsonl") continue;
-        for (const std::string& line : lines_of(entry.path())) {
+        for (const std::string& line : lines_of(bytes_of(entry.path()))) {
             const nlohmann::json object = nlohmann::json::parse(line);
             INFO(line.substr(0, 60));
             REQUIRE(schema_fault(schema, object).empty());
@@ -160,7 +158,7 @@ TEST_CASE("the vectors are enough, of every group, tier and number of masses, wi
 }
 
 TEST_CASE("the vectors as CSV say what the JSON lines say", "[conformance][vectors]") {
-    const std::string command = "'" + std::string(std::getenv("DENHARTOG_PROGRAM")) + "' conform list --csv";
+    const std::string command = quoted_program() + " conform list --csv";
     const Run run = run_shell(command + " --systems");
     REQUIRE(run.status == 0);
     std::istringstream output(run.output);
@@ -283,7 +281,7 @@ TEST_CASE("a value with another twelfth digit is not what is computed anew", "[c
 TEST_CASE("a line with a question alone becomes its vector again, and one that breaks a rule is named",
           "[conformance][vectors]") {
     const std::filesystem::path file = "masses.jsonl";
-    const nlohmann::ordered_json whole = nlohmann::ordered_json::parse(lines_of(vector_folder() / file).front());
+    const nlohmann::ordered_json whole = nlohmann::ordered_json::parse(lines_of(bytes_of(vector_folder() / file)).front());
     nlohmann::ordered_json question;
     for (const char* key : {"id", "quantity", "scene", "mass"}) question[key] = whole.at(key);
     const Twin twin;
@@ -300,7 +298,8 @@ TEST_CASE("a line with a question alone becomes its vector again, and one that b
     const generator::Certified again = certified(question);
     REQUIRE(again.vectors.size() == 1);
     CHECK(vector_json(again.vectors.front()).dump() == whole.dump());
-    CHECK(generator::stored_but(twin.folder, {"masses"}).size() == vectors().size() - lines_of(vector_folder() / file).size());
+    CHECK(generator::stored_but(twin.folder, {"masses"}).size() ==
+          vectors().size() - lines_of(bytes_of(vector_folder() / file)).size());
     CHECK_THROWS_WITH(generator::certify_all(twin.folder, {"mases"}), Catch::Contains("mases"));
 
     for (const int mass : {-1, 0, 3, 100'000}) {
@@ -314,4 +313,108 @@ TEST_CASE("a line with a question alone becomes its vector again, and one that b
     CHECK_THROWS_WITH(certified(question, question.dump() + "\n"),
                       Catch::Contains("masses.jsonl, line 2") && Catch::Contains("once"));
     CHECK_THROWS_WITH(certified(question, "{\"id\"\n"), Catch::Contains("masses.jsonl, line 2"));
+}
+
+TEST_CASE("the plain closed form agrees with every certified vector but motions of several periods",
+          "[eq:38][eq:46][eq:69][conformance][vectors]") {
+    constexpr double of_what_passes = 5; // in double nothing is done here to keep digits where terms cancel
+    std::size_t compared = 0, several_periods = 0;
+    std::pair<double, std::string> worst{0, ""};
+    for (const Vector& v : tests::vectors()) {
+        if (!v.reject.empty()) continue;
+        const std::optional<Value> value = plain_answer(v.question);
+        INFO(v.question.id << " " << v.question.quantity);
+        if (!value && std::ranges::find(v.flags, "several-periods") != v.flags.end()) {
+            ++several_periods;
+            continue;
+        }
+        REQUIRE(value);
+        CHECK(value->word == v.word);
+        REQUIRE(value->numbers.size() == v.nearest.size());
+        ++compared;
+        if (v.nearest.empty()) continue;
+        const double error = difference(quantity(v.question.quantity), value->numbers, v.nearest).size / v.scale;
+        CHECK(error <= of_what_passes * v.tolerance.pass);
+        if (v.tolerance.pass > 0) worst = std::max(worst, {error / v.tolerance.pass, v.question.id});
+    }
+    std::printf("plain closed form: %zu vectors, largest error %.2g of what passes, in %s\n", compared, worst.first,
+                worst.second.c_str());
+    CHECK(several_periods == 10);
+    CHECK(compared > 4000);
+}
+
+// Lines of vector files that are no vectors: each is refused with the quantity at fault, before anybody is asked or judged by it.
+
+namespace {
+
+// The quantity that a vector is refused for, once a member is replaced.
+std::string refused_for(const Vector& good, const char* pointer, const nlohmann::json& member) {
+    nlohmann::json object = vector_json(good);
+    REQUIRE_NOTHROW(vector_from_json(object));
+    object[nlohmann::json::json_pointer(pointer)] = member;
+    try {
+        static_cast<void>(vector_from_json(object));
+        return "nothing";
+    } catch (const InputError& fault) {
+        return fault.quantity;
+    }
+}
+
+} // namespace
+
+TEST_CASE("a vector is refused that cannot be asked in both dialects, or judged", "[conformance][vectors]") {
+    Vector good = vector_of("a-1", "amplitude", {0.25});
+    CHECK(refused_for(good, "/id", "a 1") == "id");
+    CHECK(refused_for(good, "/id", "") == "id");
+    CHECK(refused_for(good, "/hex", {"0x1p-2", "0x1p-2"}) == "hex");
+    CHECK(refused_for(good, "/hex", {"inf"}) == "hex");
+    CHECK(refused_for(good, "/scale", "0x0p0") == "scale");
+    CHECK(refused_for(good, "/regime", "gliding") == "regime");
+    CHECK(refused_for(good, "/scene/r", -1) == "r");
+    CHECK(refused_for(reject_vector("a-1"), "/reject", "") == "reject");
+    CHECK(refused_for(word_vector("a-1", "stick_slip"), "/value", "gliding") == "value");
+    good = vector_of("a-1", "motion_under_force", {0.25, -0.25});
+    good.question.samples = 2;
+    CHECK(refused_for(good, "/samples", 3) == "samples");
+}
+
+TEST_CASE("whole numbers of a vector are not cut to size", "[conformance][vectors]") {
+    const Vector good = vector_of("a-1", "amplitude", {0.25});
+    for (const nlohmann::json& number :
+         {nlohmann::json(1e300), nlohmann::json(1.5), nlohmann::json(4294967297), nlohmann::json(true)}) {
+        CHECK(refused_for(good, "/scene/contact", number) == "contact");
+        CHECK(refused_for(good, "/mass", number) == "mass");
+    }
+    CHECK(refused_for(good, "/digits", {40, 1e300}) == "digits");
+}
+
+TEST_CASE("neither vectors nor verdicts of earlier runs that are nested without an end do harm", "[conformance][program]") {
+    const std::string deep = std::string(300000, '[') + std::string(300000, ']');
+    CHECK_FALSE(json_or_nothing(deep).is_array());
+    const std::string folder = folder_of("deep", {vector_of("a-1", "amplitude", {0.25})});
+    std::ofstream(folder + "/a.jsonl", std::ios::app) << "{\"scene\":{},\"id\":" << deep << "}\n";
+    const Run listed = conform("list " + with_vectors(folder, ""));
+    CHECK(listed.status == 2);
+    CHECK(contains(listed.error, "vector must be a JSON object"));
+    const std::string answers = file_with("deep.csv", "id,value\namplitude-1,0.25\n").string();
+    const std::string track = file_with("deep.track", "{\"format\":" + deep + "}").string();
+    const Run graded = conform("grade " + with_vectors(six(), "") + "--track '" + track + "' '" + answers + "'");
+    CHECK(graded.status == 2);
+    CHECK(contains(graded.error, "track must be a file that --track has written"));
+}
+
+TEST_CASE("next to a pole of a mode without damping, where rounding alone would tell it, the plain closed form has no number",
+          "[eq:23][eq:28][eq:29][conformance]") {
+    ProtocolQuestion q{.id = "pole", .quantity = "", .mass_ratios = {1}, .stiffness_ratios = {1}, .damping_ratios = {0}};
+    q.mass = 1;
+    for (const int harmonic : {1, 3, 5}) // (23) has the first alone, (28) and (29) all odd ones
+        for (const char* asked : {"complex_response", "first_damping_function", "second_damping_function"}) {
+            q.quantity = asked;
+            INFO(asked << ", harmonic " << harmonic);
+            const bool has_pole = harmonic == 1 || q.quantity != "complex_response";
+            for (const double apart : {0.0, 1e-15, -1e-15, 1e-11, -1e-11}) {
+                q.r = (1 + apart) / harmonic;
+                CHECK(plain_answer(q).has_value() == (!has_pole || std::abs(apart) > 1e-12));
+            }
+        }
 }

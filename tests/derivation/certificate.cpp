@@ -8,7 +8,6 @@
 #include "derivation/algebra/symbols.hpp"
 #include "derivation/kernel/coq_text.hpp"
 #include "derivation/kernel/kernel_check.hpp"
-#include "tests/catch.hpp"
 #include "tests/unit/ledger_fixtures.hpp"
 
 using namespace denhartog::derivation;
@@ -107,7 +106,8 @@ TEST_CASE("sums and multiples of angles are taken apart before the kernel's eyes
     check_accepted(c);
 }
 
-TEST_CASE("a root of a product and a sum in an angle that shows by squares are proved; a wrong sign or factor is refused", "[kernel]") {
+TEST_CASE("a root of a product and a sum in an angle that shows by squares are proved; a wrong sign or factor is refused",
+          "[kernel]") {
     const ex z = zeta(), product = GiNaC::sqrt((1 + z) * (1 - z));
     const auto angle = [&](int sign) { return GiNaC::Pi * (1 - sign * z * z / (1 + w())) / R(); };
     const Certificate c = certificate(product * GiNaC::cos(angle(1)), w() * GiNaC::cos(theta()));
@@ -121,7 +121,8 @@ TEST_CASE("a root of a product and a sum in an angle that shows by squares are p
     const std::string value = " = (sqrt (1 - zeta ^ 2))) by (apply root_is";
     const std::size_t at = c.in_functions.find(value);
     REQUIRE(at != std::string::npos);
-    for (const char* altered : {" = (- sqrt (1 - zeta ^ 2))) by (apply root_is", " = (2 * sqrt (1 - zeta ^ 2))) by (apply root_is"}) {
+    for (const char* altered :
+         {" = (- sqrt (1 - zeta ^ 2))) by (apply root_is", " = (2 * sqrt (1 - zeta ^ 2))) by (apply root_is"}) {
         Certificate twin = c;
         twin.in_functions.replace(at, value.size(), altered);
         const Compiled said = said_of(twin);

@@ -6,7 +6,6 @@
 
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/formulas/superposition.hpp"
-#include "tests/support/plain_response.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/support/second_witness.hpp"

@@ -2,8 +2,6 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "denhartog/stick_slip/stuck_response.hpp"
-#include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;

@@ -4,7 +4,6 @@
 #include "denhartog/evaluation/resonance.hpp"
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
-#include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;

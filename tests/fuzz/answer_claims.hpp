@@ -12,7 +12,6 @@
 namespace denhartog::fuzz {
 
 /// @brief An answer is finite numbers, or one regime, or words; what is unusable has a message.
-/// @param answer  the answer
 inline void claim_answer(const conformance::Answer& answer) {
     if (const auto* unusable = std::get_if<conformance::Unusable>(&answer)) claim_message(unusable->reason);
     const auto* value = std::get_if<conformance::Value>(&answer);
@@ -32,10 +31,7 @@ inline void claim_answer(const conformance::Answer& answer) {
     return words;
 }
 
-/// @brief An answer that was written and read again is the value that it was.
-/// @param again  the answer
-/// @param value  the value
-/// @param shown  its text
+/// @brief An answer that was written and read again is the value that it was. `shown` is its text.
 inline void claim_same(const conformance::Answer& again, const conformance::Value& value, const std::string& shown) {
     const auto* read = std::get_if<conformance::Value>(&again);
     claim(read != nullptr && read->numbers == value.numbers && read->word == value.word, "a value is the same again", shown);

@@ -14,28 +14,22 @@
 
 namespace denhartog::fuzz {
 
-/// @brief Ends the program where something that must hold does not.
-/// @param holds  whether it holds
-/// @param what   what must hold
-/// @param shown  what it does not hold of
+/// @brief Ends the program where something that must hold does not. `shown` is what it does not hold of.
 inline void claim(bool holds, std::string_view what, std::string_view shown = {}) {
     if (holds) return;
     std::fprintf(stderr, "does not hold: %.*s: %s\n", static_cast<int>(what.size()), what.data(), legible(shown, 4000).c_str());
     std::abort();
 }
 
-/// @brief A message says something, is short, and holds nothing that a terminal would obey.
-/// @param text  the message
-/// @param most  the most bytes that it may have
+/// @brief A message says something, is short, and holds nothing that a terminal would obey. It has at most so many bytes.
 inline void claim_message(std::string_view text, std::size_t most = 999) {
     claim(!text.empty(), "a message says something");
     claim(text.size() <= most, "a message is short", text);
     claim(legible(text, most) == text, "a message holds no character that a terminal obeys", text);
 }
 
-/// @brief Runs a question. What is thrown and is not an error of the library's own goes on, and ends the program.
-/// @param body  the question
-/// @return      whether it was answered; false where it was refused with a message
+/// @brief Runs a question. What is thrown and is not an error of the library's own goes on, and ends the program. False where it
+/// was refused with a message.
 template <class Body>
 bool answers(const Body& body) {
     try {

@@ -16,7 +16,6 @@
 #include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/paper_systems.hpp"
-#include "tests/support/scene_builder.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

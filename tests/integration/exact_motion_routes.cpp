@@ -1,11 +1,8 @@
 // The exact solver by second routes: its phases against the matrix exponential, its Jacobian against differences.
 #include <cmath>
 
-#include "denhartog/orbit/orbit_map.hpp"
-#include "denhartog/stick_slip/exact_motion.hpp"
 #include "tests/integration/orbit_scenes.hpp"
 #include "tests/support/contact_phase.hpp"
-#include "tests/support/multiprecision.hpp"
 #include "tests/support/second_witness.hpp"
 
 using namespace denhartog;

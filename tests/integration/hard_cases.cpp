@@ -11,7 +11,6 @@
 #include "tests/support/paper_systems.hpp"
 #include "tests/support/plain_response.hpp"
 #include "tests/support/sample_scenes.hpp"
-#include "tests/support/scene_builder.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

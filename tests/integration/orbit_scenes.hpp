@@ -7,13 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/number/errors.hpp"
-#include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
-#include "tests/catch.hpp"
-#include "tests/support/plain_response.hpp"
 #include "tests/support/sample_scenes.hpp"
-#include "tests/support/scene_builder.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 namespace denhartog::tests {

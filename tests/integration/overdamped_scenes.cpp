@@ -3,12 +3,8 @@
 #include <cmath>
 
 #include "denhartog/answer/from_a_start.hpp"
-#include "denhartog/map/regime_map.hpp"
-#include "denhartog/sliding/friction_motion.hpp"
-#include "denhartog/solve/solve.hpp"
 #include "tests/integration/orbit_scenes.hpp"
 #include "tests/support/second_witness.hpp"
-#include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

@@ -3,11 +3,8 @@
 #include <cmath>
 
 #include "denhartog/answer/from_a_start.hpp"
-#include "denhartog/number/errors.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
-#include "tests/catch.hpp"
 #include "tests/integration/orbit_scenes.hpp"
-#include "tests/support/sample_scenes.hpp"
 
 using namespace denhartog::tests;
 using namespace denhartog;

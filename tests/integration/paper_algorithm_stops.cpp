@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "denhartog/answer/from_a_start.hpp"
-#include "denhartog/paper_algorithm/paper_algorithm.hpp"
-#include "tests/catch.hpp"
 #include "tests/integration/orbit_scenes.hpp"
 #include "tests/support/paper_systems.hpp"
 

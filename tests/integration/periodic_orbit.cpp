@@ -3,9 +3,7 @@
 
 #include <cmath>
 
-#include "denhartog/stick_slip/stuck_response.hpp"
 #include "tests/integration/orbit_scenes.hpp"
-#include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

@@ -5,13 +5,7 @@
 #include <limits>
 #include <random>
 
-#include "denhartog/model/contact_and_load.hpp"
-#include "denhartog/number/errors.hpp"
-#include "denhartog/orbit/floquet.hpp"
-#include "denhartog/orbit/periodic_orbit.hpp"
-#include "denhartog/scene/scene_json.hpp"
 #include "tests/integration/orbit_scenes.hpp"
-#include "tests/support/named_scenes.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

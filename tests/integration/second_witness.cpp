@@ -4,9 +4,7 @@
 #include <set>
 #include <tuple>
 
-#include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
-#include "tests/support/multiprecision.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/support/scene_builder.hpp"
 #include "tests/support/second_witness.hpp"

@@ -3,14 +3,9 @@
 #include <memory>
 #include <random>
 
-#include "denhartog/model/contact_and_load.hpp"
-#include "denhartog/orbit/orbit_map.hpp"
-#include "denhartog/sliding/boundary.hpp"
-#include "denhartog/sliding/bounded_modes.hpp"
-#include "denhartog/sliding/coupled_sums.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
 #include "tests/integration/orbit_scenes.hpp"
-#include "tests/support/coupled_scenes.hpp"
+#include "tests/support/kinds_of_scenes.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

@@ -1,11 +1,7 @@
 #include <cmath>
 
-#include "denhartog/evaluation/mode.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
-#include "denhartog/sliding/boundary.hpp"
 #include "paper-figures/common/limit_paths.hpp"
-#include "tests/catch.hpp"
-#include "tests/support/multiprecision.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog::figures;

@@ -1,11 +1,6 @@
 #include <cmath>
 
 #include "denhartog/evaluation/resonance.hpp"
-#include "denhartog/formulas/contact.hpp"
-#include "denhartog/number/errors.hpp"
-#include "denhartog/sliding/steady_state.hpp"
-#include "tests/catch.hpp"
-#include "tests/support/multiprecision.hpp"
 #include "tests/support/second_witness.hpp"
 #include "tests/unit/response_fixtures.hpp"
 

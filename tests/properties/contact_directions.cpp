@@ -1,11 +1,8 @@
 #include <cmath>
 
-#include "denhartog/denhartog.hpp"
-#include "denhartog/model/contact_and_load.hpp"
-#include "tests/catch.hpp"
 #include "tests/properties/against_witness.hpp"
+#include "tests/support/kinds_of_scenes.hpp"
 #include "tests/support/named_scenes.hpp"
-#include "tests/support/phased_scenes.hpp"
 #include "tests/support/rotations.hpp"
 #include "tests/support/split_mix.hpp"
 

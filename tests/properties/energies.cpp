@@ -2,11 +2,10 @@
 // along motions that other routes have.
 #include <cmath>
 
-#include "denhartog/answer/scene_source.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/properties/against_witness.hpp"
+#include "tests/support/kinds_of_scenes.hpp"
 #include "tests/support/named_scenes.hpp"
-#include "tests/support/phased_scenes.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

@@ -1,7 +1,5 @@
 #include <cmath>
 
-#include "denhartog/sliding/steady_state.hpp"
-#include "tests/catch.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"
 

@@ -1,10 +1,8 @@
 // Scenes of every kind, random, against routes that share nothing with the answer: the half-period by the exponential of the
 // state in more digits, which knows no modes and no coordinates of the contact; and the paper's Runge-Kutta.
+#include "tests/support/kinds_of_scenes.hpp"
 #include "tests/properties/against_witness.hpp"
-#include "tests/support/coupled_scenes.hpp"
 #include "tests/support/named_scenes.hpp"
-#include "tests/support/phased_scenes.hpp"
-#include "tests/support/vector_scenes.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

@@ -5,8 +5,8 @@
 #include "denhartog/answer/reference.hpp"
 #include "tests/properties/against_witness.hpp"
 #include "tests/support/event_integrator.hpp"
+#include "tests/support/kinds_of_scenes.hpp"
 #include "tests/support/named_scenes.hpp"
-#include "tests/support/phased_scenes.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

@@ -2,10 +2,9 @@
 #include <cmath>
 
 #include "denhartog/answer/reference.hpp"
-#include "denhartog/scene/scene_json.hpp"
 #include "tests/properties/against_witness.hpp"
+#include "tests/support/kinds_of_scenes.hpp"
 #include "tests/support/named_scenes.hpp"
-#include "tests/support/phased_scenes.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

@@ -5,10 +5,8 @@
 #include <limits>
 
 #include "denhartog/answer/reference_point.hpp"
-#include "denhartog/number/ball_matrix.hpp"
 #include "tests/catch.hpp"
 #include "tests/reference/proofs.hpp"
-#include "tests/support/multiprecision.hpp"
 #include "tests/support/split_mix.hpp"
 
 using namespace denhartog;

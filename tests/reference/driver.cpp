@@ -2,8 +2,6 @@
 #include <cmath>
 
 #include "denhartog/answer/reference.hpp"
-#include "denhartog/number/effort.hpp"
-#include "denhartog/number/errors.hpp"
 #include "denhartog/solve/quantities.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"

@@ -6,13 +6,9 @@
 #include <utility>
 
 #include "denhartog/answer/reference.hpp"
-#include "denhartog/formulas/mode.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/formulas/superposition.hpp"
-#include "denhartog/number/effort.hpp"
-#include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
-#include "denhartog/reference/modes.hpp"
 #include "denhartog/search/zeros.hpp"
 #include "tests/reference/surveyed_scenes.hpp"
 #include "tests/support/named_scenes.hpp"

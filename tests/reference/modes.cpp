@@ -2,8 +2,6 @@
 #include <atomic>
 
 #include "denhartog/answer/reference.hpp"
-#include "denhartog/model/modal_basis.hpp"
-#include "denhartog/number/effort.hpp"
 #include "denhartog/number/parallel.hpp"
 #include "denhartog/reference/modes.hpp"
 #include "denhartog/solve/solve.hpp"

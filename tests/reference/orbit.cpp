@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "denhartog/denhartog.hpp"
-#include "denhartog/number/effort.hpp"
 #include "orbit_cases.hpp"
 #include "tests/benchmark/generator/motion.hpp"
 #include "tests/catch.hpp"

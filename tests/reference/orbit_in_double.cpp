@@ -3,8 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include "denhartog/reference/orbit.hpp"
-#include "denhartog/sliding/steady_state.hpp"
 #include "orbit_cases.hpp"
 #include "tests/integration/orbit_scenes.hpp"
 

@@ -5,8 +5,6 @@
 #include <random>
 #include <string>
 
-#include "denhartog/orbit/floquet.hpp"
-#include "denhartog/reference/orbit.hpp"
 #include "orbit_cases.hpp"
 #include "tests/catch.hpp"
 

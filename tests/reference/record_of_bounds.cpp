@@ -20,24 +20,17 @@
 #include <sstream>
 
 #include "denhartog/answer/from_a_start.hpp"
-#include "denhartog/answer/models_in_double.hpp"
 #include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/answer/reference.hpp"
 #include "denhartog/answer/reference_point.hpp"
-#include "denhartog/answer/scene_source.hpp"
 #include "denhartog/denhartog.hpp"
 #include "denhartog/reference/orbit.hpp"
-#include "denhartog/sliding/bounded_modes.hpp"
-#include "denhartog/sliding/contact_alone.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
-#include "denhartog/solve/quantities.hpp"
-#include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/speed_accuracy/answer_numbers.hpp"
 #include "tests/support/adversarial_scenes.hpp"
-#include "tests/support/coupled_scenes.hpp"
+#include "tests/support/kinds_of_scenes.hpp"
 #include "tests/support/named_scenes.hpp"
-#include "tests/support/phased_scenes.hpp"
 
 namespace denhartog::tests {
 namespace {

@@ -1,13 +1,9 @@
 // V, U, G, H and the friction motion in balls: by modes, by the state, and by the formulas in 100 digits.
-#include "denhartog/reference/friction.hpp"
 
-#include "denhartog/formulas/motion.hpp"
-#include "denhartog/sliding/mode_sums.hpp"
-#include "tests/catch.hpp"
 #include "tests/reference/surveyed_scenes.hpp"
 #include "tests/support/closed_form.hpp"
+#include "tests/support/multiprecision.hpp"
 #include "tests/support/named_scenes.hpp"
-#include "tests/support/wide_scene.hpp"
 
 using namespace denhartog;
 using namespace denhartog::reference;
@@ -125,7 +121,7 @@ TEST_CASE("the response functions are those of the formulas in 100 digits, and o
         INFO(s.text);
         const Truth truth(s.source);
         const ResponsesInBalls& r = *truth.point.responses;
-        const Scene<Real100> scene = scene_in<Real100>(s.text);
+        const Scene<Real100> scene = read_scene<Real100>(s.text);
         const ModeSums<Real100> sums =
             mode_sums(modal_basis(scene.system), contact_row(scene.system), load_rows(scene.system), *scene.r);
         const std::size_t j = r.contact(), own = contact_row(scene.system).index;

@@ -1,16 +1,14 @@
 // Every number that the library tells of the scenes of tests/scenes.jsonl in double lies within its bound of the proved number.
-#include <cstdlib>
 #include <fstream>
 #include <set>
 
 #include "denhartog/denhartog.hpp"
-#include "denhartog/model/modal_basis.hpp"
-#include "denhartog/number/errors.hpp"
 #include "denhartog/solve/quantities.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/reference/surveyed_scenes.hpp"
 #include "tests/support/closed_form.hpp"
-#include "tests/support/wide_scene.hpp"
+#include "tests/support/multiprecision.hpp"
+#include "tests/unit/program_runs.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;
@@ -158,6 +156,50 @@ void survey_quantities(const SceneSource& source, const Truth& truth, SurveyOfBo
                           });
 }
 
+// What `functions` and `boundary` of the program print, of a scene whose modes have functions.
+void survey_program(const SurveyedScene& s, const Truth& truth, SurveyOfBounds& survey) {
+    const auto printed = [&](const std::string& command) { return nlohmann::json::parse(run_program(command, s.text).output); };
+    const nlohmann::json all = printed("functions --json"), b = printed("boundary --json");
+    const auto take = [&](const std::string& key, const nlohmann::json& of, const nlohmann::json& bounds, const auto& proved) {
+        const auto number = [&](const nlohmann::json& x, const Ball& is) {
+            survey.take("program: " + key, x.get<double>(), bounds.at(key).get<double>(), is);
+        };
+        if constexpr (std::is_same_v<std::decay_t<decltype(proved)>, Ball>) {
+            number(of.at(key), proved);
+        } else {
+            number(of.at(key).at(0), proved.re);
+            number(of.at(key).at(1), proved.im);
+        }
+    };
+    survey.same("how many modes the program prints", all.at("modes").size(), truth.modes.R.size());
+    for (std::size_t i = 0; i < truth.modes.R.size(); ++i) {
+        const nlohmann::json& mode = all.at("modes").at(i);
+        const Ball &R = truth.modes.R[i], &zeta = truth.modes.zeta[i];
+        take("natural_frequency_ratio", mode, mode.at("error_bounds"), truth.point.scene.r / R);
+        take("R", mode, mode.at("error_bounds"), R);
+        take("zeta", mode, mode.at("error_bounds"), zeta);
+        take("v", mode, mode.at("error_bounds"), paper::complex_response(R, zeta));
+        take("u", mode, mode.at("error_bounds"), paper::first_damping_function(R, zeta));
+        take("g", mode, mode.at("error_bounds"), paper::second_damping_function(R, zeta));
+    }
+    const reference::ResponsesInBalls& sums = *truth.point.responses;
+    const Boundary<Ball>& limits = *truth.point.boundary;
+    for (std::size_t k = 0; k < all.at("masses").size(); ++k) {
+        const nlohmann::json& mass = all.at("masses").at(k);
+        take("V", mass, mass.at("error_bounds"), sums.V[k]);
+        take("U", mass, mass.at("error_bounds"), sums.U[k]);
+        take("G", mass, mass.at("error_bounds"), sums.G[k]);
+    }
+    take("H_j", all, all.at("error_bounds"), sums.H);
+    take("exact", all.at("S_j"), all.at("error_bounds").at("S_j"), limits.S_exact);
+    take("paper", all.at("S_j"), all.at("error_bounds").at("S_j"), limits.S_paper);
+    const nlohmann::json &beta_lim = b.at("beta_lim"), &bounds = b.at("beta_lim_error_bounds");
+    take("exact", beta_lim, bounds, limits.exact);
+    take("paper", beta_lim, bounds, limits.paper);
+    take("approximate", beta_lim, bounds, limits.approximate);
+    if (truth.point.stuck) take("sticking", beta_lim, bounds, *truth.point.sticking);
+}
+
 // The point with each number taken as a double, as C gives it.
 SceneSource in_doubles_of_c(const SurveyedScene& s) {
     const Scene<double>& scene = s.source->in_double();
@@ -201,6 +243,7 @@ void survey_scene(const SurveyedScene& s, SurveyOfBounds& survey) {
     if (!s.of_doubles) proved = proved_answer(point);
     const Truth truth(point);
     unless_refused(survey, [&] { survey_quantities(point, truth, survey); });
+    if (s.of_doubles && !s.couples_modes) survey_program(s, truth, survey);
     unless_refused(survey, [&] { survey_c_functions(s, truth, survey); });
     unless_refused(survey, [&] { survey_c_answers(s, proved, truth, survey); });
 }
@@ -228,8 +271,7 @@ bool has_a_promise_only(const std::string& kind) { return kind.starts_with("prom
 
 const std::vector<SurveyedScene>& denhartog::tests::surveyed_scenes() {
     static const std::vector<SurveyedScene> all = [] {
-        const char* folder = std::getenv("DENHARTOG_SOURCE_DIR");
-        std::ifstream file(std::string(folder != nullptr ? folder : ".") + "/tests/scenes.jsonl");
+        std::ifstream file(source_file("tests/scenes.jsonl"));
         std::vector<SurveyedScene> read;
         for (std::string line; std::getline(file, line);) {
             const nlohmann::json json = nlohmann::json::parse(line);
@@ -238,7 +280,7 @@ const std::vector<SurveyedScene>& denhartog::tests::surveyed_scenes() {
                 if (value.is_string() && value != json.value("comment", "") && value != json.value("base_motion", ""))
                     of_doubles = false;
             const SceneSource source = scene_source(SceneText{line});
-            const bool couples = json.contains("damping_matrix") && modal_basis(scene_in<Real100>(line).system).couples;
+            const bool couples = json.contains("damping_matrix") && modal_basis(read_scene<Real100>(line).system).couples;
             read.push_back({line, json, source, couples, of_doubles});
         }
         return read;
@@ -295,6 +337,52 @@ TEST_CASE("every number in double lies within its bound of the proved one",
     std::printf("%ld numbers in %zu kinds, %ld without a bound\n", numbers, survey().kinds.size(), without);
     CHECK(numbers > 10000);
     CHECK(50 * without < numbers);
+}
+
+TEST_CASE("modes, what they contribute, and the sums over them are within their bounds of 50 digits",
+          "[program][scenes][eq:15][eq:33]") {
+    for (const std::string kind : {"natural_frequency_ratio", "R", "zeta", "v", "u", "g", "V", "U", "G", "H_j", "exact", "paper",
+                                   "approximate", "sticking"}) {
+        INFO(kind);
+        CHECK(survey().kinds.at("program: " + kind).size() > 60);
+        CHECK(survey().beyond("program: " + kind, 1).empty());
+    }
+}
+
+TEST_CASE("invariant points are within their bounds of those to 30 digits", "[program][eq:87]") {
+    const Bits enough(bits);
+    SurveyOfBounds held;
+    for (std::size_t n = 0; n < surveyed_scenes().size(); n += 5) {
+        const SurveyedScene& s = surveyed_scenes()[n];
+        // (87) is for forces in phase, and for one load at all frequencies.
+        if (!s.of_doubles || s.json.contains("load_phases") || s.json.value("base_motion", "") == "wall") continue;
+        held.scene = s.text;
+        const auto printed = [&](const std::string& digits) {
+            return nlohmann::json::parse(run_program("boundary --json --invariant-points 0.8:2" + digits, s.text).output)
+                .at("invariant_points");
+        };
+        const nlohmann::json few = printed(""), many = printed(" --digits 30");
+        for (std::size_t k = 0; k < few.size(); ++k) {
+            const nlohmann::json &a = few[k].at("points"), &b = many[k].at("points");
+            if (many[k].contains("undecided")) continue;
+            INFO(s.text);
+            REQUIRE(a.size() == b.size());
+            for (std::size_t i = 0; i < a.size(); ++i) {
+                for (const auto& [key, bound] : {std::pair("r", "r_error_bound"), std::pair("amplitude", "error_bound")}) {
+                    const Ball is = Ball::of_text(b[i][key].get<std::string>());
+                    held.take(key, a[i][key], a[i][bound], widened(is, is * Ball(1e-29))); // what 30 digits are good to
+                }
+                CHECK(a[i]["kind"] == b[i]["kind"]);
+            }
+        }
+    }
+    for (const std::string kind : {"r", "amplitude"}) {
+        const std::size_t numbers = held.kinds.at(kind).size();
+        INFO(kind << ": " << numbers);
+        CHECK(numbers > 200);
+        CHECK(held.beyond(kind, 1).empty());
+        CHECK(4 * held.beyond(kind, 0x1p-10).size() > numbers); // bounds a thousand times smaller would not hold
+    }
 }
 
 TEST_CASE("hardly a number is refused", "[scenes]") {

@@ -3,13 +3,11 @@
 
 #include "denhartog/answer/models_in_double.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "tests/catch.hpp"
 #include "tests/reference/surveyed_scenes.hpp"
 #include "tests/support/held_contact.hpp"
+#include "tests/support/multiprecision.hpp"
 #include "tests/support/named_scenes.hpp"
-#include "tests/support/plain_response.hpp"
 #include "tests/support/second_witness.hpp"
-#include "tests/support/wide_scene.hpp"
 
 using namespace denhartog;
 using namespace denhartog::reference;
@@ -40,7 +38,7 @@ TEST_CASE("the boundary is that of 100 digits", "[boundary][eq:54][eq:56][eq:57]
         if (load_depends_on_frequency(s.source->in_double().system)) continue; // the properties have the second witness for it
         INFO(s.text);
         const Boundary<Ball> b = *Truth(s.source).point.boundary;
-        Scene<Real100> scene = scene_in<Real100>(s.text);
+        Scene<Real100> scene = read_scene<Real100>(s.text);
         scene.beta.reset();
         const Boundary<Real100> truth = response(scene).boundary;
         // the search in 100 digits ends when its value no longer rises: to about 40 digits
@@ -83,7 +81,7 @@ TEST_CASE("the sliding motion is that of 100 digits", "[sliding][eq:38][eq:39][e
         const Truth truth(s.source);
         if (!truth.slides || s.couples_modes || !is_of_papers_form(s)) continue;
         INFO(s.text);
-        const Response<Real100> r = response(scene_in<Real100>(s.text));
+        const Response<Real100> r = response(read_scene<Real100>(s.text));
         REQUIRE(r.steady_state);
         CHECK(agree(truth.contact.X_j, r.steady_state->X_j));
         CHECK(agree_as_angles(truth.contact.phi_j, r.steady_state->phi_j));
@@ -130,7 +128,7 @@ TEST_CASE("the stuck response is that of 100 digits, and so is (88)", "[stuck][e
         const Truth truth(s.source);
         if (!truth.point.stuck || !is_of_papers_form(s)) continue;
         INFO(s.text);
-        Scene<Real100> scene = scene_in<Real100>(s.text);
+        Scene<Real100> scene = read_scene<Real100>(s.text);
         if (const ModalBasis<Real100> basis = modal_basis(scene.system); !damping_matrix_counts(scene.system, basis)) {
             scene.system.damping_ratios = basis.zeta;
             scene.system.damping_matrix.resize(0, 0);

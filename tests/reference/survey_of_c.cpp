@@ -3,8 +3,6 @@
 #include <array>
 
 #include "denhartog/formulas/high_frequency.hpp"
-#include "denhartog/formulas/mode.hpp"
-#include "denhartog/number/errors.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 #include "tests/reference/surveyed_scenes.hpp"
 

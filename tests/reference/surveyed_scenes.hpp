@@ -1,15 +1,59 @@
 /// @file
-/// @brief The scenes of tests/scenes.jsonl, and all that the library tells of them in double, beside proofs.
+/// @brief Scenes of the surveys, and comparisons of numbers with their bounds and what is proved.
 #pragma once
 
+#include <algorithm>
+#include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
-#include "denhartog/answer/solution.hpp"
-
-#include "tests/reference/survey_of_bounds.hpp"
+#include "tests/catch.hpp"
+#include "tests/reference/proofs.hpp"
 #include "tests/reference/truth.hpp"
 
 namespace denhartog::tests {
+
+/// @brief A number beside its proof.
+struct NumberHeld {
+    double off = 0;      ///< by how much it is off at least
+    double bound = 0;    ///< what it may be off by
+    std::string where{}; ///< what was asked, with the number in hexadecimal
+};
+
+/// @brief Numbers by kind, beside their proofs.
+struct SurveyOfBounds {
+    std::map<std::string, std::vector<NumberHeld>> kinds{}; ///< by kind
+    std::map<std::string, long> without_bound{};            ///< numbers whose bound is infinite, by kind
+    std::vector<std::string> differences{};                 ///< regimes, counts and words that are not those proved
+    std::vector<std::string> refusals{};                    ///< what a part of the library says it has no digits for
+    std::string scene{};                                    ///< the scene that is being surveyed
+
+    /// @brief Takes a number. @param kind its kind @param value the number @param bound of its error @param proved what it is
+    void take(const std::string& kind, double value, double bound, const Ball& proved, const Ball& period = Ball(0)) {
+        if (!proved.finite()) return;
+        if (!(bound < std::numeric_limits<double>::max())) {
+            ++without_bound[kind];
+            return;
+        }
+        const Ball x(value);
+        kinds[kind].push_back({period.is_zero() ? apart(x, proved) : apart(x, proved, period), bound,
+                               hexadecimal(value) + " +- " + hexadecimal(bound) + ", proved " + in_words(proved) + ", " + scene});
+    }
+    /// @brief Takes what has to be the same. @param what in words @param told of the answer @param proved of the proof
+    template <class T>
+    void same(const std::string& what, const T& told, const T& proved) {
+        if (!(told == proved)) differences.push_back(what + ", " + scene);
+    }
+    /// @brief Numbers that are off by more than a part of their bound. @param kind a kind @param part of the bound @return them
+    [[nodiscard]] std::vector<NumberHeld> beyond(const std::string& kind, double part) const {
+        std::vector<NumberHeld> all;
+        std::ranges::copy_if(kinds.at(kind), std::back_inserter(all),
+                             [part](const NumberHeld& n) { return n.off > part * n.bound; });
+        return all;
+    }
+};
 
 /// @brief A scene of the file.
 struct SurveyedScene {

@@ -7,11 +7,7 @@
 #include "denhartog/answer/from_a_start.hpp"
 #include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/map/regime_map.hpp"
-#include "denhartog/number/errors.hpp"
-#include "denhartog/reference/friction.hpp"
-#include "denhartog/reference/series.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "tests/catch.hpp"
 #include "tests/reference/surveyed_scenes.hpp"
 #include "tests/support/named_scenes.hpp"
 

@@ -12,16 +12,10 @@
 #include <ctime>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <typeinfo>
 
-#include "denhartog/answer/scene_source.hpp"
 #include "denhartog/denhartog.hpp"
-#include "denhartog/model/modal_basis.hpp"
-#include "denhartog/number/effort.hpp"
-#include "denhartog/sliding/mode_sums.hpp"
-#include "denhartog/solve/sampled_solution.hpp"
-#include "denhartog/solve/solve.hpp"
-#include "denhartog/stick_slip/exact_motion.hpp"
 #include "tests/speed_accuracy/answer_numbers.hpp"
 #include "tests/support/invariant_points.hpp"
 
@@ -100,7 +94,7 @@ public:
     // Compares what a question answers; one that is refused contradicts nothing.
     void compare(const std::string& question, const std::function<std::vector<NamedNumber>()>& ask) {
         try {
-            for (const Comparison& c : compared(ask(), many_)) {
+            for (const ComparedNumber& c : compared(ask(), many_)) {
                 // JSON has neither infinity nor what is no number.
                 const auto finite = [](double x) { return std::isnan(x) ? 1e300 : std::min(x, 1e300); };
                 const double ratio = c.difference == 0 ? 0 : c.difference / c.allowed;
@@ -379,18 +373,8 @@ void ask_from(RunPlace& place, const AdversarialRun& run, const std::function<vo
 }
 
 std::string without_numbers(const std::string& text) {
-    std::string short_text;
-    for (const char c : text) {
-        const bool digit = c >= '0' && c <= '9';
-        if (!digit)
-            short_text += c;
-        else if (short_text.empty() || short_text.back() != '#')
-            short_text += '#';
-    }
-    for (const char* part : {"#.#", "#e-#", "#e+#", "#e#", "-#"})
-        for (std::size_t at = short_text.find(part); at != std::string::npos; at = short_text.find(part))
-            short_text.replace(at, std::string(part).size(), "#");
-    return short_text;
+    static const std::regex number(R"(-?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?)");
+    return std::regex_replace(text, number, "#");
 }
 
 constexpr std::size_t most_listed = 50;

@@ -96,8 +96,6 @@ struct AdversarialRun {
 [[nodiscard]] AdversarialSurvey survey_in_process(const AdversarialRun& run);
 
 /// @brief Asks in processes of their own, one after the other: what ends one of them is a fault of the question that it was at.
-/// @param run  how
-/// @return     what came of it
 [[nodiscard]] AdversarialSurvey survey_in_children(const AdversarialRun& run);
 
 /// @brief A survey as tables. @param survey the survey @return outcomes, refusals, faults, the most expensive

@@ -176,10 +176,10 @@ std::vector<std::string> faults_of(const Solution& s) {
     return faults;
 }
 
-std::vector<Comparison> compared(const std::vector<NamedNumber>& a, const std::vector<NamedNumber>& b) {
+std::vector<ComparedNumber> compared(const std::vector<NamedNumber>& a, const std::vector<NamedNumber>& b) {
     std::map<std::pair<std::string, std::size_t>, const NamedNumber*> others;
     for (const NamedNumber& n : b) others[{n.name, n.place}] = &n;
-    std::vector<Comparison> all;
+    std::vector<ComparedNumber> all;
     for (const NamedNumber& n : a) {
         const auto found = others.find({n.name, n.place});
         if (found == others.end()) continue;

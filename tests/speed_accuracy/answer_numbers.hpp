@@ -34,31 +34,25 @@ struct NamedNumber {
 [[nodiscard]] std::vector<NamedNumber> numbers_of(const Quantities<Bounded<double>>& q);
 
 /// @brief What no number of an answer may be: not finite, negative where it cannot be, decimals that are no number, a bound that
-/// is none or negative.
-/// @param numbers  the numbers
-/// @return         a sentence for each
+/// is none or negative. A sentence for each.
 [[nodiscard]] std::vector<std::string> faults_of(const std::vector<NamedNumber>& numbers);
 
-/// @brief What contradicts itself within one answer: the boundaries are in order, (56), exact, (67), and no displacement is larger
-/// than its amplitude.
-/// @param s  the answer
-/// @return   a sentence for each contradiction beyond the bounds of both numbers
+/// @brief What contradicts itself within one answer: the boundaries are in order, (56), exact, (67), and no displacement is
+/// larger than its amplitude. A sentence for each contradiction beyond the bounds of both numbers.
 [[nodiscard]] std::vector<std::string> contradictions_within(const Solution& s);
 
 /// @brief The same of all numbers of an answer, with those that carry no bound. @param s the answer @return a sentence for each
 [[nodiscard]] std::vector<std::string> faults_of(const Solution& s);
 
 /// @brief Two answers to the same question.
-struct Comparison {
+struct ComparedNumber {
     std::string name;  ///< the number
     double difference; ///< in size; of angles in the shorter way round
     double allowed;    ///< the sum of the bounds of both
 };
 
-/// @brief Compares the numbers that two answers both have.
-/// @param a  numbers
-/// @param b  numbers of the other answer
-/// @return   one comparison a number; a number of stops or other things that differs is no number to compare
-[[nodiscard]] std::vector<Comparison> compared(const std::vector<NamedNumber>& a, const std::vector<NamedNumber>& b);
+/// @brief Compares the numbers that two answers both have. A number of stops or other things that differs is no number to
+/// compare.
+[[nodiscard]] std::vector<ComparedNumber> compared(const std::vector<NamedNumber>& a, const std::vector<NamedNumber>& b);
 
 } // namespace denhartog::tests

@@ -1,4 +1,4 @@
-#include "tests/speed_accuracy/bare_functions.hpp"
+#include "tests/speed_accuracy/array_functions.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "tests/speed_accuracy/batch_cost.hpp"
+#include "tests/speed_accuracy/batches.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -11,9 +11,8 @@
 
 #include "denhartog/evaluation/mode_arrays.hpp"
 #include "denhartog/map/regime_map.hpp"
-#include "denhartog/number/number.hpp"
 #include "denhartog/sliding/contact_alone.hpp"
-#include "tests/speed_accuracy/chart_output.hpp"
+#include "tests/speed_accuracy/chart_survey.hpp"
 #include "tests/support/paper_systems.hpp"
 
 namespace denhartog::tests {

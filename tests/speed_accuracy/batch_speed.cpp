@@ -1,4 +1,4 @@
-#include "tests/speed_accuracy/batch_speed.hpp"
+#include "tests/speed_accuracy/batches.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -14,9 +14,7 @@
 #include "denhartog/number/number.hpp"
 #include "denhartog/sliding/bounded_modes.hpp"
 #include "denhartog/sliding/contact_alone.hpp"
-#include "tests/speed_accuracy/bare_functions.hpp"
-#include "tests/speed_accuracy/batch_cost.hpp"
-#include "tests/speed_accuracy/own_functions.hpp"
+#include "tests/speed_accuracy/array_functions.hpp"
 #include "tests/support/paper_systems.hpp"
 
 namespace denhartog::tests {

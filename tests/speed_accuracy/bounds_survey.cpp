@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/number/errors.hpp"
 #include "denhartog/sliding/bounded_modes.hpp"
 #include "denhartog/sliding/coupled_sums.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
@@ -21,7 +20,7 @@ constexpr double nothing = 1e-280; // bounds of numbers that their formula makes
 constexpr int frequencies = 8, frictions = 4;
 
 /// A basis rounded to double: its inputs are exact, and each number is off by its own rounding.
-ModalBasis<Bounded<double>> rounded(const ModalBasis<Real100>& basis) {
+ModalBasis<Bounded<double>> bounded_basis(const ModalBasis<Real100>& basis) {
     const auto in_double = [](const Real100& x) {
         const double near = static_cast<double>(x);
         return Bounded<double>::of(near, static_cast<double>(abs(Real100(x - near))) * (1 + unit_of<double>()), 0);
@@ -180,7 +179,7 @@ public:
         scene.system = random.system();
         const System<double>& s = scene.system;
         const ModalBasis<Real100> wide = modal_basis(converted<Real100>(scene).system);
-        const ModalBasis<Bounded<double>> basis = rounded(wide);
+        const ModalBasis<Bounded<double>> basis = bounded_basis(wide);
         for (int n = 0; n < frequencies; ++n) {
             scene.r = random.frequency(basis);
             scene.beta.reset();

@@ -45,11 +45,8 @@ struct BoundsSurvey {
 ///
 /// Systems of 1 to 12 masses, chains and others, damping ratios none or from 1e-12 to 0.99; eight frequency ratios each, from
 /// 1e-3 to 1e3, near resonances and near the poles of modes without damping; four friction ratios each, from 1e-6 to beyond the
-/// boundary and within 1e-15 of it; an instant each.
-/// @param scenes  how many, rounded up to whole systems
-/// @param seed    any number
-/// @param damage  what every bound is multiplied by: with less than 1 the survey must find violations
-/// @return        the comparison
+/// boundary and within 1e-15 of it; an instant each. Scenes are rounded up to whole systems. Every bound is multiplied by the
+/// damage: with less than 1 the survey must find violations.
 [[nodiscard]] BoundsSurvey survey_bounds(long scenes, std::uint64_t seed, double damage = 1);
 
 /// @brief The survey as tables. @param survey the survey @return bounds by quantity; steps

@@ -5,14 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "tests/speed_accuracy/chart_output.hpp"
-#include "tests/speed_accuracy/chart_scenes.hpp"
-#include "tests/speed_accuracy/peers/cvode.hpp"
-#include "tests/speed_accuracy/peers/harmonic_balance.hpp"
-#include "tests/speed_accuracy/peers/monoharmonic.hpp"
-#include "tests/speed_accuracy/peers/own_methods.hpp"
-#include "tests/speed_accuracy/peers/plain_integrators.hpp"
-#include "tests/speed_accuracy/peers/siconos.hpp"
+#include "tests/speed_accuracy/chart_survey.hpp"
+#include "tests/speed_accuracy/peers/peers.hpp"
 
 using namespace denhartog::tests;
 

@@ -1,12 +1,11 @@
-#include "tests/speed_accuracy/chart_output.hpp"
+#include "tests/speed_accuracy/chart_survey.hpp"
 
 #include <algorithm>
 #include <fstream>
 #include <map>
 
-#include "denhartog/number/errors.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "tests/speed_accuracy/peers/own_methods.hpp"
+#include "tests/speed_accuracy/peers/peers.hpp"
 
 namespace denhartog::tests {
 namespace {

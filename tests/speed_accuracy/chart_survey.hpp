@@ -1,15 +1,42 @@
 /// @file
-/// @brief The chart: time of an answered question against digits got, for every method on every scene.
+/// @brief The chart of speed against accuracy: its scenes, the truth at their points, methods over them, and the tables of all.
 #pragma once
 
+#include <cstdint>
 #include <map>
 
-#include "tests/speed_accuracy/chart_truth.hpp"
+#include "denhartog/sliding/boundary.hpp"
+#include "tests/speed_accuracy/peers/peer.hpp"
+#include "tests/speed_accuracy/table.hpp"
 
 namespace denhartog::tests {
 
+/// @brief The chart's scenes.
+///
+/// SDOF, sliding: zeta = 0.1, r from 0.3 to 2.5, beta below the boundary (69). SDOF, stick-slip: zeta = 0.01, r = 0.1, beta
+/// between the boundary and 0.95. 2DOF: the paper's with zeta_i = 0.01/r_n,i, beta = 0.3, r from 0.1 to 3 in equal steps, through
+/// all regimes, twice as many points. 5DOF: the paper's with j = 3, l = 1, zeta = 0.1; N = 50: equal masses and springs, j = 10,
+/// l = 1, zeta = 0.05, a quarter as many points; in both r from 0.3 to 1.9, beta below the boundary. What is not said is drawn at
+/// random. There is at least one point a scene; the same seed gives the same points everywhere.
+[[nodiscard]] std::vector<ChartScene> chart_scenes(std::uint64_t seed, int points);
+
+/// @brief The truth at a point.
+struct ChartTruth {
+    Regime regime = Regime::continuous; ///< the regime
+    PeerAnswer answer;                  ///< X_j to 40 digits, certain to `solve`
+    double condition = 0;               ///< relative change of X_j over that of r and of beta, both added
+};
+
+/// @brief The truth at a point: `solve` asked for 40 digits, which it takes from two precisions or from a residual; its change
+/// with r and beta by central differences.
+[[nodiscard]] ChartTruth truth_at(const System<double>& system, const ChartPoint& point);
+
+/// @brief Distance of an answer from the truth, relative, in 100 digits. Where the contact rests for ever its place is not asked
+/// for: zero. It is at least 1e-36, which is as far as the truth is trusted.
+[[nodiscard]] double error_of(const PeerAnswer& answer, const ChartTruth& truth);
+
 /// @brief How a method can fail at a point, by name; an answer with another opinion on sticking than the truth is one of them.
-/// @return  the names, in the order of `ChartRow::failures`
+/// They come in the order of `ChartRow::failures`.
 [[nodiscard]] const std::array<std::string, 5>& failure_names();
 
 /// @brief A method at one setting on one scene.
@@ -43,11 +70,8 @@ struct ChartGround {
 /// @brief Finds the truth at the points of a scene and its limits. @param scene the scene @return both
 [[nodiscard]] ChartGround ground_of(const ChartScene& scene);
 
-/// @brief Runs a method over a scene. Setup and every point are timed apart, in processor time.
-/// @param peer    the method
-/// @param ground  scene and truth
-/// @param budget  seconds after which no further point is begun
-/// @return        what it gave
+/// @brief Runs a method over a scene. Setup and every point are timed apart, in processor time. After so many seconds as the
+/// budget has no further point is begun.
 [[nodiscard]] ChartRow measure(const Peer& peer, const ChartGround& ground, double budget);
 
 /// @brief Digits that an error leaves. @param error relative @return at least 0
@@ -56,14 +80,42 @@ struct ChartGround {
 /// @brief Whether a method was right at every point of its scene. @param row the row @return true where it failed nowhere
 [[nodiscard]] bool right_everywhere(const ChartRow& row);
 
-/// @brief The fastest at a number of digits on a scene: right at every point, with these digits at the worst.
-/// @param rows        rows
-/// @param scene       name of the scene
-/// @param digits      digits wanted; the error may be 5 in the next one, which is what rounding to so many leaves
-/// @param with_setup  whether the setup counts: a single question, else one more of many
-/// @param counts      which methods count
-/// @return            the fastest row; null where nobody has the digits
+/// @brief The fastest at a number of digits on a scene: right at every point, with these digits at the worst. The error may be 5
+/// in the next digit, which is what rounding to so many leaves. The setup counts for a single question, and not for one more of
+/// many. `counts` tells which methods count. Null where nobody has the digits.
 [[nodiscard]] const ChartRow* fastest(const std::vector<ChartRow>& rows, const std::string& scene, double digits, bool with_setup,
                                       const std::function<bool(const ChartRow&)>& counts);
+
+/// @brief What a run was made with.
+struct ChartRun {
+    std::uint64_t seed = 0; ///< seed of the points
+    std::string version;    ///< version of the source
+    std::string compiler;   ///< compiler and its options
+    std::string processor;  ///< the processor
+};
+
+/// @brief The processor as the system names it. @return its name, or that it is not known
+[[nodiscard]] std::string processor_name();
+
+/// @brief The rows as CSV: one a method, setting and scene, a method that was not there included.
+[[nodiscard]] std::string csv(const std::vector<ChartRow>& rows, const ChartRun& run);
+
+/// @brief The points with the truth and the limits of every scene as CSV.
+[[nodiscard]] std::string csv(const std::vector<ChartGround>& grounds, const ChartRun& run);
+
+/// @brief Data of the pictures: a block a scene and method of digits (worst, median), time, setup, tolerance asked for, share of
+/// the points that were right, failures as `failure_names`; before them the limits of the scene and, as comments, all names.
+[[nodiscard]] std::string picture_data(const std::vector<ChartRow>& rows, const std::vector<ChartGround>& grounds);
+
+/// @brief Who is fastest at 2, 4, 8, 12, 15 and 30 digits on every scene, beside `solve` asked for them. With the setup a single
+/// question is meant, without it one more of many.
+[[nodiscard]] Table front_table(const std::vector<ChartRow>& rows, bool with_setup);
+
+/// @brief Failures by name: every method and setting that was not right everywhere, or was not there.
+[[nodiscard]] Table failure_table(const std::vector<ChartRow>& rows);
+
+/// @brief What `solve` did for its answers: modes evaluated, eigenproblems, phases propagated, models used. A row a scene and
+/// number of digits.
+[[nodiscard]] Table solve_work_table(const std::vector<ChartGround>& grounds);
 
 } // namespace denhartog::tests

@@ -1,4 +1,4 @@
-#include "tests/speed_accuracy/cycles_survey.hpp"
+#include "tests/speed_accuracy/surveys.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 /// @file
 /// @brief The functions of a mode, of its motion and of resonance against a reference in more digits than their cancellations use
-/// up, zone by zone.
+/// up, zone by zone; and the record of it for the pages of the site.
 #pragma once
 
 #include <string>
@@ -39,27 +39,18 @@ struct FunctionInZone {
     int finite_at_poles = 0;   ///< of these, where something finite was given
 };
 
-/// @brief Errors of v, u and g at seeded points and at the hard ones.
-/// @param precision  number type
-/// @param points     how many seeded points, over all zones
-/// @return           one entry a function and zone, the hard points last
+/// @brief Errors of v, u and g at seeded points and at the hard ones. So many points are seeded over all zones, here and below.
+/// An entry a function and zone, the hard points last.
 [[nodiscard]] std::vector<FunctionInZone> survey_mode_functions(Precision precision, int points);
 
 /// @brief The same in double with the arrays of `evaluation/mode_arrays.hpp` in place of the scalar forms, at the same points.
-/// @param points  how many seeded points, over all zones
-/// @return        as above
 [[nodiscard]] std::vector<FunctionInZone> survey_array_mode_functions(int points);
 
-/// @brief Errors of (A.8), (A.9) and the expression of (57), at tau uniform over the half-period and close to its ends.
-/// @param precision  number type
-/// @param points     how many seeded points, over all zones; the hard ones are added
-/// @return           one entry a zone and function
+/// @brief Errors of (A.8), (A.9) and the expression of (57), at tau uniform over the half-period and close to its ends. The hard
+/// points are added. An entry a zone and function.
 [[nodiscard]] std::vector<FunctionInZone> survey_motion(Precision precision, int points);
 
-/// @brief Errors of (79), (83)-(85) from subnormal damping up.
-/// @param precision  number type
-/// @param points     how many seeded points
-/// @return           one entry a function
+/// @brief Errors of (79), (83)-(85) from subnormal damping up. An entry a function.
 [[nodiscard]] std::vector<FunctionInZone> survey_resonance(Precision precision, int points);
 
 /// @brief What the shipped forms are held to in every number type: units of eps over the condition number.
@@ -74,5 +65,13 @@ inline constexpr double most_allowed_with_exact_R = 6;
 
 /// @brief Entries as a table. @param title its title @param all the entries @return the table
 [[nodiscard]] Table table_of(const std::string& title, const std::vector<FunctionInZone>& all);
+
+/// @brief The worst errors of a survey as JSON. It is an object with `type`, e.g. `double`, and `functions`: function, equations,
+/// zone, points, printed, shipped, shipped_at; an error that is no number is null.
+[[nodiscard]] std::string accuracy_record(const std::string& type, const std::vector<FunctionInZone>& all);
+
+/// @brief Writes a record into the folder that the environment names in DENHARTOG_RECORDS; does nothing where it names none. The
+/// name is without `.json`. False where it cannot be written.
+[[nodiscard]] bool keep_record(const std::string& name, const std::string& text);
 
 } // namespace denhartog::tests

@@ -5,6 +5,7 @@
 #include <boost/math/special_functions/fpclassify.hpp>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <random>
 #include <string>
@@ -27,18 +28,13 @@ using Real1100 = Multiprecision<1100>;
 
 /// A number in hexadecimal, exact.
 template <class T>
-std::string hexadecimal(T x) {
-    if (x == 0) return "0";
-    int exponent = 0;
-    x = frexp(x, &exponent);
-    std::string text = "0x0.";
-    while (x != 0) {
-        x *= 16;
-        const int digit = static_cast<int>(x);
-        text += "0123456789abcdef"[digit];
-        x -= digit;
-    }
-    return text + "p" + std::to_string(exponent);
+std::string hexadecimal(const T& x) {
+    char text[160];
+    if constexpr (std::is_floating_point_v<T>)
+        std::snprintf(text, sizeof text, "%La", static_cast<long double>(x));
+    else
+        mpfr_snprintf(text, sizeof text, "%Ra", x.backend().data());
+    return text;
 }
 
 /// The expression under the maximum in (57) with (28) and (29), by the forms that ship, in more digits and rounded once.

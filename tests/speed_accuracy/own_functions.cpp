@@ -1,4 +1,4 @@
-#include "tests/speed_accuracy/own_functions.hpp"
+#include "tests/speed_accuracy/array_functions.hpp"
 
 #include "denhartog/evaluation/detail/vector_functions.hpp"
 

@@ -1,11 +1,9 @@
-#include "tests/speed_accuracy/regime_survey.hpp"
+#include "tests/speed_accuracy/surveys.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 
-#include "denhartog/number/errors.hpp"
-#include "denhartog/number/number.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"

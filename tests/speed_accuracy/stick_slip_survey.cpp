@@ -1,10 +1,9 @@
-#include "tests/speed_accuracy/stick_slip_survey.hpp"
+#include "tests/speed_accuracy/surveys.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 
-#include "denhartog/number/errors.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
 #include "denhartog/solve/solve.hpp"

@@ -8,13 +8,10 @@
 #include <map>
 
 #include "tests/speed_accuracy/adversarial_survey.hpp"
-#include "tests/speed_accuracy/batch_cost.hpp"
-#include "tests/speed_accuracy/batch_speed.hpp"
+#include "tests/speed_accuracy/batches.hpp"
 #include "tests/speed_accuracy/bounds_survey.hpp"
-#include "tests/speed_accuracy/cycles_survey.hpp"
 #include "tests/speed_accuracy/functions_survey.hpp"
-#include "tests/speed_accuracy/regime_survey.hpp"
-#include "tests/speed_accuracy/stick_slip_survey.hpp"
+#include "tests/speed_accuracy/surveys.hpp"
 #include "tests/support/paper_systems.hpp"
 
 using namespace denhartog;

@@ -28,7 +28,7 @@ struct AdversarialRange {
     int mu_high;      ///< of the largest mu
     std::size_t most; ///< masses
     bool every_kind; ///< whether contacts between two masses, loads on several, and dashpots that couple the modes are among them
-    bool in_units = false; ///< whether these are systems in units, see scenes_in_units.hpp; they have ranges of their own
+    bool in_units = false; ///< whether these are systems in units, see `scene_in_units`; they have ranges of their own
 };
 
 /// @brief All that a scene may be, of every kind: r from 5e-324 to 1e300, contrasts to 1e15, damping ratios to 1e6, 200 masses.
@@ -79,5 +79,12 @@ private:
 
 /// @brief The text of a scene as the program reads it. @param scene a scene @return JSON on one line
 [[nodiscard]] std::string json_of(const Scene<double>& scene);
+
+// Systems as people give them: kilograms, newtons per metre, dashpots, bases that shake, contacts between floors. One to eight
+// masses in a chain, or with further springs and with inertia that couples neighbours, as matrices. In half of the systems some
+// masses are light, down to 1e-10 of the others: the joints and sensors of a model that nobody thinned out.
+
+/// @brief A system read from the text of a scene in units, and where it is to stand.
+[[nodiscard]] AdversarialScene scene_in_units(SplitMix64& random);
 
 } // namespace denhartog

@@ -1,27 +1,55 @@
 #include "tests/support/closed_form.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "denhartog/evaluation/contact.hpp"
-#include "denhartog/evaluation/demand.hpp"
-#include "denhartog/evaluation/friction_motion.hpp"
 #include "denhartog/evaluation/mass.hpp"
-#include "denhartog/evaluation/mode.hpp"
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/motion.hpp"
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/formulas/superposition.hpp"
-#include "denhartog/number/errors.hpp"
-#include "tests/support/peaks.hpp"
 
 namespace denhartog {
 namespace {
 
 using Index = Eigen::Index;
+
+// Where a smooth function is largest between two instants, to half its digits.
+template <class T, class Function>
+T instant_of_peak(const Function& f, const T& a, const T& b) {
+    return boost::math::tools::brent_find_minima([&f](const T& tau) { return T(-f(tau)); }, a, b, std::numeric_limits<T>::digits)
+        .first;
+}
+
+// Where a smooth function on [0, pi] is largest, to half its digits. It is looked at closely next to each sample in double
+// that may be next to the largest value.
+template <class T, class Function, class InDouble>
+T instant_of_largest(const Function& f, const InDouble& in_double, int steps) {
+    std::vector<double> samples;
+    for (int n = 0; n <= steps; ++n) samples.push_back(in_double(n == steps ? pi<double>() : pi<double>() * n / steps));
+    const auto at = [&](int n) { return samples[static_cast<std::size_t>(std::clamp(n, 0, steps))]; };
+    const auto instant = [&](int n) { return n >= steps ? pi<T>() : n <= 0 ? T(0) : T(pi<T>() * n / steps); };
+    const double best_sample = *std::max_element(samples.begin(), samples.end()), noise = 1e-9 * std::abs(best_sample);
+    T best(0), largest = f(best);
+    const auto take = [&](const T& tau) {
+        if (const T value = f(tau); value > largest) {
+            best = tau;
+            largest = value;
+        }
+    };
+    for (int n = 0; n <= steps; ++n) {
+        if (at(n - 1) > at(n) || at(n + 1) > at(n)) continue;
+        if (2 * at(n) - std::min(at(n - 1), at(n + 1)) + noise < best_sample) continue;
+        take(instant(n));
+        take(instant_of_peak(f, instant(n - 1), instant(n + 1)));
+    }
+    return best;
+}
 
 // Steps that half a period is sampled in: a few dozen an oscillation of the fastest mode, but for modes so fast that they move
 // nothing.

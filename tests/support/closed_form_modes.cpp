@@ -2,7 +2,6 @@
 #include <Eigen/Cholesky>
 #include <limits>
 
-#include "denhartog/model/contact_and_load.hpp"
 #include "tests/support/closed_form.hpp"
 #include "tests/support/rotations.hpp"
 

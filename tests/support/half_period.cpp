@@ -25,9 +25,7 @@ bool is_finite(const T& value) {
 
 template <class T>
 bool all_finite(const Matrix<T>& A) {
-    for (Index n = 0; n < A.size(); ++n)
-        if (!is_finite(A.data()[n])) return false;
-    return true;
+    return ((A - A).array() == T(0)).all();
 }
 
 /// Product that skips the zeros of the left factor: the propagators here have many.
@@ -46,14 +44,7 @@ Matrix<T> product(const Matrix<T>& A, const Matrix<T>& B) {
 /// Largest sum of absolute values in a row.
 template <class T>
 T row_norm(const Matrix<T>& A) {
-    using std::abs;
-    T largest(0);
-    for (Index i = 0; i < A.rows(); ++i) {
-        T sum(0);
-        for (Index k = 0; k < A.cols(); ++k) sum += abs(A(i, k));
-        if (sum > largest) largest = sum;
-    }
-    return largest;
+    return A.cwiseAbs().rowwise().sum().maxCoeff();
 }
 
 template <class T>
@@ -99,31 +90,19 @@ T load_on_contact(const HalfPeriodProblem<T>& p, const Vector<T>& x, const Vecto
 
 template <class T>
 void sample(const Matrix<T>& step, const Vector<T>& start, int steps, const Vector<T>& w, HalfPeriodMotion<T>& motion) {
-    using std::abs;
     const Index N = motion.x_0.size();
     motion.x.resize(N, steps + 1);
     motion.x_prime.resize(N, steps + 1);
     Vector<T> z = start;
-    T largest_x(0), largest_x_prime(0);
     for (int n = 0; n <= steps; ++n) {
         if (n > 0) z = Vector<T>(step * z);
         motion.x.col(n) = z.head(N);
         motion.x_prime.col(n) = z.segment(N, N);
-        for (Index k = 0; k < N; ++k) {
-            if (abs(z(k)) > largest_x) largest_x = abs(z(k));
-            if (abs(z(N + k)) > largest_x_prime) largest_x_prime = abs(z(N + k));
-        }
-        const bool inside = n > 0 && n < steps;
-        const T velocity = w.dot(z.segment(N, N));
-        if (inside && (n == 1 || velocity > motion.largest_contact_velocity)) motion.largest_contact_velocity = velocity;
     }
-    motion.mirror_defect = T(0);
-    for (Index k = 0; k < N; ++k) {
-        const T x_defect = abs(T(z(k) + start(k))) / largest_x;
-        const T x_prime_defect = abs(T(z(N + k) + start(N + k))) / largest_x_prime;
-        if (x_defect > motion.mirror_defect) motion.mirror_defect = x_defect;
-        if (x_prime_defect > motion.mirror_defect) motion.mirror_defect = x_prime_defect;
-    }
+    motion.largest_contact_velocity = (w.transpose() * motion.x_prime.middleCols(1, steps - 1)).maxCoeff();
+    const Vector<T> defect = (z + start).cwiseAbs();
+    motion.mirror_defect = std::max<T>(defect.head(N).maxCoeff() / motion.x.cwiseAbs().maxCoeff(),
+                                       defect.segment(N, N).maxCoeff() / motion.x_prime.cwiseAbs().maxCoeff());
 }
 
 /// exp(A dt) z by Taylor's series, for a short dt.

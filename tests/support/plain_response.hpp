@@ -7,10 +7,6 @@
 #include <limits>
 #include <optional>
 
-#include "denhartog/model/contact_and_load.hpp"
-#include "denhartog/number/errors.hpp"
-#include "denhartog/sliding/boundary.hpp"
-#include "denhartog/sliding/steady_state.hpp"
 #include "tests/support/closed_form.hpp"
 
 namespace denhartog {

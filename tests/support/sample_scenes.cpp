@@ -6,7 +6,6 @@
 
 #include "tests/support/multiprecision.hpp"
 #include "tests/support/paper_systems.hpp"
-#include "tests/support/scene_builder.hpp"
 #include "tests/support/split_mix.hpp"
 
 namespace denhartog {

@@ -1,9 +1,8 @@
 #include "tests/support/second_witness.hpp"
 
 #include <algorithm>
+#include <array>
 
-#include "denhartog/model/contact_and_load.hpp"
-#include "denhartog/number/errors.hpp"
 #include "tests/support/rotations.hpp"
 
 namespace denhartog {
@@ -24,6 +23,11 @@ template <class W>
 W angle_between(const W& a, const W& b) {
     return distance(W(atan2(sin(W(a - b)), cos(W(a - b)))), W(0));
 }
+
+// The errors of an agreement; the first five are those of the motion.
+template <class T>
+constexpr std::array figures{&Agreement<T>::displacement, &Agreement<T>::x_0,   &Agreement<T>::x_prime_0,
+                             &Agreement<T>::amplitude,    &Agreement<T>::phi_j, &Agreement<T>::phase};
 
 } // namespace
 
@@ -115,20 +119,12 @@ Agreement<T> compare(const SampledMotion<T>& motion, const HalfPeriodMotion<Witn
         const W error = std::max({of_mass.displacement, of_mass.x_0, of_mass.x_prime_0, of_mass.amplitude});
         if (error > largest) all.worst_mass = of_mass.worst_mass;
         largest = std::max(largest, error);
-        all.displacement = std::max(all.displacement, of_mass.displacement);
-        all.x_0 = std::max(all.x_0, of_mass.x_0);
-        all.x_prime_0 = std::max(all.x_prime_0, of_mass.x_prime_0);
-        all.amplitude = std::max(all.amplitude, of_mass.amplitude);
-        all.phi_j = std::max(all.phi_j, of_mass.phi_j);
-        all.phase = std::max(all.phase, of_mass.phase);
+        for (const auto figure : figures<W>) all.*figure = std::max(all.*figure, of_mass.*figure);
     }
-    return {static_cast<T>(all.displacement),
-            static_cast<T>(all.x_0),
-            static_cast<T>(all.x_prime_0),
-            static_cast<T>(all.amplitude),
-            static_cast<T>(all.phi_j),
-            static_cast<T>(all.phase),
-            all.worst_mass};
+    Agreement<T> rounded{};
+    rounded.worst_mass = all.worst_mass;
+    for (std::size_t n = 0; n < figures<T>.size(); ++n) rounded.*figures<T>[n] = static_cast<T>(all.*figures<W>[n]);
+    return rounded;
 }
 
 template <class T>

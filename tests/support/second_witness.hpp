@@ -6,32 +6,14 @@
 #pragma once
 
 #include "tests/support/half_period.hpp"
-#include "tests/support/multiprecision.hpp"
 #include "tests/support/plain_response.hpp"
 
 namespace denhartog {
 
-/// @brief The number type in which the witness of a closed form in T computes.
+/// @brief The number type in which the witness of a closed form in T computes: 50 digits against double, else 100. In 100 digits
+/// the matrices of a scene are set up, and no motion is compared.
 template <class T>
-struct WitnessNumber {
-    using type = Real50; ///< 50 digits against double
-};
-
-/// @brief 100 digits against 50.
-template <>
-struct WitnessNumber<Real50> {
-    using type = Real100; ///< 100 digits
-};
-
-/// @brief In 100 digits the matrices of a scene are set up, and no motion is compared.
-template <>
-struct WitnessNumber<Real100> {
-    using type = Real100; ///< the same
-};
-
-/// @brief The number type in which the witness of a closed form in T computes.
-template <class T>
-using WitnessOf = typename WitnessNumber<T>::type;
+using WitnessOf = std::conditional_t<std::same_as<T, double>, Real50, Real100>;
 
 /// @brief The boundary-value problem of a scene: (6) with its matrices, from the scene's numbers taken as exact.
 ///

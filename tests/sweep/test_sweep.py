@@ -65,6 +65,12 @@ def files_of(folder):
     return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
 
 
+def mapped(scene, *arguments):
+    """The rows of a map of the program, its header first."""
+    text = subprocess.run([PROGRAM, "map", "-", *arguments], input=json.dumps(scene), capture_output=True, text=True, check=True).stdout
+    return list(csv.reader(text.splitlines()))
+
+
 def command(*arguments):
     return [sys.executable, "-m", "denhartog.sweep", *map(str, arguments)]
 
@@ -109,6 +115,13 @@ class Sweep(unittest.TestCase):
                 signal.signal(number, handler)
         return status, out.getvalue(), err.getvalue()
 
+    def assert_refused(self, told, *arguments, status=2, text=None):
+        """The command ends with a status and says why, and prints nothing else."""
+        found, out, err = self.called(*arguments, text=text)
+        self.assertEqual((found, out), (status, ""))
+        self.assertIn(told, err)
+        return err
+
     def test_order(self):
         """the results have the same bytes for any number of workers and any order of the chunks"""
         one, many = self.planned(name="one"), self.planned(name="many")
@@ -139,9 +152,7 @@ class Sweep(unittest.TestCase):
     def test_map(self):
         """the points of a sweep are those of map, to the last bit"""
         data = self.opened(STUDY)
-        text = subprocess.run([PROGRAM, "map", "-", "--r", "0.3:1.7:9", "--beta", "0:1.5:6", "--mass", "1", "--mass", "2"],
-                              input=json.dumps(STUDY["scene"]), capture_output=True, text=True, check=True).stdout
-        rows = list(csv.reader(text.splitlines()))[1:]
+        rows = mapped(STUDY["scene"], "--r", "0.3:1.7:9", "--beta", "0:1.5:6", "--mass", "1", "--mass", "2")[1:]
         self.assertEqual(len(rows), 54)
         for row, (r, beta) in zip(rows, np.ndindex(9, 6)):
             point = data.isel(r=r, beta=beta)
@@ -158,24 +169,21 @@ class Sweep(unittest.TestCase):
             with self.subTest(more):
                 data = sweep.dataset({"scene": scene | more, "axes": [{"quantity": "frequency_hz", "from": 2, "to": 4, "count": 5},
                                                                       {"quantity": "friction", "from": 0, "to": 8, "count": 3}]}).compute()
-                text = subprocess.run([PROGRAM, "map", "-", "--frequency-hz", "2:4:5", "--friction", "0:8:3"], check=True,
-                                      input=json.dumps(scene | more), capture_output=True, text=True).stdout
-                rows = list(csv.reader(text.splitlines()))
+                rows = mapped(scene | more, "--frequency-hz", "2:4:5", "--friction", "0:8:3")
                 self.assertEqual([float(row[rows[0].index("amplitude_2")]) for row in rows[1:]], data.amplitude_2.values.ravel().tolist())
 
     def test_levels(self):
         """a sweep over the level of the load is the map over it, to the last digits"""
         scene = {"masses": [12.0, 11.5], "stiffnesses": [18500, 17200], "damping_ratios": 0.01, "contact": 2, "load": 1}
-        for level, hertz in (({"force": 40}, 3), ({"unbalance": 0.1}, 3)):
-            (name, value), = level.items()
+        hertz = 3
+        for name, value in (("force", 40), ("unbalance", 0.1)):
+            level = {name: value}
             with self.subTest(name):
                 data = sweep.dataset({"scene": scene | level, "axes": [
                     {"quantity": "frequency_hz", "values": [hertz]}, {"quantity": "friction", "values": [5]},
                     {"quantity": name, "from": value, "to": 2 * value, "count": 3}]}).compute()
-                text = subprocess.run([PROGRAM, "map", "-", "--frequency-hz", f"{hertz}:{hertz}:1", f"--{name}", f"{value}:{2 * value}:3"],
-                                      input=json.dumps(scene | level | {"friction": 5, "frequency_hz": hertz}), check=True,
-                                      capture_output=True, text=True).stdout
-                rows = list(csv.reader(text.splitlines()))
+                rows = mapped(scene | level | {"friction": 5, "frequency_hz": hertz}, "--frequency-hz", f"{hertz}:{hertz}:1",
+                              f"--{name}", f"{value}:{2 * value}:3")
                 np.testing.assert_allclose(data.amplitude_2.values.ravel(), [float(row[5]) for row in rows[1:]], rtol=1e-9)
 
     def test_from_ground(self):
@@ -219,9 +227,7 @@ class Sweep(unittest.TestCase):
         self.assertEqual(self.called("run", folder, "--chunk", "0-3"), (0, "chunks: 4 computed, 0 done before\n", ""))
         self.assertEqual(self.called("run", folder, "--chunk", "2-4", "--chunk", "5")[1], "chunks: 2 computed, 2 done before\n")
         last = sweep.opened(folder)[0].chunks - 1
-        status, out, err = self.called("combine", folder, folder / "result.nc")
-        self.assertEqual((status, out), (1, ""))
-        self.assertIn(f"6-{last}: missing", err)
+        self.assert_refused(f"6-{last}: missing", "combine", folder, folder / "result.nc", status=1)
         self.assertFalse((folder / "result.nc").exists())
         self.assertIn(f"6 of {last + 1} chunks", self.called("status", folder)[1])
 
@@ -235,9 +241,7 @@ class Sweep(unittest.TestCase):
         altered[-100] ^= 1
         for damaged in (whole[:len(whole) // 2], bytes(altered), whole[:30], b"", whole + b"x"):
             path.write_bytes(damaged)
-            status, _, err = self.called("combine", folder, folder / "result.zarr")
-            self.assertEqual(status, 1)
-            self.assertIn("7: its file", err)
+            self.assert_refused("7: its file", "combine", folder, folder / "result.zarr", status=1)
             self.assertFalse((folder / "result.zarr").exists())
             status, out, err = self.called("run", folder)
             self.assertEqual((status, out), (0, f"chunks: 1 computed, {len(before) - 1} done before\n"))
@@ -251,9 +255,7 @@ class Sweep(unittest.TestCase):
         sweep.run(other, [5])
         for foreign in ((other / "chunks/5.npz").read_bytes(), (folder / "chunks/4.npz").read_bytes()):
             (folder / "chunks/5.npz").write_bytes(foreign)
-            status, _, err = self.called("combine", folder, folder / "result.nc")
-            self.assertEqual(status, 1)
-            self.assertIn("5: it was left by another program or another study", err)
+            self.assert_refused("5: it was left by another program or another study", "combine", folder, folder / "result.nc", status=1)
             self.assertIn("another study: 5", self.called("status", folder)[1])
             self.assertEqual(self.called("run", folder, "--chunk", 5)[1], "chunks: 1 computed, 0 done before\n")
         self.assertEqual(self.called("combine", folder, folder / "result.nc")[0], 0)
@@ -262,9 +264,7 @@ class Sweep(unittest.TestCase):
         for altered in (about | {"fingerprint": "0" * 64}, about | {"study": about["study"] | {"start": "sliding"}}):
             (folder / "study.json").write_text(json.dumps(altered))
             for arguments in (("run", folder), ("status", folder), ("combine", folder, folder / "other.nc")):
-                status, out, err = self.called(*arguments)
-                self.assertEqual((status, out), (2, ""))
-                self.assertIn("the same program and the same study", err)
+                self.assert_refused("the same program and the same study", *arguments)
         program = sweep._program
         sweep._program = lambda: b"another"
         self.addCleanup(setattr, sweep, "_program", program)
@@ -278,9 +278,7 @@ class Sweep(unittest.TestCase):
         (folder / "chunks/.3.npz.00.part").write_bytes(b"a run was killed while it wrote")
         before = self.combined(folder)
         self.assertEqual(sorted(os.listdir(folder / "chunks")), [f"{K}.npz" for K in range(5)])
-        status, out, err = self.called("combine", folder, folder / "result.nc")  # a result is not overwritten
-        self.assertEqual((status, out), (2, ""))
-        self.assertIn("RESULT must not be there yet", err)
+        self.assert_refused("RESULT must not be there yet", "combine", folder, folder / "result.nc")  # a result is not overwritten
         self.assertEqual((folder / "result.nc").read_bytes(), before)
         (folder / "chunks/99.npz").write_bytes(b"")
         self.assertIn("chunks/99.npz is a file that no chunk of this plan wrote", self.called("combine", folder, folder / "x.nc")[2])
@@ -329,14 +327,14 @@ class Sweep(unittest.TestCase):
         """a sweep on a full disk says so, leaves nothing half-written, and goes on when there is room"""
         folder = self.planned(REDUCED | {"points_of_a_chunk": 432})
         before = files_of(folder)
-        run = subprocess.run(["bash", "-c", "ulimit -f 4; exec \"$@\"", "bash", *command("run", folder)], capture_output=True, text=True)
+        full = lambda *arguments: subprocess.run(["bash", "-c", "ulimit -f 4; exec \"$@\"", "bash", *command(*arguments)],
+                                                 capture_output=True, text=True)
+        run = full("run", folder)
         self.assertEqual(run.returncode, 2)
         self.assertIn("cannot be written", run.stderr)
         self.assert_same_files(files_of(folder), before)
         sweep.run(folder)
-        run = subprocess.run(["bash", "-c", "ulimit -f 4; exec \"$@\"", "bash", *command("combine", folder, folder / "all.nc")],
-                             capture_output=True, text=True)
-        self.assertEqual(run.returncode, 2)
+        self.assertEqual(full("combine", folder, folder / "all.nc").returncode, 2)
         self.assertEqual([name for name in os.listdir(folder) if "all.nc" in name], [])
         self.combined(folder)
         with open("/dev/full", "w") as full:
@@ -371,9 +369,7 @@ class Sweep(unittest.TestCase):
                                 (("plan", "-", self.scratch / "new"), "JSON"), (("run",), "FOLDER"),
                                 (("status", self.scratch), "`plan` has written")):
             with self.subTest(arguments):
-                status, out, err = self.called(*arguments, text="{")
-                self.assertEqual((status, out), (2, ""))
-                self.assertIn(told, err)
+                self.assert_refused(told, *arguments, text="{")
         self.assertFalse((self.scratch / "new").exists())
 
     def test_reductions(self):
@@ -559,9 +555,7 @@ class Sweep(unittest.TestCase):
                     del inner[path[-1]]
                 else:
                     inner[path[-1]] = value
-                status, out, err = self.called("plan", "-", self.scratch / "broken", text=json.dumps(broken))
-                self.assertEqual((status, out), (2, ""))
-                self.assertIn(told, err)
+                err = self.assert_refused(told, "plan", "-", self.scratch / "broken", text=json.dumps(broken))
                 self.assertNotIn("\n", err[:-1])
         self.assertFalse((self.scratch / "broken").exists())
         for text, told in (('{"scene": {}, "scene": {}}', "given twice"), ('{"scene": NaN}', "NaN"), ("[" * 100000, "nested"), ("[]", "object")):

@@ -5,11 +5,7 @@
 
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/superposition.hpp"
-#include "denhartog/number/errors.hpp"
-#include "denhartog/sliding/bounded_modes.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
-#include "denhartog/sliding/steady_state.hpp"
-#include "tests/catch.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
@@ -281,7 +277,7 @@ TEST_CASE("next to a resonance without damping the largest demand is not lost in
         const Bounded<double> demand = sliding_demand(s, Bounded<double>(tau));
         CHECK(found.x + found.e >= demand.x - demand.e);
     }
-    const Scene<Real50> wide = scene_in<Real50>(scene);
+    const Scene<Real50> wide = converted<Real50>(scene);
     const Real50 largest = boundary(sums_of(wide), Real50(1)).S_exact;
     CHECK(largest > (1 + 2e-4) * sliding_demand(sums_of(wide), Real50(0)));
     CHECK(abs(Real50(largest - found.x)) <= found.e);

@@ -2,13 +2,8 @@
 #include <limits>
 #include <random>
 
-#include "denhartog/evaluation/contact.hpp"
 #include "denhartog/evaluation/mode_arrays.hpp"
-#include "denhartog/number/errors.hpp"
 #include "denhartog/paper_algorithm/contact_equations.hpp"
-#include "denhartog/sliding/boundary.hpp"
-#include "denhartog/sliding/contact_alone.hpp"
-#include "tests/catch.hpp"
 #include "tests/speed_accuracy/table.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"

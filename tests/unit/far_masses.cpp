@@ -2,22 +2,10 @@
 #include <limits>
 
 #include "denhartog/answer/modes_in_double.hpp"
-#include "denhartog/evaluation/mode.hpp"
 #include "denhartog/evaluation/resonance.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
-#include "denhartog/model/contact_and_load.hpp"
-#include "denhartog/scene/scene_json.hpp"
-#include "denhartog/sliding/boundary.hpp"
-#include "denhartog/sliding/bounded_modes.hpp"
-#include "denhartog/sliding/coupled_sums.hpp"
-#include "denhartog/sliding/friction_motion.hpp"
 #include "denhartog/solve/quantities.hpp"
-#include "denhartog/solve/solve.hpp"
-#include "denhartog/stick_slip/exact_motion.hpp"
-#include "tests/catch.hpp"
-#include "tests/support/multiprecision.hpp"
 #include "tests/support/rotations.hpp"
-#include "tests/support/scene_builder.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog::tests;
@@ -45,7 +33,7 @@ TEST_CASE("at high r the sums over modes in double have no digit of V and U of a
           "[eq:33][eq:34][accuracy]") {
     for (const Scene<double>& scene : lost_chains()) {
         const std::size_t N = scene.system.mass_ratios.size();
-        const ModeSums<Real100> truth = sums_of(scene_in<Real100>(scene));
+        const ModeSums<Real100> truth = sums_of(converted<Real100>(scene));
         const ModeSums<Bounded<double>> sums = bounded_sums_of(scene);
         CHECK(error_over(truth.V[N - 1].re, sums.V[N - 1].re.x) > 0.1);
         CHECK(error_over(truth.U[0], sums.U[0].x) > 0.1);
@@ -60,9 +48,9 @@ TEST_CASE("at high r the sums over modes in double have no digit of V and U of a
 TEST_CASE("both chains are answered to 14 digits by the reference, and right", "[eq:38][accuracy]") {
     for (Scene<double> scene : lost_chains()) {
         const std::size_t N = scene.system.mass_ratios.size();
-        const Boundary<Real100> limit = boundary(sums_of(scene_in<Real100>(scene)), Real100(1));
+        const Boundary<Real100> limit = boundary(sums_of(converted<Real100>(scene)), Real100(1));
         scene.beta = static_cast<double>(limit.exact) / 2;
-        const Response<Real100> truth = response(scene_in<Real100>(scene));
+        const Response<Real100> truth = response(converted<Real100>(scene));
         REQUIRE(truth.steady_state);
         const Real100 X_j = truth.steady_state->X_j;
         const long before = precision_steps();

@@ -2,8 +2,6 @@
 #include <cmath>
 
 #include "denhartog/formulas/other_masses.hpp"
-#include "denhartog/number/errors.hpp"
-#include "tests/catch.hpp"
 #include "tests/support/invariant_points.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/program_table.hpp"

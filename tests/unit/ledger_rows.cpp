@@ -118,8 +118,6 @@ using derivation::ClaimResult;
 using derivation::join_statements;
 using derivation::Statements;
 using derivation::Threshold;
-using ledger::Json;
-using tests::tells;
 
 namespace {
 

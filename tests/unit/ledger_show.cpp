@@ -2,19 +2,19 @@
 #include <fstream>
 
 #include "denhartog/ledger/ledger.hpp"
-#include "denhartog/ledger/ledger_entry.hpp"
 #include "denhartog/number/errors.hpp"
+#include "derivation/claims/threshold.hpp"
 #include "derivation/ledger/ledger_audit.hpp"
 #include "derivation/ledger/ledger_figures.hpp"
 #include "derivation/ledger/ledger_join.hpp"
 #include "derivation/ledger/ledger_kernel.hpp"
 #include "derivation/ledger/ledger_scenes.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/largest_over_range.hpp"
 #include "tests/unit/ledger_fixtures.hpp"
 
 using namespace denhartog::derivation;
 using namespace denhartog;
-
 using ledger::Json;
 
 namespace {
@@ -188,7 +188,6 @@ TEST_CASE("a derivation that has not run, or is none, is told", "[ledger]") {
 }
 
 using nlohmann::json;
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -226,45 +225,32 @@ TEST_CASE("a figure that names an equation which is not in the paper is a fault"
 }
 
 TEST_CASE("figures of the paper come before the others, and a broken record is named", "[ledger][figures]") {
-    const fs::path folder = fs::temp_directory_path() / "denhartog-figure-records";
-    fs::remove_all(folder);
-    CHECK(figure_records(folder).empty());
-    fs::create_directories(folder);
-    std::ofstream(folder / "a.json") << record("a", {"38"});
-    std::ofstream(folder / "fig02.json") << record("fig02", {"3"});
-    std::ofstream(folder / "fig02.dat") << "no record";
-    const std::vector<json> records = figure_records(folder);
+    const tests::Folder folder;
+    CHECK(figure_records(folder.path() / "none").empty());
+    folder.write("a.json", record("a", {"38"}).dump());
+    folder.write("fig02.json", record("fig02", {"3"}).dump());
+    folder.write("fig02.dat", "no record");
+    const std::vector<json> records = figure_records(folder.path());
     REQUIRE(records.size() == 2);
     CHECK(records[0]["name"] == "fig02");
-    std::ofstream(folder / "b.json") << "{";
-    CHECK_THROWS_WITH(figure_records(folder), Catch::Contains("b.json"));
-    fs::remove_all(folder);
+    folder.write("b.json", "{");
+    CHECK_THROWS_WITH(figure_records(folder.path()), Catch::Contains("b.json"));
 }
 
-TEST_CASE("a statement that is not borne out is shown as such", "[ledger][figures]") {
-    const std::vector<json> records{record("fig06_curves", {"38"})};
-    CHECK_THAT(figures_markdown(records), Catch::Contains("| falls | rises by 3 | no |"));
-    const std::string table = figures_table(records);
-    CHECK_THAT(table, Catch::Contains("| fig06_curves |") && Catch::Contains("| 1e-07 | 0.25 | 1 of 2 |"));
-    CHECK_THAT(figures_markdown({record("limits", {"38"})}), Catch::Contains("| statement | the data say | holds |"));
-}
-
-TEST_CASE("where a number of ours decides, a statement is not borne out to that number", "[ledger][figures]") {
-    json measured = record("fig06_curves", {"38"});
-    measured["statements"][0]["measure"] = "to 1 percent";
+TEST_CASE("a statement that is not borne out is shown as such, and a bar within a text ends no cell", "[ledger][figures]") {
+    json failed = record("fig06_curves", {"38"}), measured = failed, with_bars = failed;
+    measured["statements"][0]["measure"] = "to 1 percent"; // a number of ours decides
     measured["statements"][1]["measure"] = "to 5 percent";
-    CHECK_THAT(figures_markdown({measured}), Catch::Contains("| falls | rises by 3 | not to 1 percent |"));
-    CHECK_THAT(figures_markdown({measured}), Catch::Contains("| a | b | yes |"));
+    with_bars["statements"][0]["text"] = "|v| falls";
+    for (const auto& [of, row] : {std::pair{failed, "| falls | rises by 3 | no |"},
+                                  {measured, "| falls | rises by 3 | not to 1 percent |"},
+                                  {measured, "| a | b | yes |"},
+                                  {with_bars, "| \\|v\\| falls | rises by 3 | no |"},
+                                  {record("limits", {"38"}), "| statement | the data say | holds |"}})
+        CHECK_THAT(figures_markdown({of}), Catch::Contains(row));
+    CHECK_THAT(figures_table({failed}), Catch::Contains("| fig06_curves |") && Catch::Contains("| 1e-07 | 0.25 | 1 of 2 |"));
     CHECK_THAT(figures_table({measured}), Catch::Contains("| 1 of 2, 1 beyond the threshold that was chosen |"));
 }
-
-TEST_CASE("a bar within a text does not end a cell of a table", "[ledger][figures]") {
-    json with_bars = record("fig06_curves", {"38"});
-    with_bars["statements"][0]["text"] = "|v| falls";
-    CHECK_THAT(figures_markdown({with_bars}), Catch::Contains("| \\|v\\| falls | rises by 3 | no |"));
-}
-
-using nlohmann::json;
 
 namespace {
 
@@ -340,8 +326,6 @@ TEST_CASE("a claim that was exported and that the kernel has not seen is not che
 
 // Scenes that show a refuted equation, and the audit of what remains assumed.
 
-using nlohmann::json;
-
 namespace {
 
 json small_entry(const std::string& equation, const std::string& kind, const std::string& printed) {
@@ -415,4 +399,32 @@ TEST_CASE("the audit says by which claims an equation is decided and what remain
     rows = audit_of({assumed, middle, result});
     CHECK(rows[2].masses == "every number of masses, by the step of the sum (whole for N = 1, 2)");
     CHECK(remaining(rows[2]).find("premises (4)") == 0);
+}
+
+TEST_CASE("a threshold decides where another number turns the verdict and is not empty", "[ledger][thresholds]") {
+    CHECK(decides({"relative error", 0.01, 0.3, 1}));
+    CHECK_FALSE(decides({"ratio", 0.1, 5, 1}));
+    CHECK(decides({"degrees between phases", 15, 4, 0}));
+    CHECK_FALSE(decides({"fall", 0.01, -0.2, 0}));
+    CHECK(decides({"distance", 0.2, 5}));
+    CHECK(refuted_whatever_the_threshold({}));
+    CHECK_FALSE(refuted_whatever_the_threshold({{"ratio", 0.1, 5, 1}, {"relative error", 0.01, 0.3, 1}}));
+}
+
+TEST_CASE("thresholds go through JSON and back", "[ledger][thresholds]") {
+    const std::vector<Threshold> list{{"relative error", 0.01, 0.3, 1}, {"distance", 0.2, 5}};
+    const std::vector<Threshold> back = thresholds_from_json(thresholds_to_json(list));
+    REQUIRE(back.size() == 2);
+    CHECK(sentence(back[0]) == "relative error: 0.01 taken, turns at 0.3");
+    CHECK(back[0].empty == 1.0);
+    CHECK_FALSE(back[1].empty.has_value());
+}
+
+TEST_CASE("the largest value over a range is found between the points of the grid", "[ledger]") {
+    const auto peak = [](double x) { return 1 / (1e-4 + (x - 0.2295) * (x - 0.2295)) + std::sin(9 * x); };
+    const LargestOverRange found = largest_over_range(peak, 0, 3, 100);
+    CHECK(found.x == Approx(0.2295).margin(1e-5));
+    CHECK(found.value == Approx(peak(0.2295)).epsilon(1e-8));
+    const auto with_a_hole = [&](double x) { return x > 1 ? std::nan("") : x; };
+    CHECK(largest_over_range(with_a_hole, 0, 3, 90).value == Approx(1).margin(1e-6));
 }

@@ -19,6 +19,12 @@ Curve smooth(std::function<double(double)> f, std::function<double(double)> w, s
     return {[=](double tau) { return Sample{f(tau), w(tau), z(tau)}; }, [=](double, double) { return rate; }};
 }
 
+/// cos(w (t - shift)).
+Curve cosine(double w, double shift = 0) {
+    return smooth([=](double t) { return std::cos(w * (t - shift)); }, [=](double t) { return -w * std::sin(w * (t - shift)); },
+                  [=](double t) { return -w * w * std::cos(w * (t - shift)); }, w * w * w);
+}
+
 /// cos t + a exp(-((t - c) / b)^2) with c off every dyadic grid; the peak is 1/4000 of [0, 3] wide.
 Curve cosine_with_peak(double c) {
     const double a = 0.5, b = 1e-3;
@@ -33,9 +39,7 @@ Curve cosine_with_peak(double c) {
 
 TEST_CASE("the maximum of a cosine lies where it is known to, to all digits", "[maximum]") {
     const double shift = 5.0 / 7;
-    const Curve curve = smooth([=](double t) { return std::cos(t - shift); }, [=](double t) { return -std::sin(t - shift); },
-                               [=](double t) { return -std::cos(t - shift); }, 1);
-    const Maximum best = global_maximum(curve, 0, pi<double>());
+    const Maximum best = global_maximum(cosine(1, shift), 0, pi<double>());
     const double eps = std::numeric_limits<double>::epsilon();
     CHECK(std::abs(best.value - 1) <= 2 * eps);
     CHECK(std::abs(best.instant - shift) <= 4 * eps);
@@ -184,9 +188,7 @@ TEST_CASE("a stretch that may be as high as the highest is looked into 256 times
 }
 
 TEST_CASE("maxima that the samples do not tell apart are all listed", "[maximum]") {
-    const Curve curve = smooth([](double t) { return std::cos(6 * t); }, [](double t) { return -6 * std::sin(6 * t); },
-                               [](double t) { return -36 * std::cos(6 * t); }, 216);
-    const Maximum best = global_maximum(curve, 0.5, 4.0, 1e-12);
+    const Maximum best = global_maximum(cosine(6), 0.5, 4.0, 1e-12);
     REQUIRE(best.places.size() == 3);
     for (int n = 0; n < 3; ++n) {
         const Place& place = best.places[static_cast<std::size_t>(n)];
@@ -230,10 +232,8 @@ TEST_CASE("where the effort is spent, bound and places hold a peak that no sampl
 }
 
 TEST_CASE("values that are known to be exceeded are passed over", "[maximum][effort]") {
-    const Curve curve = smooth([](double t) { return std::cos(6 * t); }, [](double t) { return -6 * std::sin(6 * t); },
-                               [](double t) { return -36 * std::cos(6 * t); }, 216);
     Effort effort;
-    const Maximum best = global_maximum(curve, 0.5, 4.0, 0.0, &effort, 2.0);
+    const Maximum best = global_maximum(cosine(6), 0.5, 4.0, 0.0, &effort, 2.0);
     CHECK(best.settled);
     CHECK(best.value == 2);
     CHECK(best.places.empty());

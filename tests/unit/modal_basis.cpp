@@ -4,7 +4,6 @@
 #include <cmath>
 #include <random>
 
-#include "denhartog/number/errors.hpp"
 #include "denhartog/scene/converted.hpp"
 #include "denhartog/sliding/bounded_modes.hpp"
 #include "tests/catch.hpp"

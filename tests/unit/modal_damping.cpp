@@ -1,8 +1,6 @@
 #include <cmath>
 
 #include "denhartog/answer/modes_in_double.hpp"
-#include "denhartog/model/modal_basis.hpp"
-#include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/closed_form.hpp"
 #include "tests/support/named_scenes.hpp"

@@ -6,13 +6,8 @@
 #include <vector>
 
 #include "denhartog/evaluation/mode_arrays.hpp"
-#include "denhartog/formulas/boundary.hpp"
-#include "denhartog/formulas/modal_coordinate.hpp"
 #include "denhartog/formulas/superposition.hpp"
-#include "denhartog/number/errors.hpp"
 #include "denhartog/sliding/mode_sums.hpp"
-#include "tests/catch.hpp"
-#include "tests/support/multiprecision.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog::tests;

@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <limits>
 #include <random>
-#include <vector>
 
 #include "denhartog/formulas/complex.hpp"
 #include "denhartog/number/number_text.hpp"

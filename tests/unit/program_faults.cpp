@@ -199,9 +199,8 @@ TEST_CASE("what the system or memory refuse is told in words of the program", "[
     expect("2 solve /proc/self/mem ! /proc/self/mem cannot be read (");
     if (with_address_sanitizer) return; // which needs more memory than that before it starts
     const std::string large = file_with("large-map.json", scene_text("unequal")).string();
-    const Run run =
-        run_program("--version >/dev/null; ( ulimit -v 200000; exec '" + std::string(std::getenv("DENHARTOG_PROGRAM")) +
-                    "' map --r 1:2:20000 --beta 0:1:10000 '" + large + "' )");
+    const Run run = run_program("--version >/dev/null; ( ulimit -v 200000; exec " + quoted_program() +
+                                " map --r 1:2:20000 --beta 0:1:10000 '" + large + "' )");
     check_refused(run, 3, "memory must hold the scene and what is asked of it");
     CHECK(run.error.find("bad_alloc") == std::string::npos);
 }
@@ -250,11 +249,9 @@ fs::path empty_folder(const std::string& name) {
 }
 
 int motion_to(const fs::path& file, const std::string& before = "") {
-    const char* program = std::getenv("DENHARTOG_PROGRAM");
-    const std::string command = before + " '" + std::string(program) + "' motion --samples 8 --output '" + file.string() + "' '" +
-                                file_with("scene-of-files", scene_text("unequal")).string() + "' 2>/dev/null";
-    const int status = std::system(command.c_str());
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    const std::string scene = file_with("scene-of-files", scene_text("unequal")).string();
+    return run_shell(before + " " + quoted_program() + " motion --samples 8 --output '" + file.string() + "' '" + scene + "'")
+        .status;
 }
 
 std::size_t count_in(const fs::path& folder) {
@@ -328,12 +325,9 @@ TEST_CASE("a pipe is written directly, and a file beside which nothing can be ma
 
 TEST_CASE("a hang-up of a map leaves no file and is the status", "[program][map][output]") {
     const fs::path folder = empty_folder("hang-up");
-    const std::string command = "'" + std::string(std::getenv("DENHARTOG_PROGRAM")) + "' map '" +
-                                file_with("map-scene-of-files", scene_text("unequal")).string() +
+    const std::string command = quoted_program() + " map '" + file_with("map-scene-of-files", scene_text("unequal")).string() +
                                 "' --r 0.01:0.02:2000 --beta 0.1:1:2000 --output '" + (folder / "map.csv").string() +
                                 "' 2>/dev/null & sleep 0.5; kill -HUP $!; wait $!";
-    const int status = std::system(command.c_str());
-    REQUIRE(WIFEXITED(status));
-    CHECK(WEXITSTATUS(status) == 129);
+    CHECK(run_shell(command).status == 129);
     CHECK(count_in(folder) == 0);
 }

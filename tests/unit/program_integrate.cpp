@@ -125,8 +125,6 @@ TEST_CASE("the exact method has the modes of a system with a light mass", "[prog
 
 // `denhartog integrate --history`, `"force": 0` and `static_load`: formats, units, refusals.
 
-using nlohmann::json;
-
 TEST_CASE("a history is CSV or NPY with the columns of motion and whether the contact sticks", "[program][history]") {
     const std::string command = "integrate --history 2 --cycles 6 --samples 8 --units scene",
                       file = (scratch() / "history.npy").string(), as_csv = (scratch() / "history.csv").string();

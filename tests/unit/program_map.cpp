@@ -198,14 +198,11 @@ TEST_CASE("an interruption leaves no file and says so", "[program][map][threads]
     std::filesystem::create_directories(folder);
     const auto input = file_with("map_scene", scene_text(grid));
     // Enough points for minutes of work.
-    const char* program = std::getenv("DENHARTOG_PROGRAM");
-    const std::string command = "'" + std::string(program) + "' map '" + input.string() +
+    const std::string command = quoted_program() + " map '" + input.string() +
                                 "' --r 0.01:0.02:2000 --beta 0.1:1:2000 --output '" + (folder / "map.csv").string() + "' 2>'" +
                                 (folder / "error").string() +
                                 "' & sleep 0.3; while kill -INT $! 2>/dev/null; do sleep 0.1; done; wait $!";
-    const int status = std::system(command.c_str());
-    REQUIRE(WIFEXITED(status));
-    CHECK(WEXITSTATUS(status) == 130);
+    CHECK(run_shell(command).status == 130);
     CHECK(content_of(folder / "error").find("interrupted") != std::string::npos);
     for (const auto& entry : std::filesystem::directory_iterator(folder)) CHECK(entry.path().filename() == "error");
 }

@@ -60,16 +60,27 @@ inline std::filesystem::path file_with(const std::string& name, const std::strin
     return scratch() / name;
 }
 
-/// @brief Runs the program.
-inline Run run_program(const std::string& arguments, const std::string& input = "") {
+/// @brief Runs a shell command. @param command the command @param input standard input @return status and what it wrote
+inline Run run_shell(const std::string& command, const std::string& input = "") {
+    const auto in = file_with("input", input), out = scratch() / "output", err = scratch() / "error";
+    const std::string whole = "{ " + command + "\n} <'" + in.string() + "' >'" + out.string() + "' 2>'" + err.string() + "'";
+    const int status = std::system(whole.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), content_of(out), content_of(err)};
+}
+
+/// @brief A program that is built beside the one under test. @param name its name; without one it is that itself
+inline std::filesystem::path built_program(const std::string& name = "") {
     const char* program = std::getenv("DENHARTOG_PROGRAM");
     if (program == nullptr) throw std::runtime_error("DENHARTOG_PROGRAM must name the program: run the tests by ctest");
-    const auto in = file_with("input", input), out = scratch() / "output", err = scratch() / "error";
-    std::filesystem::remove(out);
-    const std::string command = "{ '" + std::string(program) + "' " + arguments + "; } <'" + in.string() + "' >'" + out.string() +
-                                "' 2>'" + err.string() + "'";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), content_of(out), content_of(err)};
+    return name.empty() ? std::filesystem::path(program) : std::filesystem::path(program).parent_path() / name;
+}
+
+/// @brief The same as a shell is told it. @param name its name; without one it is the one under test @return the path in quotes
+inline std::string quoted_program(const std::string& name = "") { return "'" + built_program(name).string() + "'"; }
+
+/// @brief Runs the program.
+inline Run run_program(const std::string& arguments, const std::string& input = "") {
+    return run_shell(quoted_program() + " " + arguments, input);
 }
 
 inline std::vector<std::string> lines_of(const std::string& text) {

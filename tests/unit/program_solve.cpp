@@ -3,7 +3,6 @@
 #include <numbers>
 
 #include "tests/catch.hpp"
-#include "tests/unit/program_runs.hpp"
 #include "tests/unit/program_table.hpp"
 
 using namespace denhartog::tests;
@@ -223,8 +222,6 @@ TEST_CASE("energies are printed in ratios and in the units of the scene", "[prog
     )");
 }
 
-using nlohmann::json;
-
 TEST_CASE("the answer in the sliding regime has the keys of the interface", "[program]") {
     expect(R"(
         0 response - --json < three
@@ -384,14 +381,13 @@ namespace {
 // Output of the program if the C library may not use newer instructions, as on an older processor.
 Run run_on_older(const std::string& without, const std::string& arguments, const std::string& scenes) {
     const std::string file = file_with("scenes-of-same-digits.jsonl", scenes).string();
-    return run_program("--version >/dev/null; GLIBC_TUNABLES=glibc.cpu.hwcaps=" + without + " exec '" +
-                       std::string(std::getenv("DENHARTOG_PROGRAM")) + "' " + arguments + " '" + file + "'");
+    return run_program("--version >/dev/null; GLIBC_TUNABLES=glibc.cpu.hwcaps=" + without + " exec " + quoted_program() + " " +
+                       arguments + " '" + file + "'");
 }
 
 } // namespace
 
 TEST_CASE("the digits are the same whichever code paths of its functions the system takes", "[program]") {
-    REQUIRE(std::getenv("DENHARTOG_PROGRAM") != nullptr);
     const std::string all = scene_text("one overdamped + rubbing dashpots + heavily damped") + "\n";
     for (const std::string without : {"-FMA", "-AVX2", "-AVX512F", "-AVX2,-FMA,-AVX512F"}) {
         INFO(without);

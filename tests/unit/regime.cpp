@@ -1,14 +1,7 @@
 #include <random>
 
-#include "denhartog/map/regime_map.hpp"
-#include "denhartog/number/errors.hpp"
-#include "denhartog/sliding/boundary.hpp"
-#include "denhartog/sliding/bounded_modes.hpp"
-#include "denhartog/sliding/contact_alone.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
-#include "tests/catch.hpp"
 #include "tests/speed_accuracy/table.hpp"
-#include "tests/support/plain_response.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog::tests;

@@ -2,14 +2,8 @@
 
 #include <random>
 
-#include "denhartog/evaluation/contact.hpp"
-#include "denhartog/number/effort.hpp"
-#include "denhartog/number/errors.hpp"
 #include "denhartog/solve/quantities.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
-#include "denhartog/solve/solve.hpp"
-#include "tests/catch.hpp"
-#include "tests/support/named_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;

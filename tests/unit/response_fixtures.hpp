@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "denhartog/answer/scene_source.hpp"
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/contact.hpp"
 #include "denhartog/formulas/stuck.hpp"
@@ -21,10 +20,10 @@
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/multiprecision.hpp"
 #include "tests/support/named_scenes.hpp"
 #include "tests/support/plain_response.hpp"
 #include "tests/support/scene_builder.hpp"
-#include "tests/support/wide_scene.hpp"
 
 namespace denhartog::tests {
 
@@ -81,7 +80,7 @@ ModeSums<T> sums_of(const Scene<T>& scene) {
 /// @brief A scene at a frequency ratio in 50 digits: the same binary fractions.
 inline Scene<Real50> in_50_digits(Scene<double> scene, double r) {
     scene.r = r;
-    return scene_in<Real50>(scene);
+    return converted<Real50>(scene);
 }
 
 /// @brief Matrices of (6) of a scene.
@@ -160,11 +159,6 @@ inline void check_masses_within(const Solution& found, const Solution& exact) {
 }
 
 /// @brief A map of one point.
-/// @param scene   the scene, with r and beta
-/// @param masses  those whose amplitudes it has
-/// @param start   the start of its motion
-/// @param phases  whether it has phases
-/// @return        the map
 inline RegimeMap map_of_point(const Scene<double>& scene, std::vector<Mass> masses = {Mass{0}}, MapStart start = MapStart::rest,
                               bool phases = false) {
     MapRequest request{{*scene.r}, {*scene.beta}, std::move(masses), start, 1};

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -12,6 +11,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/support/multiprecision.hpp"
+#include "tests/support/named_scenes.hpp"
 
 using namespace denhartog;
 using nlohmann::json;
@@ -361,10 +361,7 @@ TEST_CASE("a dimensional scene breaks rules under its own names", "[scene][json]
 }
 
 TEST_CASE("the schema has the keys that the reader accepts", "[scene][json][docs]") {
-    const char* root = std::getenv("DENHARTOG_SOURCE_DIR");
-    REQUIRE(root != nullptr);
-    std::ifstream file(std::string(root) + "/docs/scene.schema.json");
-    REQUIRE(file.good());
+    std::ifstream file(tests::source_file("docs/scene.schema.json"));
     const json schema = json::parse(file);
     std::set<std::string> documented;
     for (const auto& entry : schema.at("properties").items()) {

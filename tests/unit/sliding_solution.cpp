@@ -1,14 +1,8 @@
 #include <complex>
 
-#include "denhartog/answer/certify.hpp"
-#include "denhartog/answer/models_in_double.hpp"
-#include "denhartog/answer/scene_source.hpp"
-#include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/solve/quantities.hpp"
-#include "denhartog/solve/solve.hpp"
-#include "tests/catch.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
@@ -58,7 +52,7 @@ TEST_CASE("a friction ratio that differs from the boundary by its rounding is de
     const Solution found = answer(scene_source(scene));
     CHECK(found.method.precision == "reference");
     CHECK_FALSE(found.regime.on_boundary);
-    const Scene<Real50> wide_scene = scene_in<Real50>(scene);
+    const Scene<Real50> wide_scene = converted<Real50>(scene);
     CHECK((found.regime.regime == Regime::continuous) == (*wide_scene.beta < response(wide_scene).boundary.exact));
 }
 
@@ -179,7 +173,7 @@ TEST_CASE("next to a friction ratio at which a phase jumps, its bound holds or r
 
     // The two agree to all of 50 digits; 100 digits tell them apart.
     const auto instant = [&](const Real50& beta) {
-        const Scene<Real50> wide = scene_in<Real50>(scene);
+        const Scene<Real50> wide = converted<Real50>(scene);
         const ModeSums<Real50> sums = mode_sums(modal_basis(wide.system), wide.system.contact, wide.system.load, *wide.r);
         return steady_state(sums, {Real50(beta + 1), {}}, beta, Mass{0}).masses[0].instant;
     };
@@ -304,7 +298,7 @@ TEST_CASE("error bounds known beforehand hold on random systems", "[eq:38][eq:69
         if (scene.system.damping_ratios.empty() || ++number % 16 != 0) continue;
         scene.beta = each.fraction_of_limit * boundary(sums_of(scene), scene.mu).exact;
         const Solution low = bounded_point(scene);
-        const Response<Real50> high = response(scene_in<Real50>(scene));
+        const Response<Real50> high = response(converted<Real50>(scene));
         REQUIRE(low.masses.size() == high.steady_state->masses.size());
         ++compared;
         INFO(each.name);
@@ -341,7 +335,7 @@ TEST_CASE("phases at frequencies far below all natural ones keep their bounds, a
             Scene<double> scene = chain({1, 1}, {1, 1}, {0.05, 0.05}, 2, 1, 1, r);
             scene.beta = part * boundary(sums_of(scene), 1.0).exact;
             const Solution low = bounded_point(scene);
-            const Response<Real100> high = response(scene_in<Real100>(scene));
+            const Response<Real100> high = response(converted<Real100>(scene));
             REQUIRE(low.masses.size() == 2);
             for (std::size_t k = 0; k < 2; ++k) {
                 REQUIRE(low.masses[k].phase);

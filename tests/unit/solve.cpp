@@ -3,11 +3,6 @@
 
 #include <random>
 
-#include "denhartog/answer/models_in_double.hpp"
-#include "denhartog/map/regime_map.hpp"
-#include "denhartog/number/errors.hpp"
-#include "denhartog/orbit/periodic_orbit.hpp"
-#include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;

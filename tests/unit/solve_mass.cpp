@@ -1,8 +1,4 @@
 // A question for one mass, and a system prepared for many points: the same numbers for less.
-#include "denhartog/model/natural_modes.hpp"
-#include "denhartog/number/errors.hpp"
-#include "denhartog/solve/solve.hpp"
-#include "tests/catch.hpp"
 #include "tests/support/paper_systems.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"

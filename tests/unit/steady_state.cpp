@@ -4,8 +4,6 @@
 
 #include "denhartog/formulas/motion.hpp"
 #include "denhartog/formulas/other_masses.hpp"
-#include "denhartog/number/errors.hpp"
-#include "tests/catch.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"
 

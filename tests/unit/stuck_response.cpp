@@ -2,14 +2,8 @@
 #include <cmath>
 #include <complex>
 
-#include "denhartog/formulas/stuck.hpp"
-#include "denhartog/model/stuck_configuration.hpp"
-#include "denhartog/number/errors.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
-#include "tests/catch.hpp"
-#include "tests/support/half_period.hpp"
 #include "tests/support/held_contact.hpp"
-#include "tests/support/multiprecision.hpp"
 #include "tests/support/rotations.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/support/second_witness.hpp"

@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <new>
 #include <set>
 #include <sstream>
@@ -17,7 +15,7 @@
 #include "denhartog/number/why.hpp"
 #include "derivation/ledger/source_text.hpp"
 #include "derivation/offers/formula_list.hpp"
-#include "tests/catch.hpp"
+#include "tests/unit/ledger_fixtures.hpp"
 
 using namespace denhartog::offers;
 using namespace denhartog;
@@ -26,21 +24,19 @@ using namespace denhartog;
 
 using denhartog::default_effort;
 using denhartog::derivation::text_of;
+using denhartog::tests::project;
 
 TEST_CASE("every derivation that a doc comment names is a file", "[documentation]") {
-    const char* source = std::getenv("DENHARTOG_SOURCE_DIR");
-    REQUIRE(source != nullptr);
-    const std::filesystem::path root(source);
     const std::string tag = "@derivation{";
     int found = 0;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / "src")) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(project() / "src")) {
         if (entry.path().extension() != ".hpp") continue;
         const std::string text = text_of(entry.path());
         for (std::size_t at = text.find(tag); at != std::string::npos; at = text.find(tag, at + 1)) {
             const std::size_t from = at + tag.size();
             const std::string name = text.substr(from, text.find('}', from) - from);
             INFO(entry.path().string() << ": " << name);
-            CHECK(std::filesystem::exists(root / "derivation" / (name + ".cpp")));
+            CHECK(std::filesystem::exists(project() / "derivation" / (name + ".cpp")));
             ++found;
         }
     }
@@ -48,15 +44,13 @@ TEST_CASE("every derivation that a doc comment names is a file", "[documentation
 }
 
 TEST_CASE("the program that the page of the library shows is the one that is compiled", "[documentation]") {
-    const std::filesystem::path root(std::getenv("DENHARTOG_SOURCE_DIR"));
-    const std::string program = text_of(root / "tests/package/first_program.cpp");
+    const std::string program = text_of(project() / "tests/package/first_program.cpp");
     REQUIRE(program.size() > 100);
-    CHECK(text_of(root / "docs/library.md").find("```cpp\n" + program + "```") != std::string::npos);
+    CHECK(text_of(project() / "docs/library.md").find("```cpp\n" + program + "```") != std::string::npos);
 }
 
 TEST_CASE("the lines of C++ that README shows are lines of that program", "[documentation]") {
-    const std::filesystem::path root(std::getenv("DENHARTOG_SOURCE_DIR"));
-    const std::string program = text_of(root / "tests/package/first_program.cpp"), readme = text_of(root / "README.md");
+    const std::string program = text_of(project() / "tests/package/first_program.cpp"), readme = text_of(project() / "README.md");
     const std::size_t from = readme.find("```cpp\n") + 7;
     std::istringstream shown(readme.substr(from, readme.find("```", from) - from));
     int found = 0;
@@ -71,11 +65,10 @@ TEST_CASE("the lines of C++ that README shows are lines of that program", "[docu
 }
 
 TEST_CASE("every promise names a test that is there", "[documentation]") {
-    const std::filesystem::path root(std::getenv("DENHARTOG_SOURCE_DIR"));
     std::string tests;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / "tests"))
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(project() / "tests"))
         if (entry.path().extension() == ".cpp" || entry.path().extension() == ".py") tests += text_of(entry.path());
-    std::istringstream page(text_of(root / "docs/promises.md"));
+    std::istringstream page(text_of(project() / "docs/promises.md"));
     int found = 0;
     for (std::string line; std::getline(page, line);) {
         const std::size_t from = line.rfind("| *"), to = line.rfind("* |");
@@ -91,7 +84,6 @@ TEST_CASE("every promise names a test that is there", "[documentation]") {
 }
 
 TEST_CASE("the default budget is told as it is", "[documentation][effort]") {
-    const std::filesystem::path root(std::getenv("DENHARTOG_SOURCE_DIR"));
     const auto in_words = [](long operations) {
         const auto exponent = static_cast<int>(std::floor(std::log10(static_cast<double>(operations)) + 1e-6));
         std::ostringstream text;
@@ -102,7 +94,8 @@ TEST_CASE("the default budget is told as it is", "[documentation][effort]") {
     for (const char* name : {"src/denhartog/program/commands/scene_command.cpp", "src/denhartog/c/denhartog.h",
                              "docs/c-interface.md", "docs/promises.md"}) {
         std::string text;
-        for (const char letter : text_of(root / name)) { // words that a line or a literal ends between follow each other here
+        for (const char letter :
+             text_of(project() / name)) { // words that a line or a literal ends between follow each other here
             if (letter == '"' || letter == '/') continue;
             const bool space = letter == ' ' || letter == '\n';
             if (!space || text.empty() || text.back() != ' ') text += space ? ' ' : letter;
@@ -171,15 +164,7 @@ TEST_CASE("what others throw is told in words of this library", "[number]") {
 
 // The notation page has every symbol that the formulas take, and no name that the code does not know.
 
-using denhartog::derivation::text_of;
-
 namespace {
-
-std::filesystem::path root() {
-    const char* source = std::getenv("DENHARTOG_SOURCE_DIR");
-    REQUIRE(source != nullptr);
-    return source;
-}
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
@@ -233,9 +218,9 @@ std::set<std::string> parameters_of(const std::string& header) {
 } // namespace
 
 TEST_CASE("every symbol that a formula takes stands in the notation", "[documentation]") {
-    const std::set<std::string> names = noted(text_of(root() / "docs/notation.md"));
+    const std::set<std::string> names = noted(text_of(project() / "docs/notation.md"));
     int found = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(root() / "src/denhartog/formulas"))
+    for (const auto& entry : std::filesystem::directory_iterator(project() / "src/denhartog/formulas"))
         for (const std::string& name : parameters_of(text_of(entry.path()))) {
             INFO(entry.path().filename().string() << ": " << name);
             CHECK(names.count(name) == 1);
@@ -246,9 +231,9 @@ TEST_CASE("every symbol that a formula takes stands in the notation", "[document
 
 TEST_CASE("every name in the notation is one that the code has", "[documentation]") {
     std::set<std::string> known;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(root() / "src"))
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(project() / "src"))
         if (entry.path().extension() == ".hpp") known.merge(words_of(text_of(entry.path())));
-    for (const std::string& name : noted(text_of(root() / "docs/notation.md"))) {
+    for (const std::string& name : noted(text_of(project() / "docs/notation.md"))) {
         INFO(name);
         CHECK(known.count(name) == 1);
     }

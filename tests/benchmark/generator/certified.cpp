@@ -1,15 +1,79 @@
+// The boundaries of the scenes of the pack, their motions by both routes, and how long these take to settle.
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <thread>
 
+#include "denhartog/answer/reference.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/parallel.hpp"
+#include "tests/benchmark/generator/motion.hpp"
 #include "tests/benchmark/generator/pack.hpp"
+#include "tests/conformance/generator/linear_half_period.hpp"
+#include "tests/support/event_integrator.hpp"
+#include "tests/support/held_contact.hpp"
+#include "tests/support/second_witness.hpp"
 
 namespace denhartog::benchmark {
+
+Onsets onsets_of(const PackScene& s) {
+    ReferenceQuestion question;
+    question.asked = Asked::regime;
+    question.digits = 48;
+    const SceneSource scene = without_friction_ratio(scene_source(scene_of(s)));
+    Tried<Solution> answer = solution_by_reference(scene, question, [] { return std::vector<OrbitGuess>(); });
+    const Limits limits = *answer.required().limits;
+    if (!limits.sticking) throw DomainError("no friction holds the contact of " + s.id);
+    return {Real50(limits.exact.decimal), Real50(limits.sticking->decimal)};
+}
+
+Onsets onsets_of_half_period(const PackScene& s) {
+    using namespace conformance::generator;
+    const HalfPeriodProblem<Real50> p = half_period_problem(scene_of(s));
+    const Eigen::Index N = p.M.rows(), j = static_cast<Eigen::Index>(p.contact.index);
+    const Real50 mu = Real50(s.F_static) / s.F;
+    const LinearHalfPeriod<Real50> h = linear_half_period(p, 512);
+    const Real50 re = h.Y(j, 0), im = h.Y(N + j, 0), U = U_of(h, h.w);
+    const Real50 demand = std::max(largest_demand(h), Real50(acceleration_at_start(h) + (mu - 1) / p.M(j, j)));
+    return {sqrt(Real50((re * re + im * im) / (U * U + demand * demand))), modulus(tests::held_contact(p).load) / mu};
+}
+
+// The motion from rest on the physical coordinates, phase by phase: matrix exponentials in 50 digits, and no modes.
+
+namespace {
+
+using Number = Real50;
+using std::abs;
+
+constexpr int most_periods = 20000;
+constexpr int steps = 128; // a period: no phase of the scenes that ends in one and starts another is shorter
+
+} // namespace
+
+std::vector<int> periods_to_settle(const Scene<double>& scene, const Motion& settled, const std::vector<double>& tolerances) {
+    const Sample& end = settled.samples.front();
+    const std::size_t N = end.x.size();
+    Number largest(0);
+    for (std::size_t k = 0; k < N; ++k) largest = std::max({largest, Number(abs(end.x[k])), Number(abs(end.x_prime[k]))});
+    if (largest == 0) largest = 1;
+    std::vector<int> periods(tolerances.size(), 0);
+    std::size_t next = 0;
+    const HalfPeriodProblem<Number> problem = half_period_problem(scene);
+    tests::EventIntegrator<Number> motion(problem, Number(scene.mu) * problem.beta, steps);
+    const Vector<Number> zero = Vector<Number>::Zero(static_cast<Eigen::Index>(N));
+    motion.start(zero, zero);
+    for (int n = 1; n <= most_periods && next < tolerances.size(); ++n) {
+        const tests::FollowedMotion<Number>& now = motion.go_on(steps);
+        Number apart(0);
+        for (std::size_t k = 0; k < N; ++k)
+            apart = std::max({apart, Number(abs(now.x(static_cast<Eigen::Index>(k)) - end.x[k])),
+                              Number(abs(now.x_prime(static_cast<Eigen::Index>(k)) - end.x_prime[k]))});
+        while (next < tolerances.size() && apart <= tolerances[next] * largest) periods[next++] = n;
+    }
+    return periods;
+}
+
 namespace {
 
 const double period = 2 * pi<double>();

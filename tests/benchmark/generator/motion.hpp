@@ -40,32 +40,22 @@ struct Motion {
 };
 
 /// @brief The motion from rest at zero by the library: found by the exact solver in double, and proved by the reference.
-/// @param scene  the scene
-/// @return       the motion
-/// @throws       DomainError where it is not one period of the force long, or an event is decided by rounding
+/// DomainError where it is not one period of the force long, or an event is decided by rounding.
 [[nodiscard]] Motion library_motion(const Scene<double>& scene);
 
 /// @brief The same motion as one boundary-value problem on physical coordinates: the state at the maximum of the force and the
-/// instants of all events by Newton's method, phases by matrix exponentials. Nothing here knows of modes.
-/// @param scene  the scene
-/// @param seen   the motion by another route: its order of phases is taken over, its numbers rounded to doubles are the start
-/// @return       the motion
-/// @throws       DomainError where Newton's method does not converge or a phase does not move as it should
+/// instants of all events by Newton's method, phases by matrix exponentials. Nothing here knows of modes. Of the motion by
+/// another route the order of phases is taken over, and its numbers rounded to doubles are the start. DomainError where Newton's
+/// method does not converge or a phase does not move as it should.
 [[nodiscard]] Motion physical_motion(const Scene<double>& scene, const Motion& seen);
 
 /// @brief Decimal digits on which two motions agree, counted to 40: of displacements and velocities against the largest of all,
-/// of instants and phases in radians.
-/// @param a  a motion
-/// @param b  the same by another route
-/// @return   the least; -1 where they differ in kind
+/// of instants and phases in radians. -1 where they differ in kind.
 [[nodiscard]] int agreement(const Motion& a, const Motion& b);
 
 /// @brief Periods from rest at zero until all displacements and velocities at the maximum of the force are those of the settled
-/// motion to a tolerance times the largest of them. The motion is followed on the physical coordinates.
-/// @param scene       the scene
-/// @param settled     its settled motion
-/// @param tolerances  tolerances, descending
-/// @return            periods; 0 for one that was not reached
+/// motion to a tolerance times the largest of them. The motion is followed on the physical coordinates. Tolerances descend; 0
+/// stands for one that was not reached.
 [[nodiscard]] std::vector<int> periods_to_settle(const Scene<double>& scene, const Motion& settled,
                                                  const std::vector<double>& tolerances);
 

@@ -1,7 +1,6 @@
 #include "tests/benchmark/generator/pack.hpp"
 
 #include <cstdio>
-#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "tests/conformance/generator/number_digits.hpp"

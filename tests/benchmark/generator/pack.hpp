@@ -29,8 +29,6 @@ struct Onsets {
 [[nodiscard]] Onsets onsets_of(const PackScene& s);
 
 /// @brief The same from the physical coordinates: half a period that mirrors itself, and a dense system with the contact held.
-/// @param s  a scene
-/// @return   the boundaries
 [[nodiscard]] Onsets onsets_of_half_period(const PackScene& s);
 
 /// @brief A scene with its certified motion, and what follows from both.
@@ -48,10 +46,7 @@ struct CertifiedScene {
 /// @brief Tolerances to which the periods from rest are counted. @return 1e-3, 1e-6, 1e-9, 1e-12
 [[nodiscard]] const std::vector<double>& settling_tolerances();
 
-/// @brief Computes a scene by both routes.
-/// @param scene  the scene
-/// @return       the certified scene
-/// @throws       DomainError where the routes do not agree
+/// @brief Computes a scene by both routes. DomainError where the routes do not agree.
 [[nodiscard]] CertifiedScene certified(const PackScene& scene);
 
 /// @brief The scenes of a pack, certified anew. @param pack its folder @param progress whether to say on standard error which one

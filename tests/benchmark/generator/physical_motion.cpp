@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 
-#include "denhartog/number/errors.hpp"
 #include "tests/benchmark/generator/motion.hpp"
 #include "tests/support/contact_phase.hpp"
 #include "tests/support/second_witness.hpp"

@@ -1,6 +1,6 @@
 // SUNDIALS CVODE: `benchmark-cvode TOLERANCE PACK`.
 #include "tests/benchmark/solvers/pack_runner.hpp"
-#include "tests/conformance/adapters/solvers/time_integrators.hpp"
+#include "tests/conformance/adapters/solvers/period.hpp"
 
 int main(int argc, char** argv) {
     using namespace denhartog::tests;

@@ -1,15 +1,14 @@
 // Methods of this library and those that need no other: `benchmark-solver METHOD SETTING PACK`.
 #include <boost/numeric/odeint.hpp>
 #include <iostream>
-#include <map>
 #include <numbers>
 
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/denhartog.hpp"
 #include "denhartog/paper_algorithm/contact_equations.hpp"
 #include "tests/benchmark/solvers/pack_runner.hpp"
-#include "tests/conformance/adapters/solvers/time_integrators.hpp"
-#include "tests/speed_accuracy/peers/harmonic_balance.hpp"
+#include "tests/conformance/adapters/solvers/period.hpp"
+#include "tests/speed_accuracy/peers/peers.hpp"
 
 namespace {
 

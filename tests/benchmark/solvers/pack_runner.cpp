@@ -1,14 +1,11 @@
 #include "tests/benchmark/solvers/pack_runner.hpp"
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <ctime>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
-#include "denhartog/number/errors.hpp"
 #include "tests/benchmark/pack_scene.hpp"
 #include "tests/conformance/adapters/solvers/steady_motion.hpp"
 

@@ -28,19 +28,13 @@ struct PackSolver {
 /// @brief Instants of a period that the pack has.
 inline constexpr int pack_instants = 64;
 
-/// @brief A time integrator as a solver of the pack, from rest until the motion has settled.
-/// @param method      its name
-/// @param setting     its setting
-/// @param integrator  the integrator
-/// @param budget      processor seconds after which a scene is given up
-/// @return            the solver
+/// @brief A time integrator as a solver of the pack, from rest until the motion has settled. After `budget` processor seconds a
+/// scene is given up.
 [[nodiscard]] PackSolver settled(const std::string& method, const std::string& setting, TimeIntegrator integrator, double budget);
 
 /// @brief Reads the arguments `SETTING PACK [--budget SECONDS] [--every N] [--from N]`, runs the solver, and writes results to
-/// standard output.
-/// @param argc, argv  as the program got them
-/// @param make        makes the solver of a setting and a budget; throws InputError for a setting that is none
-/// @return            exit status
+/// standard output. `make` makes the solver of a setting and a budget, and throws InputError for a setting that is none. Gives
+/// the exit status.
 int run_pack(int argc, char** argv, const std::function<PackSolver(const std::string& setting, double budget)>& make);
 
 } // namespace denhartog::tests

@@ -6,8 +6,6 @@
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/answer/reference_point.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
-#include "denhartog/number/effort.hpp"
-#include "denhartog/number/errors.hpp"
 #include "denhartog/reference/orbit.hpp"
 #include "denhartog/reference/sliding.hpp"
 #include "tests/conformance/generator/route.hpp"

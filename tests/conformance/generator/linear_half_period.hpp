@@ -22,18 +22,14 @@ struct LinearHalfPeriod {
     [[nodiscard]] T velocity_of_contact(const Vector<T>& z) const { return w.dot(z.segment(w.size(), w.size())); }
 };
 
-/// @brief Number of steps that show every extremum: 32 a cycle of the fastest mode, at least 96.
-/// @param fastest  largest natural frequency over that of the force
-/// @return         steps of [0, pi]
+/// @brief Number of steps that show every extremum: 32 a cycle of the fastest mode, at least 96. `fastest` is the largest natural
+/// frequency over that of the force.
 template <class T>
 [[nodiscard]] int steps_for(const T& fastest) {
     return std::clamp(static_cast<int>(16 * fastest), 96, 4096);
 }
 
-/// @brief Solves the mirrored half-period.
-/// @param p      the problem; its beta does not matter
-/// @param steps  equal steps that [0, pi] is sampled in
-/// @return       the responses
+/// @brief Solves the mirrored half-period. The problem's beta does not matter; [0, pi] is sampled in equal steps.
 template <class T>
 [[nodiscard]] LinearHalfPeriod<T> linear_half_period(HalfPeriodProblem<T> p, int steps) {
     p.beta = T(1);
@@ -50,10 +46,7 @@ template <class T>
 }
 
 /// @brief State of z' = Az a time later, by Taylor's series in steps of norm 1, or by the matrix exponential where they are many.
-/// @param A   the matrix
-/// @param z   a state
-/// @param dt  the time, of any sign
-/// @return    the state
+/// The time may have any sign.
 template <class T>
 [[nodiscard]] Vector<T> moved(const Matrix<T>& A, const Vector<T>& z, const T& dt) {
     using std::abs;
@@ -75,21 +68,18 @@ template <class T>
 }
 
 /// @brief First damping function (34) of a displacement: its velocity at tau = 0 under the friction alone, with the sign turned.
-/// @param h  the half-period @param x the displacement over the masses @return U_dk
 template <class T>
 [[nodiscard]] T U_of(const LinearHalfPeriod<T>& h, const Vector<T>& x) {
     return -x.dot(h.Y.col(2).tail(x.size()));
 }
 
 /// @brief Second damping function (35) of a displacement: that displacement there, with the sign turned.
-/// @param h  the half-period @param x the displacement over the masses @return G_k
 template <class T>
 [[nodiscard]] T G_of(const LinearHalfPeriod<T>& h, const Vector<T>& x) {
     return -x.dot(h.Y.col(2).head(x.size()));
 }
 
 /// @brief Acceleration of the contact next after tau = 0 under the friction alone: H_j + w^T M^-1 w / r^2, Eqs. (64), (65), (71).
-/// @param h  the half-period @return the acceleration
 template <class T>
 [[nodiscard]] T acceleration_at_start(const LinearHalfPeriod<T>& h) {
     return h.velocity_of_contact(Vector<T>(h.A * h.f.col(0)));
@@ -98,7 +88,6 @@ template <class T>
 /// @brief Largest value over (0, pi) of (U_dj cos tau + x_j') / sin tau under the friction alone, its limits included: S_j.
 ///
 /// The velocity of the contact is -sin tau times the root of (38), plus beta times that numerator.
-/// @param h  the half-period @return the largest value
 template <class T>
 [[nodiscard]] T largest_demand(const LinearHalfPeriod<T>& h) {
     using std::abs;
@@ -141,13 +130,8 @@ struct FurthestPlace {
 };
 
 /// @brief The turning points of a row over the state of z' = Az: where its rate changes its sign between equal samples, by
-/// Newton's method, and bisection where that leaves the interval. The ends of the stretch are not among them.
-/// @param A        the matrix
-/// @param z        the state at the start
-/// @param row      weights of the state
-/// @param length   length of the stretch
-/// @param samples  their number
-/// @return         the turning point where the row is largest in size; zero where there is none
+/// Newton's method, and bisection where that leaves the interval. The ends of the stretch are not among them. Gives the one where
+/// the row is largest in size; zero where there is none.
 template <class T>
 [[nodiscard]] FurthestPlace<T> furthest_turn(const Matrix<T>& A, const Vector<T>& z, const Vector<T>& row, const T& length,
                                              int samples) {

@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "denhartog/number/errors.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/sliding/bounded_modes.hpp"
 #include "tests/conformance/generator/route.hpp"

@@ -2,9 +2,7 @@
 #include <algorithm>
 #include <array>
 
-#include "denhartog/number/errors.hpp"
 #include "tests/conformance/generator/linear_half_period.hpp"
-#include "tests/conformance/generator/physical_problem.hpp"
 #include "tests/conformance/generator/route.hpp"
 #include "tests/support/contact_phase.hpp"
 

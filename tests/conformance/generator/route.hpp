@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "conformance/question.hpp"
-#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/scene/scene_json.hpp"
 #include "denhartog/sliding/boundary.hpp"
 #include "denhartog/stick_slip/motion_record.hpp"
+#include "tests/support/half_period.hpp"
 #include "tests/support/multiprecision.hpp"
 
 namespace denhartog::conformance::generator {
@@ -23,26 +23,20 @@ public:
     Route(const Route&) = delete;
     Route& operator=(const Route&) = delete;
     virtual ~Route() = default;
-    /// @brief Numbers that answer a question about the scene.
-    /// @param q  the question
-    /// @return   the numbers; none where the route does not serve the quantity
+    /// @brief Numbers that answer a question about the scene. None where the route does not serve the quantity.
     virtual std::vector<T> numbers(const ProtocolQuestion& q) = 0;
 };
 
-/// @brief The scene of a question in 50 or 100 digits, its numbers taken as exact.
-/// @param q  the question
-/// @return   the scene; a moving base as the load that it is
-/// @throws   InputError as `scene_of`
+/// @brief The scene of a question in 50 or 100 digits, its numbers taken as exact. A moving base is the load that it is. Throws
+/// as `scene_of` does.
 template <class T>
 [[nodiscard]] Scene<T> wide_scene_of(const ProtocolQuestion& q) {
     static_cast<void>(scene_of(q));
     return scene_from_json<T>(nlohmann::json(question_json(q).at("scene")));
 }
 
-/// @brief The numbers of a mass that slides, whose members are named as in `MassResponse`.
-/// @param m         the mass
-/// @param quantity  a quantity
-/// @return          the number; none where the mass alone does not have it
+/// @brief The numbers of a mass that slides, whose members are named as in `MassResponse`. None where the mass alone does not
+/// have the quantity.
 template <class SlidingMass>
 [[nodiscard]] auto numbers_of_sliding(const SlidingMass& m, const std::string& quantity) -> std::vector<decltype(m.x0)> {
     if (quantity == "amplitude") return {m.amplitude};
@@ -54,10 +48,8 @@ template <class SlidingMass>
     return {};
 }
 
-/// @brief The physical coordinates: matrix exponentials over half a period, characteristic polynomial, dense linear systems.
-/// @param scene   a question about the scene
-/// @param regime  the regime, where the quantity depends on it
-/// @return        the route
+/// @brief The physical coordinates: matrix exponentials over half a period, characteristic polynomial, dense linear systems. The
+/// regime is that of the scene, where the quantity depends on it.
 template <class T>
 [[nodiscard]] std::unique_ptr<Route<T>> physical(const ProtocolQuestion& scene, Regime regime);
 
@@ -70,28 +62,43 @@ struct OrbitSeen {
     [[nodiscard]] int sign() const { return halves % 2 == 1 ? -1 : 1; } ///< what the stretch does to a state
 };
 
-/// @brief The steady motion from rest, cut off after 24 bits: the routes do not depend on the last digits of double.
-/// @param scene  a question about the scene
-/// @return       the motion
-/// @throws       DomainError where it is not a stable motion with stops
+/// @brief The steady motion from rest, cut off after 24 bits: the routes do not depend on the last digits of double. DomainError
+/// where it is not a stable motion with stops.
 [[nodiscard]] OrbitSeen orbit_seen(const ProtocolQuestion& scene);
 
-/// @brief The reference: the paper's own formulas on balls, every number proved.
-/// @param scene   a question about the scene
-/// @param regime  the regime, where the quantity depends on it
-/// @param seen    a motion with stops, near which the one is proved that is asked about; null: the scene is asked about without
-/// @return        the route
+/// @brief The reference: the paper's own formulas on balls, every number proved. The regime is that of the scene, where the
+/// quantity depends on it. `seen` is a motion with stops, near which the one is proved that is asked about; without it the scene
+/// is asked about without stops.
 template <class T>
 [[nodiscard]] std::unique_ptr<Route<T>> by_reference(const ProtocolQuestion& scene, Regime regime,
                                                      const OrbitSeen* seen = nullptr);
 
 /// @brief Stick-slip as one boundary-value problem: Newton's method on the state and all instants of the stretch.
 ///
-/// The phases are matrix exponentials on physical coordinates.
-/// @param scene  a question about the scene
-/// @param seen   where to start
-/// @return       the route
+/// The phases are matrix exponentials on physical coordinates. It starts from what was seen.
 template <class T>
 [[nodiscard]] std::unique_ptr<Route<T>> phase_problem(const ProtocolQuestion& scene, const OrbitSeen& seen);
+
+/// @brief The boundary-value problem of a question's scene, its numbers taken as exact.
+template <class T>
+[[nodiscard]] HalfPeriodProblem<T> problem_of(const ProtocolQuestion& q);
+/// @brief In 50 digits. @param q the question @return the problem
+template <>
+[[nodiscard]] HalfPeriodProblem<Real50> problem_of(const ProtocolQuestion& q);
+/// @brief In 100 digits. @param q the question @return the problem
+template <>
+[[nodiscard]] HalfPeriodProblem<Real100> problem_of(const ProtocolQuestion& q);
+
+/// @brief How far a base or wall moves, in units of P / k_1. @param q the question @return the amplitude of what moves
+template <class T>
+[[nodiscard]] T base_of(const ProtocolQuestion& q) {
+    return q.base_motion == "with_wall" ? T(1 / (T(q.r) * T(q.r))) : T(1);
+}
+
+/// @brief How far the frame of the displacements moves. @param q the question @return the amplitude; 0 of a frame at rest
+template <class T>
+[[nodiscard]] T frame_of(const ProtocolQuestion& q) {
+    return q.base_motion == "with_wall" || q.base_motion == "wall" ? base_of<T>(q) : T(0);
+}
 
 } // namespace denhartog::conformance::generator

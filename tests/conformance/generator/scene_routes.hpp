@@ -27,16 +27,14 @@ struct Neighbour {
     ProtocolQuestion scene; ///< the scene
 };
 
-/// @brief Scenes next to one: every input that may change and is not zero, by 2^-36 of itself.
-/// @param scene  a question about the scene
-/// @return       the neighbours, in the order of the inputs
+/// @brief Scenes next to one: every input that may change and is not zero, by 2^-36 of itself. They come in the order of the
+/// inputs.
 [[nodiscard]] std::vector<Neighbour> neighbours_of(const ProtocolQuestion& scene);
 
 /// @brief All routes to the numbers of a scene, each made when first asked for.
 class SceneRoutes {
 public:
-    /// @param scene   a question about the scene
-    /// @param regime  its regime
+    /// @brief Of a question about the scene, and its regime.
     SceneRoutes(const ProtocolQuestion& scene, Regime regime);
 
     /// @brief The first route. @param q a question @return its numbers
@@ -48,11 +46,8 @@ public:
     /// @brief What the two are called. @param q a question @return their names
     [[nodiscard]] std::array<std::string, 2> names(const ProtocolQuestion& q) const;
 
-    /// @brief Condition numbers of a quantity, in the order of the inputs; those of no influence left out.
-    /// @param q       a question
-    /// @param values  its numbers in 50 digits, from `first`
-    /// @param scale   what changes are divided by
-    /// @return        input and condition number
+    /// @brief Condition numbers of a quantity, in the order of the inputs; those of no influence left out. `values` are its
+    /// numbers in 50 digits, from `first`; changes are divided by the scale.
     [[nodiscard]] std::vector<std::pair<std::string, Real50>> condition(const ProtocolQuestion& q,
                                                                         const std::vector<Real50>& values, const Real50& scale);
 

@@ -4,7 +4,7 @@ A mistake is made by edits of an adapter or by arguments of a solver (programs.t
 wrong, and the first diagnosis has to be the right one; a correct program has to pass, one in single precision to be found
 inaccurate and nowhere wrong, and one that has no name must not conform. Where the vectors that show a mistake are no `must`, the
 run conforms but finds it all the same. An edit whose text is not there exactly once is an error. Programs that make several
-mistakes at once are for diagnose_several.cpp. Usage:
+mistakes at once are for diagnose_known.cpp. Usage:
 kill_matrix.py --program DENHARTOG --vectors FOLDER --output FOLDER [--only NAME] [--all]
 With --only one of them is run, and no table written. A program that is asked one in so many of all vectors is asked a quarter of
 these, and with --all each of them.

@@ -27,15 +27,22 @@ NAMES = ("example", "example_dimensional", "example_dashpots", "example_stick_sl
 CHAIN = dict(mass_ratios=[1, 2.5, 0.75], stiffness_ratios=[1, 0.625, 1.875], damping_ratios=[0.03, 0.06, 0.09], contact=2, load=1)
 
 
-def told(*arguments):
-    """What the program prints."""
-    done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=True)
-    return done.stdout
-
-
-def told_of(scene, *arguments):
-    """What the program prints of a scene on its standard input."""
+def told(*arguments, scene=None):
+    """What the program prints, of a scene on its standard input if there is one."""
     return subprocess.run([PROGRAM, *map(str, arguments)], input=json.dumps(scene), capture_output=True, text=True, check=True).stdout
+
+
+def answer(scene, *arguments):
+    """What the program answers about a scene, or the file of one."""
+    return json.loads(told(*arguments, "--json", scene=scene) if isinstance(scene, dict) else told(*arguments, "--json", scene))
+
+
+def mapped(name, *arguments):
+    """The map of a scene that the program writes."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder, "map.npy")
+        told("map", scene_file(name), *arguments, "--output", path)
+        return np.load(path)
 
 
 def scene_file(name):
@@ -50,7 +57,7 @@ class AgainstTheProgram(unittest.TestCase):
     def test_a_solution_is_what_solve_tells(self):
         for name in NAMES:
             with self.subTest(name):
-                system, true = System.from_scene(scene_file(name)), json.loads(told("solve", "--json", scene_file(name)))
+                system, true = System.from_scene(scene_file(name)), answer(scene_file(name), "solve")
                 found = system.solve(true["r"], true["beta"])
                 self.assertEqual(found.regime, true["regime"])
                 self.assertEqual(found.unique, true["unique"])
@@ -66,12 +73,9 @@ class AgainstTheProgram(unittest.TestCase):
     def test_a_map_is_that_of_map_to_the_last_bit(self):
         for name, masses in (("example", [2]), ("example_dimensional", [2, 3]), ("example_stick_slip", [1])):
             for start in ("rest", "sliding"):
-                with self.subTest(name, start=start), tempfile.TemporaryDirectory() as folder:
-                    path = pathlib.Path(folder, "map.npy")
+                with self.subTest(name, start=start):
                     chosen = [word for k in masses for word in ("--mass", k)]
-                    told("map", scene_file(name), "--r", "0.3:1.5:25", "--beta", "0.05:1.2:12", "--start", start,
-                         "--output", path, *chosen)
-                    true = np.load(path)
+                    true = mapped(name, "--r", "0.3:1.5:25", "--beta", "0.05:1.2:12", "--start", start, *chosen)
                     found = System.from_scene(scene_file(name)).map(true["r"][:, 0], true["beta"][0], masses, start)
                     for field, there in (("regime", "regime"), ("stops", "stops_per_period"), ("periods", "periods"),
                                          ("status", "status")):
@@ -81,11 +85,9 @@ class AgainstTheProgram(unittest.TestCase):
 
     def test_a_map_has_the_phases_and_absolute_displacements_of_the_program(self):
         for name, ground in (("example", False), ("example_quarter_car", True), ("example_lever", False)):
-            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
-                path = pathlib.Path(folder, "map.npy")
-                told("map", scene_file(name), "--r", "0.3:1.5:5", "--beta", "0.05:1.2:4", "--mass", 2, "--phases",
-                     *(["--from-ground"] if ground else []), "--output", path)
-                true = np.load(path)
+            with self.subTest(name):
+                true = mapped(name, "--r", "0.3:1.5:5", "--beta", "0.05:1.2:4", "--mass", 2, "--phases",
+                              *(["--from-ground"] if ground else []))
                 found = System.from_scene(scene_file(name)).map(true["r"][:, 0], true["beta"][0], 2, phases=True, from_ground=ground)
                 np.testing.assert_array_equal(found.amplitude[:, :, 0], true["amplitude_2"])
                 np.testing.assert_array_equal(found.phase[:, :, 0], true["phase_2"])
@@ -95,7 +97,7 @@ class AgainstTheProgram(unittest.TestCase):
                 System(**CHAIN, mu=1.375).map([1], [0.1], start=start, **what)
 
     def test_a_contact_may_have_any_direction(self):
-        true = json.loads(told("solve", "--json", scene_file("example_lever")))
+        true = answer(scene_file("example_lever"), "solve")
         system = System.from_scene(scene_file("example_lever"))
         found = system.solve(true["r"], true["beta"])
         np.testing.assert_array_equal(found.amplitude, [m["amplitude"] for m in true["masses"]])
@@ -113,10 +115,7 @@ class AgainstTheProgram(unittest.TestCase):
 
     def test_an_answer_has_the_warning_of_the_program(self):
         scene = {"mass_ratios": 1, "stiffness_ratios": 1, "damping_ratios": 0, "contact": 1, "load": 1, "r": 1 - 2**-45, "beta": 0.125}
-        with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
-            json.dump(scene, file)
-            file.flush()
-            true = json.loads(told("solve", "--json", file.name))
+        true = answer(scene, "solve")
         self.assertIn("a unit in the last place", true["warning"])
         self.assertEqual(System.from_scene(scene).solve(scene["r"], scene["beta"]).warning, true["warning"])
         self.assertEqual(System(**CHAIN).solve(1.125, 0.1).warning, "")
@@ -124,9 +123,9 @@ class AgainstTheProgram(unittest.TestCase):
     def test_a_proved_solution_is_what_solve_tells_with_proved(self):
         for name in NAMES:
             with self.subTest(name):
-                system, plain = System.from_scene(scene_file(name)), json.loads(told("solve", "--json", scene_file(name)))
+                system, plain = System.from_scene(scene_file(name)), answer(scene_file(name), "solve")
                 r, beta, path = plain["r"], plain["beta"], scene_file(name)
-                true = json.loads(told("solve", "--json", "--proved", path))
+                true = answer(path, "solve", "--proved")
                 found, other = system.solve(r, beta, proved=True), system.solve(r, beta)
                 self.assertIs(true["method"]["proved"], True)
                 self.assertIs(found.proved, True)
@@ -146,7 +145,7 @@ class AgainstTheProgram(unittest.TestCase):
     def test_boundaries_are_those_of_boundary(self):
         for name in NAMES:
             with self.subTest(name):
-                true = json.loads(told("boundary", "--json", scene_file(name)))
+                true = answer(scene_file(name), "boundary")
                 found = System.from_scene(scene_file(name)).boundary(true["r"])
                 for kind in ("exact", "paper", "approximate", "sticking"):
                     self.assertAlmostEqual(getattr(found, kind) / true["beta_lim"][kind], 1, delta=1e-12)
@@ -155,7 +154,7 @@ class AgainstTheProgram(unittest.TestCase):
         for name in NAMES:
             with self.subTest(name):
                 system = System.from_scene(scene_file(name))
-                true = json.loads(told("boundary", "--json", "--digits", 10, scene_file(name)))
+                true = answer(scene_file(name), "boundary", "--digits", 10)
                 limits = system.boundary(true["r"])
                 for kind in ("exact", "paper", "approximate", "sticking"):
                     bound, theirs = getattr(limits.errors, kind), true["beta_lim_error_bounds"][kind]
@@ -163,7 +162,7 @@ class AgainstTheProgram(unittest.TestCase):
                 self.assertEqual(len(limits), 4)
                 if name == "example_dashpots":  # its damping couples the modes: there are no functions of a mode
                     continue
-                true = json.loads(told("functions", "--json", scene_file(name)))
+                true = answer(scene_file(name), "functions")
                 sums, modes = system.functions(true["modes"][0]["R"] * true["modes"][0]["natural_frequency_ratio"]), true["modes"]
                 np.testing.assert_array_equal(system.natural_frequency_ratio_errors,
                                               [m["error_bounds"]["natural_frequency_ratio"] for m in modes])
@@ -178,7 +177,7 @@ class AgainstTheProgram(unittest.TestCase):
     def test_motions_are_those_of_solve(self):
         for name in NAMES:
             with self.subTest(name):
-                at = json.loads(told("solve", "--json", scene_file(name)))
+                at = answer(scene_file(name), "solve")
                 rows = told("solve", "--samples", 32, scene_file(name)).splitlines()
                 true = np.array([[float(x) for x in row.split(",")] for row in rows[1:]])
                 tau, x, x_prime = System.from_scene(scene_file(name)).motion(at["r"], at["beta"], samples=32)
@@ -186,8 +185,7 @@ class AgainstTheProgram(unittest.TestCase):
                 np.testing.assert_allclose(found, true, rtol=1e-9, atol=1e-9 * np.abs(true).max())
 
     def test_own_units_are_those_of_the_scene(self):
-        system, true = System.from_scene(scene_file("example_dimensional")), json.loads(
-            told("solve", "--json", scene_file("example_dimensional")))
+        system, true = System.from_scene(scene_file("example_dimensional")), answer(scene_file("example_dimensional"), "solve")
         own, scene = true["dimensional"], system.scene
         force = system.base_force(scene["base_displacement"], hz=scene["frequency_hz"])
         self.assertAlmostEqual(force / own["force"], 1, delta=1e-15)
@@ -200,11 +198,10 @@ class AgainstTheProgram(unittest.TestCase):
         np.testing.assert_allclose(found, [m["amplitude"] for m in own["masses"]], rtol=1e-12)
         np.testing.assert_allclose(system.natural_frequencies, system.natural_frequency_ratios * np.sqrt(18500 / 12), rtol=1e-15)
 
-
     def test_energies_are_those_of_the_program(self):
         for name in ("example", "example_dimensional", "example_quarter_car"):
             with self.subTest(name):
-                true = json.loads(told("solve", "--json", "--energy", "--digits", "12", scene_file(name)))
+                true = answer(scene_file(name), "solve", "--energy", "--digits", 12)
                 found = System.from_scene(scene_file(name)).solve(true["r"], true["beta"], digits=12).energies(12)
                 energy = {**true["energy"], **{f"textbook_{key}": x for key, x in true["energy"]["textbook"].items()}}
                 for key in found._fields:
@@ -217,7 +214,7 @@ class AgainstTheProgram(unittest.TestCase):
 
     def test_a_motion_from_a_start_is_that_of_the_program(self):
         scene = json.loads(pathlib.Path(scene_file("free_decay")).read_text())
-        true = json.loads(told("integrate", "--json", "--start", "0.02,0", scene_file("free_decay")))
+        true = answer(scene_file("free_decay"), "integrate", "--start", "0.02,0")
         m, k, F = scene["masses"][0], scene["stiffnesses"][0], scene["friction"]
         system = System(masses=scene["masses"], stiffnesses=scene["stiffnesses"], damping_ratios=scene["damping_ratios"],
                         contact=scene["contact"], load=1)
@@ -234,11 +231,11 @@ class AgainstTheProgram(unittest.TestCase):
         self.assertEqual(past.x[0, 0], 0.02)
         loaded = {**CHAIN, "static_load": [1, 0, 0], "r": 1.125, "beta": 0.15625}
         x, error = System.from_scene(loaded).place_of_rest()
-        true = json.loads(told_of(loaded, "solve", "--json"))["place_of_rest"]
+        true = answer(loaded, "solve")["place_of_rest"]
         np.testing.assert_allclose(x, [place["x"] for place in true], rtol=1e-12)
         self.assertTrue((error < 1e-12).all())
         forced = System(**CHAIN).history(1.125, 0.15625, 5, last=2, samples=4)
-        of_program = json.loads(told_of({**CHAIN, "r": 1.125, "beta": 0.15625}, "integrate", "--json", "--cycles", "5", "--history", "2"))["history"]
+        of_program = answer({**CHAIN, "r": 1.125, "beta": 0.15625}, "integrate", "--cycles", "5", "--history", "2")["history"]
         np.testing.assert_allclose(forced.stops[:, 0], [stop["start"] for stop in of_program["stops"]], rtol=1e-9)
         for wrong in (lambda: system.free_decay(-1, [0.02]), lambda: system.free_decay(1e-3, [1, 2]),
                       lambda: system.free_decay(1e-3, [1], until=-1), lambda: system.history(1, 0.1, 3, last=4),
@@ -271,7 +268,7 @@ class AgainstTheProgram(unittest.TestCase):
     def test_absolute_displacements_are_those_of_the_program(self):
         for name in ("example_dimensional", "example_quarter_car", "example_isolator"):
             with self.subTest(name):
-                true = json.loads(told("solve", "--json", scene_file(name)))
+                true = answer(scene_file(name), "solve")
                 system = System.from_scene(scene_file(name))
                 found = system.solve(true["r"], true["beta"]).from_ground
                 for key in ("amplitude", "transmissibility", "phase"):
@@ -285,7 +282,7 @@ class AgainstTheProgram(unittest.TestCase):
             System(**CHAIN).solve([1.125], 0.1, from_ground=True)
         self.assertIsNone(System(**CHAIN).solve(1.125, 0.1).from_ground)
         system = System.from_scene(scene_file("example_isolator"))
-        force = json.loads(told("solve", "--json", scene_file("example_isolator")))["dimensional"]["force"]
+        force = answer(scene_file("example_isolator"), "solve")["dimensional"]["force"]
         self.assertAlmostEqual(system.base_force(acceleration=0.5) / force, 1, delta=1e-15)
         car = System.from_scene(scene_file("example_quarter_car"))
         self.assertAlmostEqual(car.base_force(acceleration=0.5, omega=10) / car.base_force(0.005), 1, delta=1e-15)
@@ -294,10 +291,7 @@ class AgainstTheProgram(unittest.TestCase):
 
     def test_forces_may_be_out_of_phase(self):
         load = {**CHAIN, "load": [1, 0.5, 0.25], "load_phases": [0, 1.25, -2]}
-        with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
-            json.dump({**load, "r": 1.125, "beta": 0.05}, file)
-            file.flush()
-            true = json.loads(told("solve", "--json", file.name))
+        true = answer({**load, "r": 1.125, "beta": 0.05}, "solve")
         found = System(**load).solve(1.125, 0.05)
         np.testing.assert_allclose(found.amplitude, [m["amplitude"] for m in true["masses"]], rtol=1e-12)
         np.testing.assert_allclose(found.phase, [m["phase"] for m in true["masses"]], rtol=0, atol=1e-12)

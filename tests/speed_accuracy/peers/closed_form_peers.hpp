@@ -22,13 +22,8 @@ template <class T, class S>
     return copy;
 }
 
-/// @brief (38) from the modes, whatever the regime. @eq{22,33,34,35,38}
-/// @param basis    modal basis
-/// @param contact  the mass in contact, j
-/// @param load     the loaded mass, l
-/// @param point    r and beta
-/// @param mode     (23), (28), (29) of a mode from R and zeta
-/// @return         the answer; not a number where the root has no value
+/// @brief (38) from the modes, whatever the regime. `mode` gives (23), (28), (29) of a mode from R and zeta. Not a number where
+/// the root has no value. @eq{22,33,34,35,38}
 template <class T, class Mode>
 [[nodiscard]] PeerAnswer closed_form_at(const ModalBasis<T>& basis, Mass contact, Mass load, const ChartPoint& point,
                                         const Mode& mode) {
@@ -68,7 +63,6 @@ template <class T, class Basis>
 }
 
 /// @brief A peer of the closed form as shipped, with its domain (69).
-/// @param setting name of the number type @param basis gives the modal basis
 template <class T, class Basis>
 [[nodiscard]] Peer shipped_form_peer(const std::string& setting, const Basis& basis) {
     return {"closed form as shipped", setting, 0, [basis](const System<double>& system) {

@@ -1,4 +1,4 @@
-#include "tests/speed_accuracy/peers/cvode.hpp"
+#include "tests/speed_accuracy/peers/peers.hpp"
 
 #include "tests/speed_accuracy/peers/cvode_integrator.hpp"
 #include "tests/speed_accuracy/peers/settling.hpp"

@@ -19,8 +19,7 @@ namespace denhartog::tests {
 /// periods would be skipped. Ends of phases restart the integrator.
 class CvodeIntegrator {
 public:
-    /// @param problem    the equations, friction, contact and load
-    /// @param tolerance  absolute and relative tolerance
+    /// @brief The tolerance is absolute and relative.
     CvodeIntegrator(const ContactProblem& problem, double tolerance);
     ~CvodeIntegrator();
     CvodeIntegrator(const CvodeIntegrator&) = delete;
@@ -32,10 +31,8 @@ public:
     /// @brief Sees an instant: tau, the state, and the sign of the contact's velocity from there on, 0 where it sticks.
     using Seen = std::function<void(double tau, std::span<const double> y, int direction)>;
 
-    /// @brief One period of the force.
-    /// @param parts  number of equal parts at whose ends `seen` is called; ends of phases are seen as well
-    /// @param seen   sees the start, the ends of parts and phases
-    /// @return       how it ended: answered, stalled, did_not_finish, not_a_number
+    /// @brief One period of the force. At the start, and at the ends of so many equal parts and of phases, `seen` is called. It
+    /// ends as answered, stalled, did_not_finish or not_a_number.
     Ending period(int parts, const Seen& seen);
 
     /// @brief The state. @return displacements, then velocities

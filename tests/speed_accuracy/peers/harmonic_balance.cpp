@@ -1,4 +1,4 @@
-#include "tests/speed_accuracy/peers/harmonic_balance.hpp"
+#include "tests/speed_accuracy/peers/peers.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>

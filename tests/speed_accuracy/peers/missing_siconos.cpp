@@ -1,4 +1,4 @@
-#include "tests/speed_accuracy/peers/siconos.hpp"
+#include "tests/speed_accuracy/peers/peers.hpp"
 
 namespace denhartog::tests {
 

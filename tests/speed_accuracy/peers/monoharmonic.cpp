@@ -1,4 +1,4 @@
-#include "tests/speed_accuracy/peers/monoharmonic.hpp"
+#include "tests/speed_accuracy/peers/peers.hpp"
 
 #include <cmath>
 

@@ -1,14 +1,14 @@
-#include "tests/speed_accuracy/peers/own_methods.hpp"
+#include "tests/speed_accuracy/peers/peers.hpp"
 
 #include <algorithm>
 #include <numbers>
 #include <variant>
 
-#include "denhartog/number/errors.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/speed_accuracy/peers/closed_form_peers.hpp"
+#include "tests/speed_accuracy/table.hpp"
 #include "tests/support/closed_form.hpp"
 
 namespace denhartog::tests {
@@ -91,11 +91,7 @@ Peer solve_peer(int digits) {
 
 Question question_of_chart(const System<double>& system, int digits) { return {Asked::amplitude, digits, false, system.contact}; }
 
-std::string tolerance_text(double tolerance) {
-    char text[16];
-    std::snprintf(text, sizeof text, "%.0e", tolerance);
-    return text;
-}
+std::string tolerance_text(double tolerance) { return digits(tolerance, "%.0e"); }
 
 std::vector<double> chart_tolerances() { return {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12}; }
 

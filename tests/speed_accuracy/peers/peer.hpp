@@ -40,8 +40,6 @@ struct PeerAnswer {
 };
 
 /// @brief Gives an answer its amplitude, all digits of a wider number kept.
-/// @param answer     gets it
-/// @param amplitude  X_j
 template <class T>
 void set_amplitude(PeerAnswer& answer, T amplitude) {
     answer.amplitude = static_cast<double>(amplitude);

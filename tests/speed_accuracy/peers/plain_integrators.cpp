@@ -1,4 +1,4 @@
-#include "tests/speed_accuracy/peers/plain_integrators.hpp"
+#include "tests/speed_accuracy/peers/peers.hpp"
 
 #include <algorithm>
 #include <boost/numeric/odeint.hpp>

@@ -8,23 +8,19 @@
 #include <span>
 #include <vector>
 
-#include "tests/speed_accuracy/peers/own_methods.hpp"
+#include "tests/speed_accuracy/peers/peers.hpp"
 
 namespace denhartog::tests {
 
 /// @brief Follows the states at the ends of periods.
 class Settling {
 public:
-    /// @param decay      `slowest_decay` of the system
-    /// @param r          frequency ratio, Eq. (10)
-    /// @param tolerance  wanted size of what is left of transients
+    /// @brief With the `slowest_decay` of the system; the tolerance is the wanted size of what is left of transients.
     Settling(double decay, double r, double tolerance)
         : most_(cycles_needed(decay, r, tolerance)), allowed_(-std::expm1(-2 * std::numbers::pi * decay / r) * tolerance) {}
 
     /// @brief Takes note of the end of a period. A transient that shrinks by rho a period is \f$ 1/(1-\rho) \f$ times as large as
-    /// what it changes in one.
-    /// @param state  displacements and velocities
-    /// @return       whether the motion has settled
+    /// what it changes in one. Whether the motion has settled.
     bool settled(std::span<const double> state) {
         double change = 0, size = 0;
         for (std::size_t n = 0; n < state.size(); ++n) {

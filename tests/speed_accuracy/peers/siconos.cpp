@@ -1,4 +1,4 @@
-#include "tests/speed_accuracy/peers/siconos.hpp"
+#include "tests/speed_accuracy/peers/peers.hpp"
 
 #include "denhartog/model/modal_basis.hpp"
 #include "tests/speed_accuracy/peers/settling.hpp"

@@ -10,13 +10,8 @@ namespace denhartog::tests {
 /// @brief A system under cos(tau) with dry friction on one mass, advanced by steps of one length.
 class SiconosSteps {
 public:
-    /// @param M, C, K  matrices, row by row, N x N
-    /// @param contact  the mass in contact, from 0
-    /// @param load     the loaded mass, from 0
-    /// @param beta     friction ratio
-    /// @param step     length of a step, in tau
-    /// @param steps    how many steps there will be at most
-    /// @param start    displacements and velocities at tau = 0; rest at zero where it is empty
+    /// @brief Of matrices row by row, masses counted from 0, the length of a step in tau, and the most steps that there will be.
+    /// The start has displacements and velocities at tau = 0; where it is empty it is rest at zero.
     SiconosSteps(const std::vector<double>& M, const std::vector<double>& C, const std::vector<double>& K, unsigned contact,
                  unsigned load, double beta, double step, long steps, const std::vector<double>& start = {});
     ~SiconosSteps();

@@ -1,5 +1,5 @@
 // SUNDIALS CVODE with root finding, a period at a time.
-#include "tests/conformance/adapters/solvers/time_integrators.hpp"
+#include "tests/conformance/adapters/solvers/period.hpp"
 #include "tests/speed_accuracy/peers/cvode_integrator.hpp"
 
 namespace denhartog::tests {

@@ -5,7 +5,7 @@
 
 #include "denhartog/number/errors.hpp"
 #include "tests/conformance/adapters/solvers/solver_adapter.hpp"
-#include "tests/speed_accuracy/peers/harmonic_balance.hpp"
+#include "tests/speed_accuracy/peers/peers.hpp"
 
 namespace {
 

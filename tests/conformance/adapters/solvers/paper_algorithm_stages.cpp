@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
-#include "tests/conformance/adapters/solvers/time_integrators.hpp"
+#include "tests/conformance/adapters/solvers/period.hpp"
 
 namespace denhartog::tests {
 namespace {

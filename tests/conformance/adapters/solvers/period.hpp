@@ -1,5 +1,5 @@
 /// @file
-/// @brief What a time integrator does for the conformance kit: one period of the force from a given state.
+/// @brief What a time integrator does for the conformance kit, one period of the force from a given state, and the integrators.
 #pragma once
 
 #include <functional>
@@ -59,5 +59,14 @@ struct TimeIntegrator {
 
 /// @brief A setting as a positive number. @param text the setting @return the number @throws InputError where it is none
 [[nodiscard]] double positive(const std::string& text);
+
+/// @brief The paper's own Runge-Kutta, Section 3.1. @param tolerance absolute and relative @return the integrator
+[[nodiscard]] TimeIntegrator paper_time_integrator(double tolerance);
+
+/// @brief SUNDIALS CVODE, Adams' methods, with root finding. @param tolerance absolute and relative @return the integrator
+[[nodiscard]] TimeIntegrator cvode_time_integrator(double tolerance);
+
+/// @brief Siconos' Moreau-Jean scheme, from 256 steps a period. @param most_steps the most steps a period @return the integrator
+[[nodiscard]] TimeIntegrator siconos_time_integrator(int most_steps);
 
 } // namespace denhartog::tests

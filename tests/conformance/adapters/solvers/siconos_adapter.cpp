@@ -1,6 +1,6 @@
 // Siconos' Moreau-Jean time stepping under the conformance kit: siconos_adapter [STEPS], at last, a period.
+#include "tests/conformance/adapters/solvers/period.hpp"
 #include "tests/conformance/adapters/solvers/solver_adapter.hpp"
-#include "tests/conformance/adapters/solvers/time_integrators.hpp"
 
 int main(int argc, char** argv) {
     return denhartog::tests::serve_at(

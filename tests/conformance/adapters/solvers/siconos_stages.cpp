@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "denhartog/paper_algorithm/contact_equations.hpp"
-#include "tests/conformance/adapters/solvers/time_integrators.hpp"
+#include "tests/conformance/adapters/solvers/period.hpp"
 #include "tests/speed_accuracy/peers/siconos_steps.hpp"
 
 namespace denhartog::tests {

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "conformance/question.hpp"
-#include "denhartog/number/errors.hpp"
 #include "tests/conformance/adapters/solvers/steady_motion.hpp"
 
 namespace denhartog::tests {

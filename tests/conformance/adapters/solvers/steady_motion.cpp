@@ -7,10 +7,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "denhartog/model/modal_basis.hpp"
-#include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
-#include "denhartog/number/number.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/paper_algorithm/contact_equations.hpp"
 

@@ -26,34 +26,20 @@ struct SteadyMotion {
 /// a motion with stops that is not stable.
 ///
 /// Where the contact rests for ever the answer is for rest at zero, as `solve` has it: all masses are moved by what the contact's
-/// displacement makes of them at rest, and the integration goes on. With mu > 1,
-/// where several motions may exist, sliding throughout goes before, looked for from the motion without friction, then rest for
-/// ever, looked for from rest with the contact held until the other masses have settled. So is rest for ever where the contact
-/// hardly moves: it may creep up to the edge of where it can rest and never get there.
-/// @param scene       the scene
-/// @param integrator  the integrator
-/// @return            the motion, or why there is none
+/// displacement makes of them at rest, and the integration goes on. With mu > 1, where several motions may exist, sliding
+/// throughout goes before, looked for from the motion without friction, then rest for ever, looked for from rest with the contact
+/// held until the other masses have settled. So is rest for ever where the contact hardly moves: it may creep up to the edge of
+/// where it can rest and never get there.
 [[nodiscard]] SteadyMotion steady_motion(const Scene<double>& scene, const TimeIntegrator& integrator);
 
-/// @brief Largest displacement of a mass.
-/// @param motion   a settled motion
-/// @param k        the mass, from 0
-/// @param contact  the mass in contact, from 0
-/// @return         largest |x_k|
+/// @brief Largest displacement of a mass. It counts from 0, here and below.
 [[nodiscard]] double amplitude(const SteadyMotion& motion, std::size_t k, std::size_t contact);
 
-/// @brief Instant of the largest x_k as a lag behind the force; where the contact rests there, the start of the rest.
-/// @param motion   a settled motion
-/// @param k        the mass, from 0
-/// @param contact  the mass in contact, from 0
-/// @return         in (-pi, pi]; none where x_k does not move
+/// @brief Instant of the largest x_k as a lag behind the force; where the contact rests there, the start of the rest. In (-pi,
+/// pi]; none where x_k does not move.
 [[nodiscard]] std::optional<double> phase(const SteadyMotion& motion, std::size_t k, std::size_t contact);
 
 /// @brief x_k at equally spaced instants from the maximum of the force.
-/// @param motion   a settled motion
-/// @param k        the mass, from 0
-/// @param samples  how many
-/// @return         the displacements
 [[nodiscard]] std::vector<double> samples(const SteadyMotion& motion, std::size_t k, int samples);
 
 } // namespace denhartog::tests
