@@ -46,7 +46,8 @@ Tried<Solution> in_turn(std::size_t N, Effort* effort, const Question& question,
     if (question.proved || question.digits > most_digits_in_double) return by_reference(nullptr);
     AnswerInDouble found = fast();
     if (found.is_settled()) return found;
-    // Friction holds the contact there as it does elsewhere; of a motion that slides rounding decides the amplitude.
+    // Boundaries are there as they are elsewhere, and so is a contact that friction stops; of a motion that slides throughout
+    // rounding decides the amplitude.
     const bool is_rounding = std::ranges::count(found.why, Why::pole_by_rounding, &Reason::says) > 0;
     Reasons why = found.is_answered() ? found.value->method.why : found.why;
     if (found.vague) {
@@ -58,7 +59,8 @@ Tried<Solution> in_turn(std::size_t N, Effort* effort, const Question& question,
                               : !question.digits && N > most_masses_unasked
                                   ? AnswerByReference{{Outcome::digits_missing, {Why::not_asked, most_masses_unasked}}}
                                   : by_reference(&found);
-    if (is_rounding && !(proof.is_answered() && proof.value->regime.regime != Regime::continuous)) return found;
+    const bool slides = proof.is_answered() && proof.value->beta && proof.value->regime.regime == Regime::continuous;
+    if (is_rounding && (slides || !proof.is_answered())) return found;
     if (proof.outcome == Outcome::at_a_pole) return proof;
     if (found.outcome == Outcome::at_a_pole && !proof.is_answered()) return found;
     if (!proof.is_answered()) return without_proof(std::move(found), proof, std::move(why));
