@@ -36,6 +36,9 @@ void add_digits_option(CLI::App& command, SceneOptions& options);
 // Adds SCENE for a subcommand that answers one.
 void add_one_scene_option(CLI::App& command, SceneOptions& options);
 
+// Adds `--samples`, a number of instants, which is refused where none can be printed.
+void add_samples_option(CLI::App& command, int& samples, const std::string& help);
+
 // Adds `--effort` and `--damping`.
 void add_effort_and_damping(CLI::App& command, SceneOptions& options);
 
