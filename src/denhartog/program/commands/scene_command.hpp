@@ -52,8 +52,9 @@ void add_effort_and_damping(CLI::App& command, SceneOptions& options);
 [[nodiscard]] SceneText only_scene(const std::string& text);
 
 // Answers every scene of the input in order, each written when it is complete; `answer` gives what is printed, its line end
-// included; it gets the work that the user allows, null where that is not said. A fault of a scene is a line on standard error; among JSON Lines it is also an object `{"error": {...}}` in the
-// scene's place. Throws InputError where the input cannot be read or the output not be written.
+// included; it gets the work that the user allows, null where that is not said. A fault of a scene is a line on standard error;
+// among JSON Lines it is also an object `{"error": {...}}` in the scene's place. Throws InputError where the input cannot be read
+// or the output not be written.
 void answer_scenes(const SceneOptions& options, const std::function<std::string(const SceneText&, Effort*)>& answer,
                    ExitStatus& status);
 
