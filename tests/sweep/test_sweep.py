@@ -364,7 +364,8 @@ class Sweep(unittest.TestCase):
                                 (("run", folder, "--chunk", "3-1"), "3-1"), (("run", folder, "--chunk", "1-2-3"), "1-2-3"),
                                 (("run", folder, "--chunk", "²"), "--chunk"), (("run", folder, "--jobs", 0), "--jobs must be at least 1"),
                                 (("run", self.scratch / "none"), "`plan` has written"),
-                                (("combine", folder, "x.h5"), ".zarr or .nc"), (("plan", self.scratch / "none.json", "x"), "STUDY"),
+                                (("combine", folder, "x.h5"), ".zarr or .nc"),
+                                (("combine", folder, self.scratch / "none/x.nc"), "RESULT must be in a folder that is there"), (("plan", self.scratch / "none.json", "x"), "STUDY"),
                                 (("plan", SOURCE / "docs/study_best_friction.json", folder / "study.json/new"), "FOLDER must be"),
                                 (("plan", "-", self.scratch / "new"), "JSON"), (("run",), "FOLDER"),
                                 (("status", self.scratch), "`plan` has written")):
@@ -431,6 +432,9 @@ class Sweep(unittest.TestCase):
         xarray.testing.assert_identical(sweep.dataset(study, grid).compute(), whole.compute())
         with self.assertRaisesRegex(InputError, "gravity must vary one of"):
             sweep.dataset(study, grid.rename(zeta_factor="gravity"))
+        for name in ("r", "beta_factor"):
+            with self.assertRaisesRegex(InputError, f"{name} must be a number or an array of numbers"):
+                sweep.dataset(study, grid.assign({name: grid[name] + 0.5j}))
 
     def test_files(self):
         """zarr, xarray and netCDF4 read the results of a sweep"""

@@ -221,7 +221,8 @@ TEST_CASE("sentences are read", "[find]") {
 
 TEST_CASE("what cannot be varied is refused by name", "[find][program]") {
     tests::expect(R"(
-        2 foo            --between=0:1     < pair ! vary must be a key of the scene
+        2 foo            --between=0:1     < pair ! vary must be a key of the scene that has a number, but is foo
+        2 mu             --between=1:2     < pair ! give the scene mu
         2 mass_ratios    --between=1:2     < pair ! mass_ratios/1
         2 mass_ratios/3  --between=1:2     < pair ! a place in it
         2 mass_ratios/0  --between=1:2     < pair ! a place in it
@@ -231,7 +232,7 @@ TEST_CASE("what cannot be varied is refused by name", "[find][program]") {
         2 beta           --between=0:inf   < pair ! must be A:B
         2 beta           --between=-2:-1   < pair ! beta must
         2 contact        --between=0.5:1.5 < pair ! contact must
-        2 damping_ratios/1 --between=0:1   < pair ! a list
+        2 damping_ratios/1 --between=0:1   < pair ! damping_ratios is one number
         2 comment        --between=0:1     < pair {"comment": "a chain"} ! has a number
         2 beta           --between=0:1 --samples {1|1000000} < pair
         0 beta           --between=0:1e300 --samples 4 < pair > 0.503976330244
@@ -242,6 +243,10 @@ TEST_CASE("what cannot be varied is refused by name", "[find][program]") {
           = {"places": "# 1", "unanswered": {"10": "< 0"}}
     )",
                   "find - --so-that 'amplitude of mass 1 = 1' --vary");
+    const tests::Run run = tests::run_program("find - --so-that 'amplitude of mass 1 = 1' --vary beta --between=0:1 --samples 4",
+                                              tests::scene_text("pair") + "\n\n{\"r\": tr}");
+    CHECK(run.status == 2);
+    CHECK_THAT(run.error, Catch::Matchers::Contains("(at line 3, column "));
 }
 
 // Condition numbers of amplitudes, against derivatives by hand and against the scaling that units demand.

@@ -90,7 +90,6 @@ TEST_CASE("integrate answers bad input with the quantity, the rule and status 2"
         2 integrate --method ode45            < one ! method must be paper or exact, but is ode45
         2 integrate --start 1                 < one ! start must have 2 numbers
         2 integrate --start 1,x               < one ! start must be written as a number, but is x
-        2 integrate --samples -3              < one ! samples must be from 0
         2 integrate --samples 3 --json        < one ! samples must not be given with --json
         2 integrate                           < one {"beta": null} ! beta must be given
         2 integrate --json --cycles 3         < one + one {"r": -1} + one

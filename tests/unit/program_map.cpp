@@ -49,7 +49,9 @@ TEST_CASE("a map is a table, a line a point", "[program][map][threads]") {
     CHECK(rows[1][6] == "answered");
     CHECK(std::vector(rows[12].begin(), rows[12].begin() + 2) == std::vector<std::string>{"2", "1"});
     CHECK(rows[5][1] == "0.5");
-    CHECK(rows_of("map --r 0.5:2:4 --beta 0:1:3 --threads 3", grid) == rows);
+    for (const std::string threads : {"3", "0"})
+        CHECK(rows_of("map --r 0.5:2:4 --beta 0:1:3 --threads " + threads, grid) == rows);
+    expect("0 map --help > and with 0, as many as the machine has");
 }
 
 TEST_CASE("the scene of a map may come after the masses", "[program][map]") {
@@ -188,8 +190,10 @@ TEST_CASE("a bad grid, mass or output gives status 2, one line and no file", "[p
     const auto file = (scratch() / "none" / "map.csv").string();
     expect("2 map {--r 0:2:4 --beta 0:1:3|--r -1:2:4 --beta 0:1:3|--r 1:2 --beta 0:1:3|--r 1:2:0 --beta 0:1:3|"
            "--r 1:2:1.5 --beta 0:1:3|--r 2:1:3 --beta 0:1:3|--r 1:2:3 --beta -1:1:3|--r 1:2:3|--r a:2:3 --beta 0:1:3} < " +
-           grid + "\n 2 map --r 1:2:3 --beta 0:1:3 {--mass 3|--mass 0|--mass 1 --mass 1|--output map.txt|--start here} < " +
-           grid + "\n 2 map --r 1:2:3 --beta 0:1:3 --output '" + file + "' < " + grid + " ! cannot be written");
+           grid + "\n 2 map --r {1:2|.5:1:2:3} --beta 0:1:3 < " + grid + " ! r must be FROM:TO:COUNT" + //
+           "\n 2 map --r {.5|+1}:2:3 --beta 0:1:3 < " + grid + " ! r must be written as a number, but is {}" +
+           "\n 2 map --r 1:2:3 --beta 0:1:3 {--mass 3|--mass 0|--mass 1 --mass 1|--output map.txt|--start here} < " + grid +
+           "\n 2 map --r 1:2:3 --beta 0:1:3 --output '" + file + "' < " + grid + " ! cannot be written");
     CHECK_FALSE(std::filesystem::exists(file));
 }
 
@@ -255,6 +259,9 @@ TEST_CASE("levels of a load that a scene does not have are refused", "[program][
         2 map --frequency 1:2:2 --force 0:2:2                    < forced  ! force must be positive
         2 map --frequency 1:2:2 --boundaries --unbalance 1:2:2   < turning ! must not be given together with boundaries
         2 map --frequency 1:2:2 --boundaries --phases            < forced  ! must not be given together with boundaries
+        2 map --frequency 1:2:2 --boundaries --friction 0:1:2    < forced  ! must not be given together with boundaries
+        2 map --r 1:2:2 --boundaries {--beta 0:1:2|--beta foo|--mass 1|--start sliding}
+          < two ! must not be given together with boundaries
         2 map --frequency 1:2:2 --force 1:2:2 --friction 0:1:2   < forced  ! must not be given together with friction
         2 map --frequency 1:2:2 --frequency-hz 1:2:2 --force 1:2:2 < forced ! must not be given together
         2 map --r 1:2:2 --force 1:2:2                            < forced  ! must not be given together with r and beta

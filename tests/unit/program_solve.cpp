@@ -66,6 +66,8 @@ TEST_CASE("what is asked decides what is answered", "[program][solve]") {
         0 solve --json --digits 20 < two
           = {"masses": {"0": {"amplitude": "text"}}}
         2 solve --ask colour < two
+        0 solve < one {"beta": -0.0} > beta = 0 is below
+        0 solve < one {"beta": "-0.0"} > beta = 0 is below
     )");
 }
 
@@ -89,7 +91,10 @@ TEST_CASE("the motion that is sampled has the amplitudes and stops that are answ
         CHECK(at_rest / 2000.0 == Approx(resting / (2 * std::numbers::pi)).margin(0.003));
     }
     expect(R"(
-        2 solve {--samples 10 --ask phase|--samples -1} < two
+        2 solve --samples 10 --ask phase < two
+        2 {solve|integrate|motion} --samples -1 < two ! samples must be from 1 to 10000000, but is -1
+        2 {solve|integrate|motion} --samples 0 < two ! samples must be from 1 to 10000000, but is 0
+        2 {solve|integrate|motion} --samples '' < two ! samples must be from 1 to 10000000, but is 0
         2 solve --samples 10 --json < two ! samples must not be given with --json
     )");
 }
@@ -118,7 +123,8 @@ TEST_CASE("solve --mass lists one mass, counted from 1, in every regime", "[prog
     }
     expect(R"(
         2 solve --json --mass {0|3|-1} < two ! mass must be a mass from 1 to 2, but is {}
-        2 solve {--mass one|--mass 1 --samples 10} < two
+        2 solve --mass one < two
+        2 solve --samples 10 {--mass 1|--all} < two ! samples must be given without --mass and --all
     )");
 }
 

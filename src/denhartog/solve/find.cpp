@@ -30,7 +30,10 @@ Json::json_pointer place_of(const std::string& key, const Json& scene) {
     const std::size_t slash = key.find('/');
     const std::string name = key.substr(0, slash);
     const auto refuse = [&](const std::string& rule) { throw InputError("vary", rule, key); };
-    if (!scene.contains(name)) refuse("must be a key of the scene that has a number");
+    const std::string has_number = "must be a key of the scene that has a number";
+    if (!scene.contains(name))
+        refuse(has_number +
+               (std::ranges::count(scene_keys(), name) > 0 ? " (give the scene " + name + ", with any number it may have)" : ""));
     std::string path = pointer_step(name);
     const Json& value = scene.at(name);
     if (value.is_array() && !value.empty() && value.front().is_array())
@@ -40,13 +43,16 @@ Json::json_pointer place_of(const std::string& key, const Json& scene) {
         const bool is_number = number_from_text(key.substr(slash + 1), place) == NumberFault::none;
         if (!value.is_array() || !is_number || !(place >= 1 && place <= static_cast<double>(value.size())) ||
             place != std::floor(place))
-            refuse("must name a list of the scene and a place in it, counted from 1");
+            refuse("must name a list of the scene and a place in it, counted from 1" +
+                   (number_in(value)
+                        ? " (" + name + " is one number: leave out the place, or write a list if the key may have one)"
+                        : std::string()));
         path += "/" + std::to_string(static_cast<long>(place) - 1);
     } else if (value.is_array()) {
         refuse("must name the place in the list too, counted from 1, such as " + name + "/1");
     }
     const Json::json_pointer pointer(path);
-    if (!number_in(scene.at(pointer))) refuse("must be a key of the scene that has a number");
+    if (!number_in(scene.at(pointer))) refuse(has_number);
     return pointer;
 }
 

@@ -8,7 +8,7 @@ from typing import Any, Callable, Optional, Union
 import numpy as np
 
 from . import _library
-from ._errors import Cancelled, InputError
+from ._errors import Cancelled, InputError, whole
 from ._results import Real, Solutions
 
 Report = Optional[Callable[[int, int], Any]]
@@ -68,11 +68,25 @@ def run(name: str, handles: tuple[c_void_p, ...], request: Any, result: Any, pro
 
 
 def numbers(name: str, values: Any) -> np.ndarray:
-    """An array of doubles, or an InputError that names the argument."""
+    """An array of doubles, or an InputError that names the argument: complex numbers, dates, texts and booleans are none."""
+    if np.ma.is_masked(values):
+        raise InputError.of(name, "must have no masked entries", f"an array with {np.ma.count_masked(values)} of them")
+    no_numbers, reason = (str, bytes, bool, np.bool_, type(None)), None
     try:
-        return np.asarray(values, dtype=np.float64)
-    except (TypeError, ValueError) as reason:
-        raise InputError.of(name, "must be a number or an array of numbers", repr(values)) from reason
+        array = np.asarray(values)
+        if array.dtype.kind in "fiu" or array.dtype == object and not any(isinstance(each, no_numbers) for each in array.flat):
+            return array.astype(np.float64, copy=False)
+    except (TypeError, ValueError) as fault:
+        reason = fault
+    raise InputError.of(name, "must be a number or an array of numbers", repr(values)) from reason
+
+
+def number(name: str, value: Any) -> float:
+    """A single number."""
+    array = numbers(name, value)
+    if array.size != 1:
+        raise InputError.of(name, "must be a single number", f"an array of shape {array.shape}")
+    return array.item()
 
 
 def like(array: Any) -> Real:
@@ -96,16 +110,12 @@ def mass_list(masses: Any, N: int) -> np.ndarray:
 
 def thread_count(threads: int) -> int:
     """The number of threads, checked; 0 for as many as the machine has."""
-    if not 0 <= threads <= 65536:
-        raise InputError.of("threads", "must be from 0, which is as many as the machine has, to 65536", threads)
-    return int(threads)
+    return whole("threads", threads, 0, 65536, ", which is as many as the machine has,")
 
 
 def digit_count(digits: Optional[int]) -> int:
     """The significant digits, checked; 0 where none are asked for."""
-    if digits is not None and not 1 <= int(digits) <= 15:
-        raise InputError.of("digits", "must be from 1 to 15", digits)
-    return int(digits or 0)
+    return 0 if digits is None else whole("digits", digits, 1, 15)
 
 
 def shape_of(**arrays: np.ndarray) -> tuple[int, ...]:

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import re
+from numbers import Real
 
 _PARTS = re.compile(r"(?:(.*), but is )?(.*?)(?: \(at ([^()]*)\))?", re.S)  # QUANTITY RULE, but is VALUE (at PLACE)
 
@@ -39,6 +40,13 @@ class InputError(Error, ValueError):
     def of(cls, quantity: str, rule: str, value: object) -> "InputError":
         """An error with the message that the library would write."""
         return cls(f"{quantity} {rule}" + (f", but is {value}" if value != "" else ""))
+
+
+def whole(quantity: str, value: object, least: int, most: int, meaning: str = "") -> int:
+    """A whole number from `least`, whose `meaning` the error tells, to `most`."""
+    if not isinstance(value, Real) or isinstance(value, bool) or not least <= value <= most or value % 1 != 0:
+        raise InputError.of(quantity, f"must be a whole number from {least}{meaning} to {most}", repr(value))
+    return int(value)
 
 
 class DomainError(Error):

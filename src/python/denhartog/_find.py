@@ -7,8 +7,8 @@ from typing import Any, Mapping, NamedTuple, Sequence, Union
 
 import numpy as np
 
-from . import _library
-from ._errors import InputError
+from . import _batch, _library
+from ._errors import InputError, whole
 from ._system import plain
 
 _KINDS = ("crossing", "jump", "undecided", "extreme", "end of the interval")
@@ -74,17 +74,16 @@ def find(scene: Union[str, Mapping[str, Any]], vary: str, between: Sequence[floa
     'crossing'
     """
     text = (scene if isinstance(scene, str) else json.dumps(plain("scene", scene))).encode()
-    ends = [float(end) for end in between]
-    if len(ends) != 2:
+    ends = _batch.numbers("between", between).tolist()
+    if np.shape(ends) != (2,):
         raise InputError.of("between", "must be two numbers", between)
-    if not 2 <= int(samples) <= 100_000:
-        raise InputError.of("samples", "must be from 2 to 100000", samples)
-    room = 4 * int(samples) + 64
+    samples = whole("samples", samples, 2, 100_000)
+    room = 4 * samples + 64
     numbers, kinds = np.empty((5, room)), np.empty(room, dtype=np.intc)
     words = [c_char_p(text), c_char_p(vary.encode()), c_char_p(so_that.encode())]
     pointers = [cast(word, c_void_p) for word in words]
     request = _library.FindRequest(scene=pointers[0], scene_length=len(text), vary=pointers[1], from_=ends[0], to=ends[1],
-                                   so_that=pointers[2], samples=int(samples))
+                                   so_that=pointers[2], samples=samples)
     arrays = {name: row.ctypes.data for name, row in zip(("at", "from_", "to", "amplitude", "error"), numbers)}
     places = _library.Places(room=room, is_=kinds.ctypes.data, **arrays)
     _library.call("dh_find", byref(request), byref(places))

@@ -9,7 +9,7 @@ from typing import NamedTuple, Optional, Union
 import numpy as np
 
 from . import _library
-from ._errors import InputError
+from ._errors import InputError, whole
 
 Real = Union[float, np.ndarray]
 REGIMES = ("continuous", "stick_slip", "permanent_sticking")
@@ -294,7 +294,7 @@ class Solution:
             Something is not proved, or the library was built without the reference.
         """
         pair = _library.Energies(), _library.Energies()
-        _library.call("dh_solution_energies", self._handle, int(digits), *map(byref, pair))
+        _library.call("dh_solution_energies", self._handle, whole("digits", digits, 1, 15), *map(byref, pair))
         moves, exists = pair[0].contact_moves, pair[0].textbook_amplitude_exists
         known = [exists if "amplitude" in name else moves or not name.startswith(("equivalent", "textbook"))
                  for name in EnergyNumbers._fields]

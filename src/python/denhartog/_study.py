@@ -261,9 +261,9 @@ def _of_study(study: Mapping[str, Any]) -> tuple[Arrays, Arrays]:
 
 
 def _of_grid(grid: Any) -> tuple[Arrays, Arrays]:
-    drawn = {str(name): np.asarray(values, dtype=float) for name, values in grid.variables.items() if values.dims == ("sample",)
-             and name != "sample"}
-    axes = {str(name): np.arange(size) if name == "sample" else np.asarray(grid[name], dtype=float)
+    drawn = {str(name): _batch.numbers(str(name), values) for name, values in grid.variables.items()
+             if values.dims == ("sample",) and name != "sample"}
+    axes = {str(name): np.arange(size) if name == "sample" else _batch.numbers(str(name), grid[name])
             for name, size in grid.sizes.items()}
     return axes, drawn
 

@@ -274,7 +274,8 @@ class System:
         start = self._start(x, x_prime)
         if until is not None and not until > 0:
             raise InputError.of("until", "must be positive", until)
-        request = _library.DecayRequest(r=float(r), beta=float(beta), mu=self._static(mu), until=until or 0.0,
+        request = _library.DecayRequest(r=_batch.number("r", r), beta=_batch.number("beta", beta), mu=self._static(mu),
+                                        until=until or 0.0,
                                         **{name: each.ctypes.data for name, each in zip(("x", "x_prime"), start)})
         room = 100_000
         names = ("turn", "turn_x", "start", "end", "stop_x")
@@ -319,8 +320,8 @@ class System:
         wanted = cycles if last is None else last
         if not 1 <= wanted <= cycles or not 0 <= samples:
             raise InputError.of("last", "must be from 1 to cycles, and samples not negative", (wanted, samples))
-        request = _library.HistoryRequest(r=float(r), beta=float(beta), mu=self._static(mu), cycles=cycles, last=wanted,
-                                          samples=samples, without_load=not load,
+        request = _library.HistoryRequest(r=_batch.number("r", r), beta=_batch.number("beta", beta), mu=self._static(mu),
+                                          cycles=cycles, last=wanted, samples=samples, without_load=not load,
                                           **{name: each.ctypes.data for name, each in zip(("x", "x_prime"), start)})
         count, room = wanted * samples, 1000 + 100 * wanted
         stops = np.empty((3, room))
@@ -374,7 +375,7 @@ class System:
             **dict(zip(kinds, of_masses)))
 
     def _static(self, mu: Optional[float]) -> float:
-        return self.mu if mu is None else float(mu)
+        return self.mu if mu is None else _batch.number("mu", mu)
 
     def map(self, r: ArrayLike, beta: ArrayLike, masses: Union[int, Sequence[int], None] = None, start: str = "rest",
             threads: int = 0, progress: Report = None, mu: Optional[float] = None, phases: bool = False,
@@ -493,10 +494,11 @@ class System:
         for key, value, least in (("mass", mass, 0), ("samples", samples, 1)):
             if value < least:
                 raise InputError.of(key, f"must be at least {least}", value)
+        point = _batch.number("r", r), _batch.number("beta", beta)
         room = samples if name == "motion_under_force" else max(2 * self.N, 1000)
         count, parts = c_size_t(), np.empty((2, room))
         for function, part in zip(("dh_quantity", "dh_quantity_errors"), parts):
-            _library.call(function, self._handle, name.encode(), float(r), float(beta), self._static(mu), mass, float(tau), room,
+            _library.call(function, self._handle, name.encode(), *point, self._static(mu), mass, _batch.number("tau", tau), room,
                           part.ctypes, byref(count))
         values, errors = parts[:, :count.value].copy()
         return values, errors

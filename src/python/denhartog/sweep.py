@@ -351,6 +351,7 @@ def combine(folder: Path, to: Path) -> None:
     folder, to = pathlib.Path(folder), pathlib.Path(to)
     must(to.suffix in (".zarr", ".nc"), "RESULT", "must end in .zarr or .nc", to)
     must(not to.exists(), "RESULT", "must not be there yet", to)
+    must(to.parent.is_dir() or to.suffix == ".zarr", "RESULT", "must be in a folder that is there", to)
     planned, fingerprint = opened(folder)
     wrong = [f"{_ranges(chunks)}: {fault}" for fault, chunks in faults(folder).items()]
     known = {f"{K}.npz" for K in range(planned.chunks)}

@@ -411,7 +411,20 @@ class InPython(unittest.TestCase):
                 ("r", "(3,)", lambda: denhartog.solve_many([system, system], [1, 2, 3], 1)),
                 ("masses", "4", lambda: denhartog.solve_many([system], 1, 1, masses=4)),
                 ("mu", "0.5", lambda: denhartog.solve_many([system], 1, 1, mu=0.5)),
-                ("beta", "-2", lambda: denhartog.solve_many([system, system], 1, [1, -2]))):
+                ("beta", "-2", lambda: denhartog.solve_many([system, system], 1, [1, -2])),
+                ("r", "array([1.1+0.5j])", lambda: system.solve(np.array([1.1 + 0.5j]), 0.3)),
+                ("r", "array(['2020-01-01'], dtype='datetime64[D]')", lambda: system.map(np.array(["2020-01-01"], "M8[D]"), 1)),
+                ("beta", "['1', '2']", lambda: system.solve(1, ["1", "2"])),
+                ("beta", "True", lambda: system.solve(1, True)),
+                ("r", "[None, 1]", lambda: system.boundary([None, 1])),
+                ("r", "an array with 1 of them", lambda: system.solve(np.ma.array([1, 2], mask=[0, 1]), 1)),
+                ("digits", "12.5", lambda: system.solve(1, 1, digits=12.5)),
+                ("digits", "6.5", lambda: system.solve(1.125, 0.1).energies(6.5)),
+                ("threads", "2.5", lambda: system.map([1], [1], threads=2.5)),
+                ("mu", "an array of shape (2,)", lambda: system.solve(1, 1, mu=np.array([1, 2]))),
+                ("r", "an array of shape (2,)", lambda: system.history([1, 2], 1, 3)),
+                ("beta", "'few'", lambda: system.free_decay("few", [1, 0, 0])),
+                ("tau", "an array of shape (2,)", lambda: system.quantity("displacement", 1, 1, tau=[0, 1]))):
             with self.subTest(quantity=quantity, value=value), self.assertRaises(denhartog.InputError) as caught:
                 call()
             fault = caught.exception
@@ -450,7 +463,9 @@ class InPython(unittest.TestCase):
         self.assertEqual(found.unanswered, 0)
         self.assertEqual(denhartog.find(json.dumps(scene), "r", (0.05, 3), "amplitude of mass 1 = 2", samples=16), found)
         for part, call in (("between", lambda: denhartog.find(scene, "r", (1,), "amplitude of mass 1 = 2")),
+                           ("between", lambda: denhartog.find(scene, "r", ("1", "2"), "amplitude of mass 1 = 2")),
                            ("samples", lambda: denhartog.find(scene, "r", (1, 2), "amplitude of mass 1 = 2", samples=1)),
+                           ("samples", lambda: denhartog.find(scene, "r", (1, 2), "amplitude of mass 1 = 2", samples=2.5)),
                            ("vary", lambda: denhartog.find(scene, "omega", (1, 2), "amplitude of mass 1 = 2")),
                            ("so-that", lambda: denhartog.find(scene, "r", (1, 2), "phase of mass 1 = 2"))):
             with self.subTest(part), self.assertRaises(denhartog.InputError) as caught:

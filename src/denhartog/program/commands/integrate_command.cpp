@@ -269,11 +269,10 @@ void add_integrate_command(CLI::App& app, ExitStatus& status) {
                         "N displacements, then N velocities, separated by commas, in the units of --units; by default rest at "
                         "zero");
     add_units_option(*command, options->units);
-    command->add_option(
-        "--samples", settings.samples,
-        "print this many instants of the last period as CSV: tau, x_1..x_N, v_1..v_N. With --history they are\n"
-        "those of a period of the history, with a last column, direction: 1 or -1 as the contact slides, 0 while\n"
-        "it sticks");
+    add_samples_option(*command, settings.samples,
+                       "print this many instants of the last period as CSV: tau, x_1..x_N, v_1..v_N. With --history they are\n"
+                       "those of a period of the history, with a last column, direction: 1 or -1 as the contact slides, 0 while\n"
+                       "it sticks");
     command->add_option(
         "--history", options->history,
         "all, or the number of periods at the end: every stop in them, times from the start of the motion. By the\n"

@@ -39,13 +39,16 @@ constexpr double most_values = 10'000'000;
 
 // Equally spaced values from a text FROM:TO:COUNT, both ends included.
 std::vector<double> grid_values(const std::string& quantity, const std::string& text) {
-    const std::size_t first = text.find(':');
-    const std::size_t second = first == std::string::npos ? first : text.find(':', first + 1);
-    const auto is_number = [](const std::string& part, double& x) { return number_from_text(part, x) == NumberFault::none; };
-    double from = 0, to = 0, count = 0;
-    if (second == std::string::npos || !is_number(text.substr(0, first), from) ||
-        !is_number(text.substr(first + 1, second - first - 1), to) || !is_number(text.substr(second + 1), count))
-        throw InputError(quantity, "must be FROM:TO:COUNT, three numbers", text);
+    if (std::ranges::count(text, ':') != 2) throw InputError(quantity, "must be FROM:TO:COUNT, three numbers", text);
+    const std::size_t first = text.find(':'), second = text.find(':', first + 1);
+    const auto number = [&quantity](const std::string& part) {
+        double x = 0;
+        if (const NumberFault fault = number_from_text(part, x); fault != NumberFault::none)
+            throw InputError(quantity, number_rule(fault), part);
+        return x;
+    };
+    const double from = number(text.substr(0, first)), to = number(text.substr(first + 1, second - first - 1)),
+                 count = number(text.substr(second + 1));
     if (!(count >= 1 && count <= most_values) || count != std::floor(count))
         throw InputError(quantity, "must have a whole COUNT from 1 to 10000000", text);
     if (to < from) throw InputError(quantity, "must have TO not below FROM", text);
@@ -131,7 +134,9 @@ GivenAxis columns_of(const MapOptions& options) {
 ResultTable boundaries(const MapOptions& options, const MapAxis& axis, const Scene<double>& scene, bool units) {
     for (const auto& [name, given] :
          {std::pair("force", !options.force.empty()), std::pair("unbalance", !options.unbalance.empty()),
-          std::pair("phases", options.phases), std::pair("from-ground", options.from_ground)})
+          std::pair("phases", options.phases), std::pair("from-ground", options.from_ground),
+          std::pair("beta", !options.beta.empty()), std::pair("friction", !options.friction.empty()),
+          std::pair("mass", !options.masses.empty()), std::pair("start", options.start != "rest")})
         if (given) throw InputError(name, "must not be given together with boundaries", "");
     const std::vector<BoundaryPoint> curves =
         units ? curves_in_units(scene, frequencies_in_units(scene, axis.name, axis.values)) : boundary_curves(scene, axis.values);
@@ -212,17 +217,16 @@ void add_map_command(CLI::App& app, ExitStatus& status) {
     command->add_option("--output", options->output,
                         "file to write, .csv or .npy; it appears when it is complete. Default: CSV on standard output");
     command->add_option("--threads", options->threads,
-                        "number of threads, by default as many as the machine has; the map does not depend on it");
+                        "number of threads; by default, and with 0, as many as the machine has; the map does not depend on it");
     add_effort_and_damping(*command, *options);
     command->footer(
         "r and beta of the scene are not used. CSV with a line for each point, beta fastest: r, beta, regime (continuous,\n"
         "stick_slip, permanent_sticking), stops_per_period, periods (of the force in a period of the motion), amplitude_K of\n"
         "each mass K in units of P / k_1, status. If double does not decide the regime or has fewer than 6 digits of an\n"
         "amplitude, `solve` answers the point. status: answered; on_boundary, beta equals a boundary to rounding\n"
-        "and the neighbouring regime is possible; not_converged, no steady motion is known to follow from the start; at_a_pole, "
-        "a\n"
-        "mode without damping resonates; failed, digits or work do not suffice. In the last three the numbers are nan and there\n"
-        "is no regime.\n"
+        "and the neighbouring regime is possible; not_converged, no steady motion is known to follow from the start; at_a_pole,\n"
+        "a mode without damping resonates; failed, digits or work do not suffice. In the last three the numbers are nan and\n"
+        "there is no regime.\n"
         "NPY: an array of records (r by beta) with the same fields; regime is 0, 1, 2 in the order above and -1 for none,\n"
         "status 0 to 4, whole numbers -1 if they are not known. A contact that rests is taken to rest at zero;\n"
         "the amplitude of a mass that moves by no more than rounding is zero.\n"

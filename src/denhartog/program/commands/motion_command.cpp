@@ -19,7 +19,7 @@ namespace {
 
 struct MotionOptions : SceneOptions {
     std::string output;
-    long samples = 400;
+    int samples = 400;
     int digits_of_motion = 10;
     std::string units{in_ratios};
 };
@@ -46,8 +46,6 @@ std::string sampled(const SceneText& part, const MotionOptions& options, Effort*
 }
 
 void answer(const MotionOptions& options) {
-    if (options.samples < 1 || options.samples > static_cast<long>(most_samples))
-        throw InputError("samples", "must be from 1 to " + std::to_string(most_samples), std::to_string(options.samples));
     const std::optional<long> allowed = allowed_operations(options.effort);
     std::optional<QuestionEffort> effort;
     if (allowed) effort.emplace(0, allowed);
@@ -61,7 +59,7 @@ void add_motion_command(CLI::App& app, ExitStatus& status) {
     CLI::App* command = app.add_subcommand("motion", "Displacement and velocity of every mass over one period, as CSV");
     const auto options = std::make_shared<MotionOptions>();
     add_one_scene_option(*command, *options);
-    command->add_option("--samples", options->samples, "number of instants in a period")->capture_default_str();
+    add_samples_option(*command, options->samples, "number of instants in a period");
     command->add_option("--digits", options->digits_of_motion, "significant digits of every displacement and velocity, 1 to 15")
         ->capture_default_str();
     add_effort_and_damping(*command, *options);

@@ -64,6 +64,16 @@ void add_one_scene_option(CLI::App& command, SceneOptions& options) {
     command.add_option("SCENE", options.scene, "file with one scene as JSON; standard input if it is - or missing");
 }
 
+void add_samples_option(CLI::App& command, int& samples, const std::string& help) {
+    const auto take = [&samples](const long& given) {
+        if (given < 1 || given > static_cast<long>(most_samples))
+            throw InputError("samples", "must be from 1 to " + std::to_string(most_samples), std::to_string(given));
+        samples = static_cast<int>(given);
+    };
+    CLI::Option* option = command.add_option_function<long>("--samples", take, help);
+    if (samples > 0) option->default_str(std::to_string(samples));
+}
+
 void add_effort_and_damping(CLI::App& command, SceneOptions& options) {
     command.add_option(
         "--effort", options.effort,

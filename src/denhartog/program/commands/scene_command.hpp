@@ -36,6 +36,9 @@ void add_digits_option(CLI::App& command, SceneOptions& options);
 // Adds SCENE for a subcommand that answers one.
 void add_one_scene_option(CLI::App& command, SceneOptions& options);
 
+// Adds `--samples`, a number of instants, which is refused where none can be printed.
+void add_samples_option(CLI::App& command, int& samples, const std::string& help);
+
 // Adds `--effort` and `--damping`.
 void add_effort_and_damping(CLI::App& command, SceneOptions& options);
 
@@ -49,8 +52,9 @@ void add_effort_and_damping(CLI::App& command, SceneOptions& options);
 [[nodiscard]] SceneText only_scene(const std::string& text);
 
 // Answers every scene of the input in order, each written when it is complete; `answer` gives what is printed, its line end
-// included; it gets the work that the user allows, null where that is not said. A fault of a scene is a line on standard error; among JSON Lines it is also an object `{"error": {...}}` in the
-// scene's place. Throws InputError where the input cannot be read or the output not be written.
+// included; it gets the work that the user allows, null where that is not said. A fault of a scene is a line on standard error;
+// among JSON Lines it is also an object `{"error": {...}}` in the scene's place. Throws InputError where the input cannot be read
+// or the output not be written.
 void answer_scenes(const SceneOptions& options, const std::function<std::string(const SceneText&, Effort*)>& answer,
                    ExitStatus& status);
 

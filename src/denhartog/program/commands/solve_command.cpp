@@ -23,7 +23,7 @@ struct SolveOptions : SceneOptions {
     std::string ask = "motion";
     bool all = false;
     std::optional<long> mass;
-    long samples = 0;
+    int samples = 0;
     bool condition = false;
     bool energy = false;
     std::string units{in_ratios};
@@ -67,8 +67,6 @@ std::string condition_table(const Json& answer) {
 }
 
 std::string solved(const SceneText& part, const SolveOptions& options, Effort* effort) {
-    if (options.samples < 0 || options.samples > static_cast<long>(most_samples))
-        throw InputError("samples", "must be from 1 to " + std::to_string(most_samples), std::to_string(options.samples));
     if (options.samples > 0 && options.ask != "motion")
         throw InputError("samples", "must be given with --ask motion only", options.ask);
     if (options.samples == 0 && options.units != in_ratios)
@@ -78,7 +76,8 @@ std::string solved(const SceneText& part, const SolveOptions& options, Effort* e
         throw InputError("condition", "must be given without --samples, --mass and --ask regime", "");
     if (options.energy && (options.samples > 0 || options.mass || options.ask != "motion"))
         throw InputError("energy", "must be given without --samples, --mass and any --ask but motion", "");
-    if (options.samples > 0 && options.mass) throw InputError("samples", "must be given without --mass", "");
+    if (options.samples > 0 && (options.mass || options.all))
+        throw InputError("samples", "must be given without --mass and --all", "");
     const SceneSource source = source_of(part, options.damping, effort);
     const std::size_t N = number_of_masses(source->in_double().system);
     if (options.samples > 0) check_samples("samples", static_cast<std::size_t>(options.samples), N);
@@ -116,10 +115,9 @@ void add_solve_command(CLI::App& app, ExitStatus& status) {
     command->add_option("--mass", options->mass,
                         "ask about this mass alone, counted from 1: only it is listed, and only it must have the digits");
     command->add_flag("--all", options->all, "look for other motions too, from seeded starts and from sweeps in r and beta");
-    command->add_option(
-        "--samples", options->samples,
-        "print the motion as CSV, this many instants in its period: tau from the maximum of the force, x_1..x_N,\n"
-        "v_1..v_N (derivatives with respect to tau)");
+    add_samples_option(*command, options->samples,
+                       "print the motion as CSV, this many instants in its period: tau from the maximum of the force, x_1..x_N,\n"
+                       "v_1..v_N (derivatives with respect to tau)");
     command->add_flag("--condition", options->condition,
                       "say how much each amplitude changes with each number of the scene: relative change over relative change");
     command->add_flag(

@@ -25,7 +25,8 @@ struct SceneItem {
         return value.is_array() ? SceneItem{value[i], key, place + "/" + std::to_string(i)} : *this;
     }
     [[noreturn]] void fail(const std::string& rule) const {
-        throw InputError(key, rule, legible(value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace), most_of_a_value), place);
+        throw InputError(key, rule, legible(value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace), most_of_a_value),
+                         place);
     }
 };
 
@@ -36,14 +37,15 @@ inline void check_length(const SceneItem& x, const std::string& of) {
     if (x.value.size() > most_masses) throw InputError(x.key, most_masses_rule(of), std::to_string(x.value.size()), x.place);
 }
 
+// A negative zero becomes zero: it has no meaning, and would be printed as -0.
 template <class T>
 T read_number(const SceneItem& x) {
-    if (x.value.is_number()) return T(x.value.get<double>());
+    if (x.value.is_number()) return T(x.value.get<double>() + 0.0);
     if (!x.value.is_string()) x.fail("must be a number");
     T number(0);
     const NumberFault fault = number_from_text(x.value.get_ref<const std::string&>(), number);
     if (fault != NumberFault::none) x.fail(number_rule(fault));
-    return number;
+    return number == T(0) ? T(0) : number;
 }
 
 template <class T>
