@@ -308,12 +308,18 @@ TEST_CASE("at a pole and next to it a map has numbers where solve has: where the
             const Solution proved = solve(scene_source(scene), {Asked::motion, {}, false, {}, true});
             CHECK(std::abs(map.amplitudes[3 * column + row] - proved.masses[0].amplitude.value) <= 1e-12);
             const Solution regime = solve(scene_source(scene), {Asked::regime, {}});
-            CHECK(regime.unique == solve(scene_source(scene), Question{}).unique);
             CHECK_FALSE(in_words(regime.regime.reason).empty());
             CHECK_FALSE(regime.method.precision.empty());
         }
     }
-    CHECK(boundary_curves(oscillator(0, 1), {0.75, 1})[1].status == PointStatus::at_a_pole);
+    const auto curves = boundary_curves(oscillator(0, 1), {1, next});
+    CHECK(curves[0].status == PointStatus::at_a_pole);
+    REQUIRE(curves[1].status == PointStatus::answered);
+    CHECK(std::abs(curves[1].exact - pi<double>() / 4) < 1e-12); // (69) for r = 1
+    CHECK(solve(scene_source(oscillator(0, next, 1, 0.25)), {Asked::regime, {}}).regime.regime == Regime::continuous);
+    CHECK_THROWS_AS(solve(scene_source(oscillator(0, next, 1, 0.25)), {Asked::amplitude, {}}), DomainError);
+    const double below = 0x1.921fb54442d17p-1; // a last digit below pi / 4 the motion from rest comes to the sliding one
+    CHECK_THROWS_AS(solve(scene_source(oscillator(0, 1 + 0x1p-52, 1, below)), {Asked::amplitude, {}}), DomainError);
 }
 
 TEST_CASE("at a pole stops that may be rounding are those of no motion: just below pi / 4 of the load it grows for ever",

@@ -48,7 +48,7 @@ class Writer(ast.NodeTransformer):
         """A computation as text: C++ would divide integers as integers, and MATLAB multiply lists as matrices."""
         text = ast.unparse(node)
         if self.language is LANGUAGES["cxx"]:
-            return re.sub(r"\b(\d+) / (?=\d)", r"\1.0 / ", text)
+            return re.sub(r"(?<![\w.])(\d+) / (?=\d)", r"\1.0 / ", text)
         return re.sub(r" ([*/]) ", r" .\1 ", text) if self.language is LANGUAGES["matlab"] else text
 
     def count(self, node, scope):

@@ -90,8 +90,7 @@ void say_whether_unique(const ModalBasis<Number>& basis, Mass contact, const Sys
     s.unique = mu == 1 && every_motion_is_damped(basis);
     const bool slides = s.regime.regime == Regime::continuous && !s.regime.on_boundary && s.not_from_rest.empty();
     const bool friction_alone = mu == 1 && !s.unique && !basis.coupled() && beta > 0;
-    const bool is_regime_alone = s.asked == Asked::regime && !s.regime.on_boundary;
-    const bool stops = !s.stops.empty() || s.rest_interval || (is_regime_alone && s.regime.regime != Regime::continuous);
+    const bool stops = !s.stops.empty() || s.rest_interval;
     if (s.unique) {
         s.unique_because = {Why::unique, basis.coupled()};
         return;

@@ -37,7 +37,8 @@ public:
     // The signal that came so far; 0 where none did.
     [[nodiscard]] int caught() const;
 
-    // From now on signals end the program again: whoever is written to may never read. The signal that came; 0 where none did.
+    // From now on a signal does what it did before, so that it ends a program that waits for somebody to read what it writes. The
+    // signal that came until then; 0 where none did.
     int end();
 
 private:

@@ -3,6 +3,7 @@
 #include "denhartog/solve/solve.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "denhartog/answer/modes_in_double.hpp"
@@ -37,18 +38,20 @@ Tried<Solution> without_proof(AnswerInDouble found, const AnswerByReference& pro
     return found;
 }
 
-// The reference for a proof and for more digits than double has; else double, if that settles the question; else the reference, of
-// many masses only if digits were asked for. If that has no proof, what double has, or the reasons of both. At a pole that is met
-// by rounding a motion that slides throughout stays refused.
+// The reference for a proof and for more digits than double has; else double, if that settles the question; else the
+// reference, of many masses only if digits were asked for. If that has no proof, what double has, or the reasons of both. At a
+// pole that is met by rounding a motion that slides throughout stays refused.
 template <class ByReference, class Fast>
 Tried<Solution> in_turn(std::size_t N, Effort* effort, const Question& question, const ByReference& by_reference,
                         const Fast& fast) {
     if (question.proved || question.digits > most_digits_in_double) return by_reference(nullptr);
     AnswerInDouble found = fast();
     if (found.is_settled()) return found;
-    // Boundaries are there as they are elsewhere, and so is a contact that friction stops; of a motion that slides throughout
-    // rounding decides the amplitude.
-    const bool is_rounding = std::ranges::count(found.why, Why::pole_by_rounding, &Reason::says) > 0;
+    // Regime and boundaries are there as they are elsewhere, and so is a contact that friction stops; of a motion that slides
+    // throughout rounding decides the amplitude.
+    Reasons pole;
+    std::ranges::copy_if(found.is_answered() ? found.value->regime.reason : found.why, std::back_inserter(pole),
+                         [](const Reason& reason) { return reason.says == Why::pole_by_rounding; });
     Reasons why = found.is_answered() ? found.value->method.why : found.why;
     if (found.vague) {
         const std::optional<Stability>& seen = found.value->stability;
@@ -59,8 +62,11 @@ Tried<Solution> in_turn(std::size_t N, Effort* effort, const Question& question,
                               : !question.digits && N > most_masses_unasked
                                   ? AnswerByReference{{Outcome::digits_missing, {Why::not_asked, most_masses_unasked}}}
                                   : by_reference(&found);
-    const bool slides = proof.is_answered() && proof.value->beta && proof.value->regime.regime == Regime::continuous;
-    if (is_rounding && (slides || !proof.is_answered())) return found;
+    const bool slides = proof.is_answered() && proof.value->regime.regime == Regime::continuous;
+    if (!pole.empty() && slides && question.asked != Asked::regime) {
+        if (found.is_answered()) return Refusal{Outcome::at_a_pole, pole};
+        return found;
+    }
     if (proof.outcome == Outcome::at_a_pole) return proof;
     if (found.outcome == Outcome::at_a_pole && !proof.is_answered()) return found;
     if (!proof.is_answered()) return without_proof(std::move(found), proof, std::move(why));
@@ -133,6 +139,7 @@ AnswerByReference answer_by_reference(const PreparedSystem& p, const SolvePoint&
     Solution& s = *answer.value;
     if (rest) {
         const Solution& from_rest = *rest->value;
+        // The reference has no reason of its own where it has no boundaries.
         if (s.regime.regime == from_rest.regime.regime && (!rest->open || s.regime.reason.empty())) s.regime = from_rest.regime;
         if (from_rest.not_from_rest.empty())
             s.method.why = Why::from_rest_unproved + s.method.why;

@@ -152,7 +152,8 @@ Refusal answer_by_regime(SolveTask& task, Solution& s) {
     return {};
 }
 
-// At a pole no boundary tells whether the motion grows for ever, and stops that are so short may be rounding of one that does.
+// At a pole no boundary tells whether the motion grows for ever. Stops may be rounding of one that does if none is longer than
+// this, in radians: an error of beta by a last digit makes some that are a tenth as long.
 bool hardly_stops(const PeriodicOrbit& orbit) {
     constexpr double short_stop = 1e-4;
     return !orbit.stops.empty() &&

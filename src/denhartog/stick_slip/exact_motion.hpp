@@ -264,8 +264,9 @@ public:
     /// @brief The motion from one instant to a later one; the forces are Re{p exp(i tau)}, and a contact at rest sticks if (74)
     /// lets it. With the derivative of the end with respect to the start, if it is wanted. Valid until the next call.
     const ExactMotion& run(const State& start, double tau_0, double tau_1, bool with_jacobian = false);
-    /// @brief The state at an instant within a phase of the last motion, or within the phase that holds the instant.
+    /// @brief The state at an instant within a phase of the last motion.
     [[nodiscard]] State state_at(std::size_t phase, double tau);
+    /// @brief The same within the phase that holds the instant.
     [[nodiscard]] State state_at(double tau) { return state_at(motion_.phase_at(tau), tau); }
     /// @brief States at evenly spaced instants: displacements, then velocities, of all masses at each. No mass loses more than
     /// `most_lost` to rounding beside what `state_at` does, which answers if a recurrence would lose more or damping couples.

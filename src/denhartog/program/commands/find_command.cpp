@@ -68,7 +68,7 @@ std::string found_table(const Json& a) {
 std::string found(const SceneText& part, const FindOptions& options, Effort* effort) {
     const std::optional<VariedNumber> varied = interval_from(options.vary, options.between);
     if (!varied) throw InputError("between", "must be A:B, two numbers", options.between);
-    (void)read_json(part.text, part.line); // find_places counts lines from the start of the scene
+    (void)read_json(part.text, part.line); // so that a fault names the line of the file
     const FoundPlaces places = find_places(part.text, *varied, wanted_from(options.so_that), options.samples,
                                            options.damping == as_given ? 0 : largest_damping_tolerance, effort);
     const Json answer = found_json(places, options, *varied);

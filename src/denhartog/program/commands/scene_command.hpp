@@ -36,7 +36,7 @@ void add_digits_option(CLI::App& command, SceneOptions& options);
 // Adds SCENE for a subcommand that answers one.
 void add_one_scene_option(CLI::App& command, SceneOptions& options);
 
-// Adds `--samples`, a number of instants, which is refused where none can be printed.
+// Adds `--samples`, a number of instants from 1 on, up to the most that can be printed.
 void add_samples_option(CLI::App& command, int& samples, const std::string& help);
 
 // Adds `--effort` and `--damping`.

@@ -366,7 +366,7 @@ void conform_run(const ConformOptions& options, ExitStatus& status) {
     }
     if (report.name.empty()) report.name = legible(options.command.front());
     if (!report.broken && report.cut_short.empty()) note_what_is_kept(report);
-    interruptible.end();
+    status.signal = interruptible.end();
     finish(report, earlier, status);
 }
 
