@@ -63,10 +63,8 @@ Tried<Solution> in_turn(std::size_t N, Effort* effort, const Question& question,
                                   ? AnswerByReference{{Outcome::digits_missing, {Why::not_asked, most_masses_unasked}}}
                                   : by_reference(&found);
     const bool slides = proof.is_answered() && proof.value->regime.regime == Regime::continuous;
-    if (!pole.empty() && slides && question.asked != Asked::regime) {
-        if (found.is_answered()) return Refusal{Outcome::at_a_pole, pole};
-        return found;
-    }
+    if (!pole.empty() && slides && question.asked != Asked::regime)
+        return Refusal{Outcome::at_a_pole, found.is_answered() ? pole : found.why};
     if (proof.outcome == Outcome::at_a_pole) return proof;
     if (found.outcome == Outcome::at_a_pole && !proof.is_answered()) return found;
     if (!proof.is_answered()) return without_proof(std::move(found), proof, std::move(why));

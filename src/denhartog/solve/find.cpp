@@ -291,8 +291,8 @@ std::string_view name_of(PlaceIs is) {
 }
 
 FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, const Wanted& wanted, int samples,
-                        double damping_tolerance, Effort* effort) {
-    Json given = read_json(scene);
+                        double damping_tolerance, Effort* effort, std::size_t line) {
+    Json given = read_json(scene, line);
     complete(given, varied);
     if (wanted.over) complete(given, *wanted.over);
     const std::size_t N = number_of_masses(scene_source(SceneText{given.dump()})->in_double().system);

@@ -84,10 +84,10 @@ struct FoundPlaces {
 /// bracketing. Where it comes nearer to the value than at the places beside, it is followed to where it is nearest. What lies
 /// between two places and shows at neither is not found: the list is not proved to be whole, whereas each crossing in it is
 /// proved to the bounds of the amplitudes at its ends. An amplitude that is taken over a second number is the largest, or the
-/// least, that was seen there. `effort` is the work allowed to all questions together; null: each has its own. PrecisionError if
-/// nothing was found and some samples have no answer.
+/// least, that was seen there. `effort` is the work allowed to all questions together; null: each has its own. `line` is
+/// where the text of the scene begins in its file. PrecisionError if nothing was found and some samples have no answer.
 [[nodiscard]] FoundPlaces find_places(std::string_view scene, const VariedNumber& varied, const Wanted& wanted, int samples,
-                                      double damping_tolerance = 0, Effort* effort = nullptr);
+                                      double damping_tolerance = 0, Effort* effort = nullptr, std::size_t line = 1);
 
 /// @brief The largest number of samples of a search.
 inline constexpr int most_samples_to_find = 100'000;

@@ -7,7 +7,6 @@
 #include "denhartog/program/commands/commands.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/json/number_json.hpp"
-#include "denhartog/scene/json_document.hpp"
 #include "denhartog/scene/scene_rules.hpp"
 #include "denhartog/solve/find.hpp"
 
@@ -68,9 +67,8 @@ std::string found_table(const Json& a) {
 std::string found(const SceneText& part, const FindOptions& options, Effort* effort) {
     const std::optional<VariedNumber> varied = interval_from(options.vary, options.between);
     if (!varied) throw InputError("between", "must be A:B, two numbers", options.between);
-    (void)read_json(part.text, part.line); // so that a fault names the line of the file
     const FoundPlaces places = find_places(part.text, *varied, wanted_from(options.so_that), options.samples,
-                                           options.damping == as_given ? 0 : largest_damping_tolerance, effort);
+                                           options.damping == as_given ? 0 : largest_damping_tolerance, effort, part.line);
     const Json answer = found_json(places, options, *varied);
     return options.json ? answer.dump() + "\n" : found_table(answer);
 }

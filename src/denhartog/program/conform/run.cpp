@@ -360,10 +360,7 @@ void conform_run(const ConformOptions& options, ExitStatus& status) {
     const std::optional<Verdicts> earlier = earlier_verdicts(options);
     Interruptible interruptible(interruption());
     ConformReport report{converse(options, chosen, [&](std::size_t done) { show_answered(done, chosen.size()); }), options};
-    if (interruptible.caught() != 0) {
-        status.signal = interruptible.caught();
-        denhartog::program::report("interrupted: the report tells what was answered until then");
-    }
+    if (interruptible.caught() != 0) denhartog::program::report("interrupted: the report tells what was answered until then");
     if (report.name.empty()) report.name = legible(options.command.front());
     if (!report.broken && report.cut_short.empty()) note_what_is_kept(report);
     status.signal = interruptible.end();
