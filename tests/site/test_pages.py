@@ -28,7 +28,7 @@ except ImportError as missing:
     sys.exit(77)
 
 from pages import finish, site, text
-from pages.code import code_of
+from pages.code import code_of, javascript_of
 from pages.doxygen import class_page, text_of, trim
 from pages.equations import equation_view
 from pages.graph import layout
@@ -194,11 +194,13 @@ class Code(Case):
                 (pair, "cxx", "std::complex<double> f(double a, double b) {\n    return {std::atan2(a, b), 1.0 / 2 * -a};\n}\n"),
                 (pair, "python", "return np.arctan2(a, b) + 1j * (1 / 2 * -a)\n"), (pair, "matlab", "y = complex(atan2(a, b), 1 ./ 2 .* -a);"),
                 (self.formula("(2*sum((x*x)))", of_modes="x"), "python", "2 * np.sum(x * x)"),
-                (self.formula("(2*sum((x*x)))", of_modes="x"), "javascript",
-                 "let sum = 0;\n    for (let i = 0; i < x.length; ++i) {\n        sum += x[i] * x[i];\n    }\n    return 2 * sum;"),
-                (self.formula("sum(((x*a)/(x*a)))", of_modes="x"), "cxx", "        const double t1 = x[i] * a;\n        sum += t1 / t1;")):
+                (self.formula("(2*sum((x*x)))", of_modes="x"), "cxx", "return 2 * (x * x).sum();"),
+                (self.formula("sum(((x*a)/(x*a)))", of_modes="x"), "cxx",
+                 "const std::valarray<double> t1 = x * a;\n    return (t1 / t1).sum();")):
             self.assertIn(lines, code_of(formula, language))
-        self.assertTrue(code_of(pair, "javascript", "printed").startswith("function f_as_printed(a, b) {"))
+        self.assertEqual(javascript_of(self.formula("(pi*sum((x*sin(x))))", arguments="x", of_modes="x"), "printed"),
+                         "(x, sum = (term) => x.reduce((all, _, i) => all + term(i), 0)) => "
+                         "[(Math.PI*sum((i) => (x[i]*Math.sin(x[i]))))]")
 
     def test_order(self):
         """The operations keep their order: the code gives the same double as the expression with all its brackets."""

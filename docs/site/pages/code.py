@@ -1,107 +1,67 @@
 """A formula of the library as a function in another language, with a name for each computation that is needed twice.
 
-The library writes an expression down with brackets around each operation. All four languages read sums and products as Python
-does, so that Python's own printer leaves out the brackets that say nothing, and the order of the operations stays.
+The library writes an expression down with brackets around each operation. All languages read sums and products as Python does,
+so that Python's own printer leaves out the brackets that say nothing, and the order of the operations stays.
 """
 import ast
 import re
 from collections import Counter, namedtuple
-from functools import cache
 
-Language = namedtuple("Language", "head assignment result pair end pi prefix loop")
+Language = namedtuple("Language", "head assignment result pair end words prefix operators", defaults=[("$^", "")])
 LANGUAGES = {
-    "cxx": Language("{type} {name}({typed}) {{", "const double {} = {};", "return {};", "return {{{}, {}}};", "}\n",
-                    "std::numbers::pi", "std::",
-                    "double {0} = 0;\n    for (std::size_t i = 0; i < {1}.size(); ++i) {{\n{2}        {0} += {3};\n    }}\n"),
-    "python": Language("def {name}({plain}):", "{} = {}", "return {}", "return {} + 1j * ({})", "", "np.pi", "np.", ""),
-    "matlab": Language("function y = {name}({plain})", "{} = {};", "y = {};", "y = complex({}, {});", "end\n", "pi", "", ""),
-    "javascript": Language("function {name}({plain}) {{", "const {} = {};", "return {};", "return [{}, {}];", "}\n",
-                           "Math.PI", "Math.",
-                           "let {0} = 0;\n    for (let i = 0; i < {1}.length; ++i) {{\n{2}        {0} += {3};\n    }}\n")}
+    "cxx": Language("{kind} {name}({typed}) {{", "const {0} {1} = {2};", "return {};", "return {{{}, {}}};", "}\n",
+                    {"pi": "std::numbers::pi"}, "std::", (r"(?<![\w.])(\d+) / (?=\d)", r"\1.0 / ")),  # integers divide as integers
+    "python": Language("def {name}({plain}):", "{1} = {2}", "return {}", "return {} + 1j * ({})", "",
+                       {"pi": "np.pi", "atan2": "np.arctan2"}, "np."),
+    "matlab": Language("function y = {name}({plain})", "{1} = {2};", "y = {};", "y = complex({}, {});", "end\n",
+                       {}, "", (r" ([*/]) ", r" .\1 "))}  # lists are multiplied as matrices
 NAMES = {"sqrt(1 - zeta * zeta)": "w", "pi * sqrt(1 - zeta * zeta) / R": "theta", "pi * zeta / R": "delta", "pi * zeta": "delta",
          "1 / R": "Omega"}  # what the paper, or the notation page, calls a computation
+MARK = re.compile(r"__\d+")  # stands for a computation in another one
 
 
-key_of = cache(ast.unparse)  # the same for the same computation
+def plain(text):
+    return ast.unparse(ast.parse(text, mode="eval"))
 
 
-class Writer(ast.NodeTransformer):
-    """Writes one formula in one language; within a loop over the modes, `scope` is what is summed."""
+def code_of(formula, language):
+    """What the library computes as a function in a language."""
+    say, arguments, lists = LANGUAGES[language], formula["arguments"], formula["of_modes"]
+    computations, results = {}, formula["holds"]
+    mark = lambda found: f"__{computations.setdefault(found[0], len(computations))}"
+    while any("(" in result for result in results):  # from the innermost brackets to the outer ones
+        results = [re.sub(r"\w*\([^()]*\)", mark, result) for result in results]
+    uses = Counter(MARK.findall(" ".join([*computations, *results])))
 
-    def __init__(self, formula, language):
-        self.formula, self.language, self.scope, self.body = formula, LANGUAGES[language], "", ""
-        self.uses, self.names, self.taken = Counter(), {}, set(formula["arguments"])
+    def written(text):
+        text = re.sub(r"(?<![.\w])(pi\b|[a-z]\w*(?=\())", lambda word: say.words.get(word[0], say.prefix + word[0]), plain(text))
+        return re.sub(*say.operators, text)
 
-    def function(self, name, expressions):
-        """The lines of the function."""
-        results = [ast.parse(expression, mode="eval").body for expression in expressions]
-        for result in results:
-            self.count(result, "")
-        written = [self.text(self.visit(result)) for result in results]
-        pair, arguments, of_modes = len(results) > 1, self.formula["arguments"], self.formula["of_modes"]
-        typed = [("const std::vector<double>& " if each in of_modes else "double ") + each for each in arguments]
-        head = self.language.head.format(name=name, type="std::complex<double>" if pair else "double", plain=", ".join(arguments),
-                                         typed=", ".join(typed))
-        return f"{head}\n{self.body}    {self.language[3 if pair else 2].format(*written)}\n{self.language.end}"
-
-    def text(self, node):
-        """A computation as text: C++ would divide integers as integers, and MATLAB multiply lists as matrices."""
-        text = ast.unparse(node)
-        if self.language is LANGUAGES["cxx"]:
-            return re.sub(r"(?<![\w.])(\d+) / (?=\d)", r"\1.0 / ", text)
-        return re.sub(r" ([*/]) ", r" .\1 ", text) if self.language is LANGUAGES["matlab"] else text
-
-    def count(self, node, scope):
-        """How often a computation is needed; what stands within a loop over the modes stays there."""
-        key = scope, key_of(node)
-        self.uses[key] += 1
-        if self.uses[key] == 1:
-            inner = key[1] if key[1].startswith("sum(") and self.language.loop else scope
-            for child in ast.iter_child_nodes(node):
-                self.count(child, inner)
-
-    def visit(self, node):
-        """A computation with names for what is needed twice, whose assignments stand in the body."""
-        plain = isinstance(node, (ast.Name, ast.Constant, ast.operator, ast.unaryop, ast.expr_context))
-        if plain or isinstance(node, ast.UnaryOp) and isinstance(node.operand, (ast.Name, ast.Constant)):
-            return super().visit(node)
-        key = self.scope, key_of(node)
-        if key not in self.names:
-            made = super().visit(node)
-            if self.uses[key] < 2:
-                return made
-            self.names[key] = self.free([NAMES.get(key[1])] + [f"t{n}" for n in range(1, 100)])
-            self.body += f"    {self.language.assignment.format(self.names[key], self.text(made))}\n"
-        return ast.Name(self.names[key])
-
-    def free(self, names):
-        """The first of the names that is not taken."""
-        name = next(name for name in names if name and name not in self.taken)
-        self.taken.add(name)
-        return name
-
-    def visit_Name(self, node):
-        indexed = self.scope and node.id in self.formula["of_modes"]
-        return ast.Name(self.language.pi if node.id == "pi" else f"{node.id}[i]" if indexed else node.id)
-
-    def visit_Call(self, node):
-        name = node.func.id
-        if name == "sum" and self.language.loop:
-            return self.loop(node)
-        name = "arctan2" if name == "atan2" and self.language.prefix == "np." else name
-        return ast.Call(ast.Name(self.language.prefix + name), [self.visit(each) for each in node.args], [])
-
-    def loop(self, node):
-        """A sum over the modes in a loop with names of its own."""
-        name, before, outside = self.free(["sum"] + [f"sum_{n}" for n in range(2, 100)]), self.body, self.scope
-        text, self.body, self.scope = key_of(node), "", key_of(node)
-        term = self.text(self.visit(node.args[0]))
-        lines = "".join(f"    {line}\n" for line in self.body.splitlines())
-        first = next(each for each in self.formula["of_modes"] if each in text)
-        self.body, self.scope = f"{before}    {self.language.loop.format(name, first, lines, term)}", outside
-        return ast.Name(name)
+    shown, full, taken, body = {}, {}, set(arguments), ""
+    kinds = {True: "std::valarray<double>", False: "double"}
+    for computation, number in computations.items():
+        within = lambda texts: MARK.sub(lambda found: texts[found[0]], computation)
+        at, text, full[f"__{number}"] = f"__{number}", within(shown), within(full)
+        if say.prefix == "std::" and text.startswith("sum("):
+            text = f"({text[4:-1]}).sum()"
+        shown[at] = text
+        if uses[at] > 1 and not re.fullmatch(r"\(-\w+\)", text):
+            names = [NAMES.get(plain(full[at]))] + [f"t{n}" for n in range(1, 100)]
+            shown[at] = next(name for name in names if name and name not in taken)
+            taken.add(shown[at])
+            is_list = "sum(" not in full[at] and not set(lists).isdisjoint(re.findall(r"\w+", full[at]))
+            body += f"    {say.assignment.format(kinds[is_list], shown[at], written(text))}\n"
+    results = [written(MARK.sub(lambda found: shown[found[0]], result)) for result in results]
+    typed = [f"const {kinds[True]}& {each}" if each in lists else f"double {each}" for each in arguments]
+    head = say.head.format(name=formula["name"], plain=", ".join(arguments), typed=", ".join(typed),
+                           kind="std::complex<double>" if len(results) > 1 else "double")
+    return f"{head}\n{body}    {(say.pair if len(results) > 1 else say.result).format(*results)}\n{say.end}"
 
 
-def code_of(formula, language, form="holds"):
-    """What the library computes as a function in a language, or what is printed, where it is refuted."""
-    return Writer(formula, language).function(formula["name"] + ("" if form == "holds" else "_as_printed"), formula[form])
+def javascript_of(formula, form):
+    """What the library computes, or what is printed, for the script of a page: not for reading, a sum taken mode by mode."""
+    lists, words = formula["of_modes"], {"pi": "Math.PI", "sum(": "sum((i) => "}
+    in_script = lambda word: words.get(word, f"{word}[i]" if word in lists else "Math." + word if word[-1] == "(" else word)
+    results = [re.sub(r"[A-Za-z]\w*\(?", lambda word: in_script(word[0]), result) for result in formula[form]]
+    sums = [f"sum = (term) => {lists[0]}.reduce((all, _, i) => all + term(i), 0)"] if lists else []
+    return f"({', '.join(formula['arguments'] + sums)}) => [{', '.join(results)}]"

@@ -8,7 +8,7 @@ import jinja2
 
 from . import text
 from .chapter import chapter_views, places_in_chapter, read_chapter
-from .code import code_of
+from .code import code_of, javascript_of
 from .conclusions import conclusions_of
 from .equations import SAMPLES, SAMPLES_OF_MODES, equation_view, in_namespace, statement_of, theorems_of, witness_names
 from .graph import graph_of
@@ -41,7 +41,7 @@ def environment(run, sources):
     jinja = jinja2.Environment(loader=jinja2.FileSystemLoader(templates), undefined=jinja2.StrictUndefined, trim_blocks=True,
                                keep_trailing_newline=True, comment_start_string="<!--#", comment_end_string="#-->")
     jinja.filters |= {name: word for name, word in vars(text).items() if callable(word)} | dict(
-        code_of=code_of, coq_lines=coq_lines, in_namespace=in_namespace,
+        code_of=code_of, javascript_of=javascript_of, coq_lines=coq_lines, in_namespace=in_namespace,
         departure_text=lambda kind: DEPARTURES.get(kind, "none"),
         error=lambda worst: "not finite" if worst is None else text.typeset(text.digits(worst, 2), "an error"),
         snippet_lines=lambda function: code_lines(sources.snippet(function)),
