@@ -34,7 +34,7 @@ from pages.equations import equation_view
 from pages.graph import layout
 from pages.site import faults_of_pages
 from pages.records import Departure, faults_of_departures, read_symbols, stands_in, symbols_in
-from pages.sources import Sources, coq_lines
+from pages.sources import Sources
 from pages.text import EQUATIONS, Fault, displayed, equation_label, equation_link, escaped, formula, html, prose, symbol, witness_value
 
 
@@ -168,12 +168,6 @@ class Words(Case):
         self.assertFalse(stands_in(r"\beta_{\lim}", r"\beta"))
         self.assertFalse(stands_in(r"\Gamma", "a"))
 
-    def test_coq(self):
-        """Keywords and comments of Coq are marked, a comment over several lines on each."""
-        self.assertEqual(coq_lines("Lemma a : x < 1. (* b\n\nc *) Qed.\n"),
-                         ['<span class="keyword">Lemma</span> a : x &lt; 1. <span class="comment">(* b</span>', "",
-                          '<span class="comment">c *)</span> <span class="keyword">Qed</span>.'])
-
 
 class Code(Case):
     ROOT = "sqrt((1-(zeta*zeta)))"
@@ -277,14 +271,14 @@ class Pages(Case):
         page = self.small.page("38")
         self.assertTrue(page.startswith("# Equation (38) {#eq_38}\n"))
         self.assertHas(page, r"\f[ a_{38}=b \f]", r"\f[ a=c \f]", r"\f$\mathrm{Re}\,V_{dj}\f$ = \f$\tfrac{1}{3}\f$",
-                       r'\ref denhartog::paper::amplitude "paper::amplitude"', 'href="source:src/f.hpp:5"', "x &lt; 1 ? x : 2;",
+                       r'\ref denhartog::paper::amplitude "paper::amplitude"', 'href="source:src/f.hpp:5"', "x < 1 ? x : 2;",
                        'href="source:derivation/c.cpp:1"', r"\f[ x^2=y \f]", 'href="source:tests/t.cpp:1"', r"previous: \ref eq_37",
                        r"next: \ref eq_39", r'<dt>Rests on</dt><dd>\ref eq_37 "(37)"</dd>')
 
     def test_snippet(self):
         """A snippet has the lines of the source from its template head to its closing brace."""
         snippet = Sources(self.small.folder).snippet(self.small.entry["functions"][0])
-        self.assertEqual((snippet.first, len(snippet.lines), snippet.lines[-1]), (4, 4, "}"))
+        self.assertEqual(snippet.text, "template <class T>\nT amplitude(const T& x) {\n    return x < 1 ? x : 2;\n}")
 
     def test_brief(self):
         """A function behind an equation has the sentence that tells it apart."""
@@ -410,7 +404,7 @@ class Pages(Case):
         lemma = {"generators": [{"name": "g", "stands_for": "sin x"}], "statement": "g = g"}
         run.certificates["38/amplitude"] = {"lemmas": [lemma] * 4}
         page = self.small.page("38")
-        self.assertHas(page, '<span class="verdict proved">checked</span> <strong>Theorem amplitude</strong>: It is ', "x, x &lt; 1.",
+        self.assertHas(page, '<span class="verdict proved">checked</span> <strong>Theorem amplitude</strong>: It is ', "x, x < 1.",
                        "<code>g</code> stands for <code>sin x</code>.", "4 identities", "The other 1 are in a.v.",
                        'unknown">not run</span> Claim <code>37/sine</code>.')
         self.assertNotIn("True", page)

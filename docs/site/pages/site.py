@@ -13,7 +13,7 @@ from .conclusions import conclusions_of
 from .equations import SAMPLES, SAMPLES_OF_MODES, equation_view, in_namespace, statement_of, theorems_of, witness_names
 from .graph import graph_of
 from .records import faults_of_departures, faults_of_stand_ins, read_run, record_of
-from .sources import Sources, code_lines, coq_lines
+from .sources import Sources
 from .text import EQUATIONS, Fault, html, told_in, verdict_text
 
 SECTIONS = {"1": "Introduction", "2.1": "Formulation", "2.2": "Modal superposition", "2.3": "The mass in contact",
@@ -41,11 +41,10 @@ def environment(run, sources):
     jinja = jinja2.Environment(loader=jinja2.FileSystemLoader(templates), undefined=jinja2.StrictUndefined, trim_blocks=True,
                                keep_trailing_newline=True, comment_start_string="<!--#", comment_end_string="#-->")
     jinja.filters |= {name: word for name, word in vars(text).items() if callable(word)} | dict(
-        code_of=code_of, javascript_of=javascript_of, coq_lines=coq_lines, in_namespace=in_namespace,
+        code_of=code_of, javascript_of=javascript_of, in_namespace=in_namespace,
         departure_text=lambda kind: DEPARTURES.get(kind, "none"),
         error=lambda worst: "not finite" if worst is None else text.typeset(text.digits(worst, 2), "an error"),
-        snippet_lines=lambda function: code_lines(sources.snippet(function)),
-        brief=lambda function: sources.snippet(function).brief, number="{:.10g}".format,
+        snippet=sources.snippet, number="{:.10g}".format,
         sample=lambda name, of_modes: SAMPLES_OF_MODES[name] if of_modes else SAMPLES.get(name, "1"),
         names=lambda witness, claim="": witness_names(run, witness, claim), record=lambda claim: record_of(run, claim),
         statement_of_theorem=lambda of: re.search(rf"Definition {of['name']} : Prop :=.*?\.(?=\n)|\Z", run.theorems, re.S)[0],
@@ -61,7 +60,7 @@ def environment(run, sources):
 def faults_of_pages(pages):
     """A sentence for each page with a dollar outside of a formula or a place-holder that nothing replaced. Doxygen finds labels
     that are there twice or not at all, formulas that are not closed and LaTeX outside of them; KaTeX, a formula that is wrong."""
-    raw = re.compile(r"\\f\$.*?\\f\$|\\f\[.*?\\f\]|\\htmlonly.*?\\endhtmlonly", re.S)
+    raw = re.compile(r"\\f\$.*?\\f\$|\\f\[.*?\\f\]|\\htmlonly.*?\\endhtmlonly|\\code.*?\\endcode", re.S)
     what = {"$": "a dollar outside of a formula", "{": "a place-holder that nothing replaced"}
     return [f"page {name} has {what[found[0][0]]}: {found[0]}" for name, page in pages.items()
             if (found := re.search(r"(?<!\\)\$.*|\{\{.*", raw.sub("", page)))]

@@ -4,14 +4,11 @@ from collections import namedtuple
 from itertools import takewhile
 from pathlib import Path
 
-from .text import Fault, html, prose
+from .text import Fault, prose
 
-Snippet = namedtuple("Snippet", "file first lines brief")
+Snippet = namedtuple("Snippet", "text brief")
 
 LITERAL = r'"(?:[^"\\]|\\.)*"'
-KEYWORDS = re.compile(r"\b(template|class|struct|return|const|typename|inline|requires)\b", re.ASCII)
-COQ_KEYWORDS = set("""Lemma Theorem Definition forall exists Proof Qed Section End Variables Hypothesis Fixpoint fun match with
-end if then else let in Require Import Open Scope""".split())
 
 
 class Sources:
@@ -49,7 +46,7 @@ class Sources:
         first = next(n for n in range(at - 1, -1, -1) if re.match(r"\s*($|//|#)|.*[;{}]\s*$", lines[n - 1]))
         ends = re.compile(rf"{re.match(' *', lines[first])[0]}(\S.*)?[;}}]\s*(//.*)?$")  # no further to the right than it began
         end = next(n for n in range(first, len(lines)) if ends.match(lines[n]))
-        return Snippet(file, first + 1, lines[first:end + 1], self.brief(lines, first))
+        return Snippet("\n".join(lines[first:end + 1]), self.brief(lines, first))
 
     @staticmethod
     def brief(lines, first):
@@ -59,25 +56,3 @@ class Sources:
         found = re.search(r"@brief (.*?)(?=\.(?: |\Z)| \\f\[| @|\Z)", told)
         domain = re.search(r"@domain\{(.*?)\}(?= |\Z)", told)
         return (found[1].strip() + "." if found else "") + (f" Domain: {prose(domain[1])}." if domain else "")
-
-
-def code_lines(snippet):
-    """Lines of C++ with their numbers, comments and keywords marked as Doxygen marks them."""
-    lines = []
-    for number, line in enumerate(snippet.lines, snippet.first):
-        code, slashes, comment = line.partition("//")
-        marked = KEYWORDS.sub(r'<span class="keyword">\1</span>', html(code)) + (
-            f'<span class="comment">{html(slashes + comment)}</span>' if slashes else "")
-        lines.append(f'<span class="lineno"><a href="source:{snippet.file}:{number}">{number:5}</a></span>&#160;{marked}')
-    return lines
-
-
-def coq_lines(text):
-    """Lines in the language of Coq, keywords and comments marked."""
-    def marked(piece):
-        if piece[0].startswith("(*"):
-            return "\n".join(f'<span class="comment">{html(line)}</span>' if line else "" for line in piece[0].split("\n"))
-        return f'<span class="keyword">{piece[0]}</span>' if piece[0] in COQ_KEYWORDS else html(piece[0])
-
-    pieces = re.compile(r"\(\*.*?(?:\*\)|\Z)|[A-Za-z]\w*|.", re.S | re.ASCII)
-    return pieces.sub(marked, text.removesuffix("\n")).split("\n")
