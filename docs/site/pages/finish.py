@@ -7,18 +7,22 @@ from xml.etree import ElementTree
 
 from lxml import html as lxml_html
 
-from .doxygen import boxes, first, text_of, trim
-
 PAPER = "https://doi.org/10.1016/j.jsv.2022.117085"
 LONGEST_TEXT = 1200  # bytes that the search keeps of a page
 # What is no text of a page for the search: what leads elsewhere, what is to be filled in, and what documents a name by itself.
 NOT_TEXT = """self::script or self::style or self::form or self::h2/@class='memtitle' or
               contains(' eq-nav eq-contents copies memitem ', concat(' ', @class, ' '))"""
-WORDS = {"Public Types": "Types", "Public Member Functions": "Functions", "Static Public Member Functions": "Static functions",
-         "Public Attributes": "Members", "Static Public Attributes": "Static members"} | {
-    f"{doxygens} Documentation": f"The {ours} in detail" for doxygens, ours in {
-        "Constructor &amp; Destructor": "constructors", "Member Function": "functions", "Member Data": "members",
-        "Member Typedef": "types", "Member Enumeration": "enumerations", "Friends And Related Function": "friends"}.items()}
+LEFT_OUT = ("dir_", "functions", "globals", "namespacemembers", "classes.html", "hierarchy.html")
+
+
+def first(tree, path):
+    """What an XPath finds first, or None."""
+    return next(iter(tree.xpath(path)), None)
+
+
+def text_of(tree, left_out="self::script|self::style"):
+    """The text of an element without that of some elements in it, with single blanks."""
+    return " ".join(" ".join(tree.xpath(f".//text()[not(ancestor::*[{left_out}])]")).split())
 
 
 def sources_of(tagfile, root):
@@ -26,13 +30,6 @@ def sources_of(tagfile, root):
     files = ElementTree.parse(tagfile).iterfind("compound[@kind='file']")
     return {os.path.relpath(root / file.findtext("path") / file.findtext("name"), root):
             file.findtext("filename").removesuffix(".html") + "_source.html" for file in files}
-
-
-def readable_source(page):
-    """The page of a source without the marks that Doxygen reads in a comment."""
-    page = re.sub(r"\\f\$ ?(.*?) ?\\f\$", r"$\1$", page)
-    page = re.sub(r"\\f\[ ?|\\f\]", lambda mark: "$$", page)
-    return re.sub(r"@eq\{([^}]*)\}", r"(\1)", page).replace("@brief ", "")
 
 
 def finished_page(page, sources):
@@ -44,12 +41,39 @@ def finished_page(page, sources):
     boxed = r'<div class="table-box" tabindex="0">\g<0></div>'
     page = re.sub('<table class="markdownTable">.*?</table>', boxed, page, flags=re.S)
     page = re.sub('<div class="(fragment|memproto)">', r'<div class="\1" tabindex="0">', page)
-    page = re.sub(r"([\w:]+) Namespace Reference", r"Namespace \1", page)
-    for doxygens, ours in WORDS.items():
-        page = re.sub(f"(\n|>){doxygens}</h2>", rf"\1{ours}</h2>", page)
     # A link to a source that the site does not have stays, and is found as a fault.
     return re.sub(r'(?<=href=")source:([^:"]*):?([^"]*)',
                   lambda link: sources.get(link[1], link[0]) + (f"#l{link[2]:>05}" if link[2] else ""), page)
+
+
+def is_left_out(name, tree):
+    """Whether a reader of the site has no use for a page of Doxygen's: an index of letters or folders, the list that repeats a
+    type, or the page of a file that only says what the file is."""
+    if name.endswith(("_8hpp.html", "_8h.html")):
+        return first(tree, '//li[@class="navelem"]/a/text()') != "src"
+    return name.startswith(LEFT_OUT) or name.endswith(("-members.html", "_8cpp.html"))
+
+
+def trim(texts):
+    """The pages of the site by the names of their files, as trees, without those that are left out: a link to the page of a file
+    leads to its source, the text of others stays."""
+    trees = {name: lxml_html.document_fromstring(text) for name, text in texts.items()}
+    kept = {name: tree for name, tree in trees.items() if not is_left_out(name, tree)}
+    for name, tree in kept.items():
+        for links in tree.find_class("summary"):  # to the headings below, also to some that are not there
+            links.drop_tree()
+        for link in tree.xpath("//a[@href]"):
+            file = link.get("href").partition("#")[0]
+            source = file.removesuffix(".html") + "_source.html"
+            if file not in trees or file in kept:
+                continue
+            if source == name:
+                link.drop_tree()  # to itself: "Go to the documentation of this file."
+            elif source in kept:
+                link.set("href", source)
+            else:
+                link.drop_tag()
+    return kept
 
 
 def shortened(text):
@@ -74,9 +98,9 @@ def search_documents(tree, name):
         return []
     title = text_of(title) + ("" if named is None else ": " + shortened(text_of(named)))
     found = [(title, name, text_of(first(tree, '//div[@class="contents"]'), NOT_TEXT))]
-    for anchor, heading, box in boxes(tree):
-        said = text_of(first(box, './/div[@class="memdoc"]'))
-        found.append((text_of(heading, "@class='permalink'"), f"{name}#{anchor.get('id')}", said))
+    for heading in tree.find_class("memtitle"):  # between its anchor and its box
+        said = text_of(first(heading.getnext(), './/div[@class="memdoc"]'))
+        found.append((text_of(heading, "@class='permalink'"), f"{name}#{heading.getprevious().get('id')}", said))
     return [{"kind": kind_of_page(name), "text": shortened(text), "title": title, "url": url} for title, url, text in found]
 
 
@@ -95,8 +119,7 @@ def finish(site, tagfile, source):
     """Finishes all pages of a site, writes the list for the search and the map of the site, and follows all links."""
     sources, files = sources_of(tagfile, source.resolve()), sorted(site.glob("*.html"))
     texts = {file.name: file.read_text() for file in files}
-    trees = dict(sorted(trim({name: readable_source(text) if name.endswith("_source.html") else finished_page(text, sources)
-                              for name, text in texts.items()}).items()))
+    trees = trim({name: finished_page(text, sources) for name, text in texts.items()})
     for file in files:
         file.unlink()
     for name, tree in trees.items():
