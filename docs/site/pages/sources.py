@@ -8,31 +8,26 @@ from .text import Fault, prose
 
 Snippet = namedtuple("Snippet", "text brief")
 
-LITERAL = r'"(?:[^"\\]|\\.)*"'
+LITERAL = r'"((?:[^"\\]|\\.)*)"'
 
 
 class Sources:
     """The sources of the project."""
 
     def __init__(self, root):
-        self.root, self.ids, self.literals = Path(root), {}, {}
+        self.root, self.literals = Path(root), {}  # where each literal of the derivation stands first, in all and in its source
         for file in sorted((self.root / "derivation").rglob("*.cpp")):
-            self.read_claims(file.relative_to(self.root).as_posix(), file.read_text())
-
-    def read_claims(self, name, text):
-        """Keeps the literals of a source: those with a slash, the ones that a claim takes as its id rather than others, and those
-        without, by source."""
-        for number, line in enumerate(text.splitlines(), 1):
-            for is_id, literal in re.findall(rf"(\.id = )?({LITERAL})", line.partition("//")[0]):
-                key = literal[1:-1] if "/" in literal else (name, literal[1:-1])
-                (self.ids if is_id else self.literals).setdefault(key, dict(file=name, line=number))
+            name = file.relative_to(self.root).as_posix()
+            for number, line in enumerate(file.read_text().splitlines(), 1):
+                for mark, literal in re.findall(rf"(\.id = )?{LITERAL}", line.partition("//")[0]):
+                    for key in (mark + literal, (name, literal)):
+                        self.literals.setdefault(key, dict(file=name, line=number))
 
     def claim(self, claim):
         """Where a claim is made, of whose id a source may have the beginning and the rest apart."""
-        for literals in (self.ids, self.literals):
-            for at in range(len(claim), 0, -1):
-                if claim[:at] in literals and (claim[at - 1] in "=/" or claim[at:at + 1] in ("", "/")):
-                    place = literals[claim[:at]]
+        for mark in (".id = ", ""):
+            for at in range(len(claim), claim.find("/"), -1):
+                if place := self.literals.get(mark + claim[:at]):
                     return self.literals.get((place["file"], claim[at:] or None), place)
         raise Fault(f"claim {claim} must be made in a source under derivation")
 
