@@ -215,57 +215,56 @@
   addEventListener("load", () => fit(document));
   document.addEventListener("toggle", (event) => fit(event.target), true);
 
-  // The graph: an equation shows what it rests on and what uses it, all the way; the chosen one can be read below.
-  const graph = document.querySelector("svg.equation-graph");
+  // The graph: an equation shows what it rests on and what uses it, all the way; the chosen one can be read below. Graphviz has
+  // the equation as the title of a node, and those of a line, 1->7.
+  const graph = document.querySelector(".equation-graph");
   if (graph) {
     const panel = document.getElementById("graph-statement"), find = document.querySelector("form.find");
-    const node_of = (number) => graph.querySelector("a[data-equation=\"" + number + "\"]");
+    const titled = (kind) => [...graph.querySelectorAll("g." + kind)].map((mark) => [mark.querySelector("title").textContent, mark]);
+    const nodes = new Map(titled("node")), edges = titled("edge").map(([title, mark]) => [...title.split("->"), mark]);
     let chosen = null;
-    const light = (node) => {
-      graph.classList.toggle("lit", node !== null);
+    const light = (number) => {
+      graph.classList.toggle("lit", number !== null);
       for (const each of graph.querySelectorAll(".below, .above, .at")) each.classList.remove("below", "above", "at");
-      if (!node) return;
-      node.classList.add("at");
-      for (const [near, far, mark] of [["to", "from", "below"], ["from", "to", "above"]]) {
-        const open = [node.dataset.equation], seen = new Set(open);
-        while (open.length)
-          for (const edge of graph.querySelectorAll("path[data-" + near + "=\"" + open.pop() + "\"]")) {
-            const next = edge.dataset[far];
-            edge.classList.add(mark);
-            if (seen.has(next)) continue;
-            seen.add(next);
-            open.push(next);
-            node_of(next).classList.add(mark);
+      if (number === null) return;
+      nodes.get(number).classList.add("at");
+      for (const [near, far, mark] of [[1, 0, "below"], [0, 1, "above"]]) {
+        const seen = new Set([number]);
+        for (const at of seen) // grows on the way
+          for (const edge of edges.filter((each) => each[near] === at)) {
+            seen.add(edge[far]);
+            for (const each of [edge[2], nodes.get(edge[far])]) each.classList.add(mark);
           }
       }
     };
     const choose = async (number) => {
       await load("statements.js");
-      chosen = node_of(number);
+      chosen = number;
       light(chosen);
       const statement = window.siteStatements[number], [, , rests_on, used_by] = document.getElementById("at-" + number).cells;
-      panel.innerHTML = "<p>(" + number + ") " + statement.said + " <a href=\"" + chosen.getAttribute("href") + "\">The page of (" + number +
+      panel.innerHTML = "<p>(" + number + ") " + statement.said + " <a href=\"" + nodes.get(number).querySelector("a").getAttribute("href") + "\">The page of (" + number +
                         ")</a></p><p class=\"near\">It rests on " + rests_on.innerHTML.trim() + "; used by " + used_by.innerHTML.trim() + ".</p>" +
                         "<div class=\"formulaDsp\">" + statement.drawn + "</div>";
       const place = panel.querySelector(".formulaDsp"), math = place.querySelector("math");
       with_formulas((formulas) => { if (math) formulas.draw(math); formulas.fit(place); });
     };
-    for (const node of graph.querySelectorAll("a.node")) {
-      for (const kind of ["mouseenter", "focus"]) node.addEventListener(kind, () => light(node));
-      for (const kind of ["mouseleave", "blur"]) node.addEventListener(kind, () => light(chosen));
+    for (const [number, node] of nodes) {
+      for (const kind of ["mouseover", "focusin"]) node.addEventListener(kind, () => light(number));
+      for (const kind of ["mouseout", "focusout"]) node.addEventListener(kind, () => light(chosen));
     }
     document.addEventListener("click", (event) => {
-      const node = event.target.closest("a.node, #graph-statement .near a");
-      if (!node) return;
+      const link = event.target.closest("g.node a, #graph-statement .near a");
+      if (!link) return;
       event.preventDefault();
-      choose(node.dataset.equation || equation_of(node)).then(() => panel.scrollIntoView({block: "nearest"}));
+      const [number] = [...nodes].find(([, node]) => node.contains(link)) || [equation_of(link)];
+      choose(number).then(() => panel.scrollIntoView({block: "nearest"}));
     });
     find.hidden = false;
     const find_it = async (text) => {
       const number = (/^eq_(.+)\.html$/.exec(place_of(text)) || ["", ""])[1].replace("_", ".");
       if (!document.getElementById("at-" + number)) { panel.textContent = "The equations are (1) to (88) and (A.1) to (A.15)."; return; }
       await choose(number);
-      chosen.scrollIntoView({block: "center", inline: "center"});
+      nodes.get(number).scrollIntoView({block: "center", inline: "center"});
     };
     find.addEventListener("submit", (event) => { event.preventDefault(); find_it(find.elements.number.value); });
     if (location.hash.startsWith("#at-")) find_it(location.hash.slice(4));

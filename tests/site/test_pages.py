@@ -1,6 +1,6 @@
 """The generated pages of the site: what they say, what they refuse, and what the checks of the finished site do not let through.
 
-Needs DENHARTOG_SOURCE_DIR. Ends with status 77 where Jinja2 or lxml is missing.
+Needs DENHARTOG_SOURCE_DIR. Ends with status 77 where Jinja2, lxml or Graphviz is missing.
 """
 import json
 import math
@@ -13,7 +13,6 @@ import sys
 import tempfile
 import unittest
 from collections import defaultdict
-from graphlib import CycleError
 from types import SimpleNamespace
 
 PROJECT = pathlib.Path(os.environ["DENHARTOG_SOURCE_DIR"])
@@ -26,11 +25,13 @@ try:
 except ImportError as missing:
     print(f"skipped: {missing} (Debian packages python3-jinja2 and python3-lxml)")
     sys.exit(77)
+if not shutil.which("dot"):
+    print("skipped: no dot (Debian package graphviz)")
+    sys.exit(77)
 
 from pages import finish, site, text
 from pages.code import code_of, javascript_of
 from pages.equations import equation_view
-from pages.graph import layout
 from pages.site import faults_of_pages
 from pages.records import Departure, faults_of_departures, read_symbols, stands_in, symbols_in
 from pages.sources import Sources
@@ -435,21 +436,26 @@ class Pages(Case):
         self.assertEqual(files["sections.js"], 'window.siteSections = {\n"section 2.3": "equations.html#equations_2_3"\n};\n')
 
     def test_graph(self):
-        """In the graph every equation stands below what it rests on, and no two in one place; a way round or a hole is refused."""
+        """In the graph every equation stands below what it rests on, with a link and its verdict; no line repeats two others."""
         rows = json.loads((PROJECT / "docs/ledger/equations.json").read_text())
-        places = layout(rows)
-        self.assertEqual(len(set(places.values())), len(rows))
-        self.assertTrue(all(0 <= column < 25 for _, column in places.values()))
-        columns = {section: {places[row["equation"]][1] for row in rows if row["section"] == section} for section in ("2.2", "Appendix", "2.3")}
-        self.assertLess(max(columns["2.2"]), min(columns["Appendix"]))
-        self.assertLess(max(columns["Appendix"]), min(columns["2.3"]))
-        for row in rows:
-            for ground in row["rests_on"]:
-                self.assertGreater(places[row["equation"]][0], places[ground][0])
-        with self.assertRaises(CycleError):
-            layout([{"equation": "1", "rests_on": ["2"]}, {"equation": "2", "rests_on": ["1"]}])
-        with self.assertRaises(KeyError):
-            layout([{"equation": "1", "rests_on": ["2"]}])
+        self.small.run.ledger = [entry(row["equation"], rests_on=row["rests_on"]) for row in rows]
+        self.small.run.ledger[5]["printed"] = "refuted"
+        page = lxml_html.fromstring("<div>" + self.small.render("equation_graph").partition("\\htmlonly[block]")[2] + "</div>")
+        nodes = {node.findtext("title"): node for node in page.find_class("node") if node.tag == "g"}
+        lines = [line.findtext("title").split("->") for line in page.find_class("edge")]
+        height = {number: float(node.xpath(".//text/@y")[0]) for number, node in nodes.items()}
+        self.assertEqual(sorted(nodes), sorted(EQUATIONS))
+        self.assertEqual(nodes["6"].get("class"), "node refuted")
+        self.assertEqual([(link.get("href"), link.get("aria-label")) for link in nodes["6"].iter("a")],
+                         [("eq_6.html", "Equation (6), refuted as printed")])
+        above = {row["equation"]: set(row["rests_on"]) for row in rows}
+        for ground, number in lines:
+            self.assertLess(height[ground], height[number])
+            self.assertIn(ground, above[number])
+        leads = lambda number: above[number].union(*map(leads, above[number]))
+        for number, grounds in above.items():
+            indirect = set().union(*map(leads, grounds))
+            self.assertEqual({ground for ground, to in lines if to == number}, grounds - indirect)
 
 
 class Finished(Case):

@@ -1,6 +1,7 @@
 """All generated pages: each kind has a template; the pages are Doxygen's, which resolves links to what is in the sources."""
 import json
 import re
+import subprocess
 from itertools import count, groupby
 from pathlib import Path
 
@@ -11,7 +12,6 @@ from .chapter import chapter_views, places_in_chapter, read_chapter
 from .code import code_of, javascript_of
 from .conclusions import conclusions_of
 from .equations import SAMPLES, SAMPLES_OF_MODES, equation_view, in_namespace, statement_of, theorems_of, witness_names
-from .graph import graph_of
 from .records import faults_of_departures, faults_of_stand_ins, read_run, record_of
 from .sources import Sources
 from .text import EQUATIONS, Fault, html, told_in, verdict_text
@@ -35,6 +35,14 @@ def tables(markdown, prefix):
                      text.typeset(line, "a table of measurements") for line in markdown.splitlines())
 
 
+def drawn_graph(dot):
+    """A graph in the language of Graphviz as a picture within a page, without the lines that follow from others."""
+    for command in (["tred"], ["dot", "-Tsvg"]):
+        dot = subprocess.run(command, input=dot, check=True, stdout=subprocess.PIPE, text=True).stdout
+    svg = dot[dot.index("<svg"):].replace("xlink:title", "aria-label")  # what a link is called, and no other name within it
+    return re.sub(r'(?<=\d)pt(?=")|xlink:(?=href)', "", svg)
+
+
 def environment(run, sources):
     """Jinja with the words of the pages as filters."""
     templates = Path(__file__).parent.parent / "templates"
@@ -50,7 +58,7 @@ def environment(run, sources):
         statement_of_theorem=lambda of: re.search(rf"Definition {of['name']} : Prop :=.*?\.(?=\n)|\Z", run.theorems, re.S)[0],
         in_order=lambda entries, key: [(name, list(group)) for name, group in groupby(entries, lambda entry: entry[key])],
         section_title=lambda section: f"{section} {SECTIONS[section]}" if section in SECTIONS else section,
-        tables=tables, conclusions_of=conclusions_of, graph_of=graph_of, theorems_of=theorems_of)
+        tables=tables, conclusions_of=conclusions_of, drawn_graph=drawn_graph, theorems_of=theorems_of)
     jinja.globals |= dict(run=run, chapter={}, ledger=run.ledger, departures=run.departures,
                           said_of=lambda equation: text.typeset(run.departures[equation].said, "departures.json"))
     jinja.globals["part"] = jinja.get_template("parts.html").module
