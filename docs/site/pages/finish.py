@@ -12,7 +12,8 @@ LONGEST_TEXT = 1200  # bytes that the search keeps of a page
 # What is no text of a page for the search: what leads elsewhere, what is to be filled in, and what documents a name by itself.
 NOT_TEXT = """self::script or self::style or self::form or self::h2/@class='memtitle' or
               contains(' eq-nav eq-contents copies memitem ', concat(' ', @class, ' '))"""
-LEFT_OUT = ("dir_", "functions", "globals", "namespacemembers", "classes.html", "hierarchy.html")
+# Pages of Doxygen's that nobody reads: indices of letters and folders, lists that repeat a type, what a source without names is.
+LEFT_OUT = re.compile(r"(dir_|functions|globals|namespacemembers|classes\.|hierarchy\.).*|.*(-members|_8cpp)\.html")
 
 
 def first(tree, path):
@@ -46,34 +47,23 @@ def finished_page(page, sources):
                   lambda link: sources.get(link[1], link[0]) + (f"#l{link[2]:>05}" if link[2] else ""), page)
 
 
-def is_left_out(name, tree):
-    """Whether a reader of the site has no use for a page of Doxygen's: an index of letters or folders, the list that repeats a
-    type, or the page of a file that only says what the file is."""
-    if name.endswith(("_8hpp.html", "_8h.html")):
-        return first(tree, '//li[@class="navelem"]/a/text()') != "src"
-    return name.startswith(LEFT_OUT) or name.endswith(("-members.html", "_8cpp.html"))
-
-
 def trim(texts):
     """The pages of the site by the names of their files, as trees, without those that are left out: a link to the page of a file
     leads to its source, the text of others stays."""
-    trees = {name: lxml_html.document_fromstring(text) for name, text in texts.items()}
-    kept = {name: tree for name, tree in trees.items() if not is_left_out(name, tree)}
-    for name, tree in kept.items():
+    trees = {name: lxml_html.document_fromstring(text) for name, text in texts.items() if not LEFT_OUT.fullmatch(name)}
+    for name, tree in trees.items():
         for links in tree.find_class("summary"):  # to the headings below, also to some that are not there
             links.drop_tree()
         for link in tree.xpath("//a[@href]"):
             file = link.get("href").partition("#")[0]
             source = file.removesuffix(".html") + "_source.html"
-            if file not in trees or file in kept:
-                continue
-            if source == name:
+            if source == name and LEFT_OUT.fullmatch(file):
                 link.drop_tree()  # to itself: "Go to the documentation of this file."
-            elif source in kept:
+            elif LEFT_OUT.fullmatch(file) and source in trees:
                 link.set("href", source)
-            else:
+            elif LEFT_OUT.fullmatch(file):
                 link.drop_tag()
-    return kept
+    return trees
 
 
 def shortened(text):
