@@ -27,9 +27,14 @@ def places_in_chapter(files):
 
 def chapter_views(run, files, faults):
     """What the template shows of each page. A claim on a result that the chapter leaves out is a fault, too."""
-    mentioned = {claim for content in files.values() for claim in re.findall(r"\{\{steps (.*?)\}\}", content)}
+    named_by = lambda kind: re.findall(r"\{\{" + kind + r" (.*?)\}\}", "\n".join(files.values()))
     known = {"equation": run.entries, "claims": run.entries, "steps": run.claims, "explore": run.places, "figure": run.figures}
-    names = list(files)
+    names, mentioned = list(files), set(named_by("steps"))
+    others = {entry["equation"]: [(claim, record) for claim in entry["claims"] if claim["role"] != "observation"
+                                  and (record := record_of(run, claim["id"]))["claim"] not in mentioned] for entry in run.ledger}
+    mentioned |= {record["claim"] for equation in named_by("claims") for _, record in others.get(equation, [])}
+    faults += [f"claim {record['claim']} is on a result of the chapter, which does not mention it" for entry in run.ledger
+               if entry["kind"] == "result" for _, record in others[entry["equation"]] if record["claim"] not in mentioned]
 
     def piece(block, place):
         """A section, a paragraph or a place-holder."""
@@ -41,14 +46,8 @@ def chapter_views(run, files, faults):
         if not block.endswith("}}") or name not in known.get(kind, {}):
             raise Fault("a place-holder must stand by itself, like {{equation 26}}: one of " + ", ".join(known) +
                         f", and a name of the run, not {block}, in {place}")
-        shown, claims = known[kind][name], []
-        for claim in shown["claims"] if kind == "claims" else []:
-            record = record_of(run, claim["id"])
-            if claim["role"] != "observation" and record["claim"] not in mentioned:
-                mentioned.add(record["claim"])
-                claims.append((claim, record))
-        steps = steps_of(run, shown) if kind == "steps" else []
-        return {"kind": kind, "name": name, "shown": shown, "claims": claims, "steps": steps}
+        shown = others[name] if kind == "claims" else known[kind][name]
+        return {"kind": kind, "name": name, "shown": shown, "steps": steps_of(run, shown) if kind == "steps" else []}
 
     views = []
     for at, name in enumerate(names):
@@ -61,9 +60,4 @@ def chapter_views(run, files, faults):
                 pieces.append(piece(block, f"docs/chapter, page {name}"))
         views.append(dict(name=name, title=head[2:], pieces=pieces, first=at == 0, subpages=[] if at else names[1:],
                           previous=names[at - 1] if at > 1 else None, next=names[at + 1] if at + 1 < len(names) else None))
-    for entry in run.ledger:
-        for claim in entry["claims"] if entry["kind"] == "result" else []:
-            claimed = record_of(run, claim["id"])["claim"]
-            if claim["role"] != "observation" and claimed not in mentioned:
-                faults.append(f"claim {claimed} is on a result of the chapter, which does not mention it")
     return views

@@ -2,7 +2,7 @@
 import json
 import re
 import subprocess
-from itertools import count, groupby
+from itertools import count
 from pathlib import Path
 
 import jinja2
@@ -56,7 +56,6 @@ def environment(run, sources):
         sample=lambda name, of_modes: SAMPLES_OF_MODES[name] if of_modes else SAMPLES.get(name, "1"),
         names=lambda witness, claim="": witness_names(run, witness, claim), record=lambda claim: record_of(run, claim),
         statement_of_theorem=lambda of: re.search(rf"Definition {of['name']} : Prop :=.*?\.(?=\n)|\Z", run.theorems, re.S)[0],
-        in_order=lambda entries, key: [(name, list(group)) for name, group in groupby(entries, lambda entry: entry[key])],
         section_title=lambda section: f"{section} {SECTIONS[section]}" if section in SECTIONS else section,
         tables=tables, conclusions_of=conclusions_of, drawn_graph=drawn_graph, theorems_of=theorems_of)
     jinja.globals |= dict(run=run, chapter={}, ledger=run.ledger, departures=run.departures,
