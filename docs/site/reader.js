@@ -131,12 +131,12 @@
           place.textContent = "All lists over the modes must have the same number of values.";
           return;
         }
-        right = [].concat(check.holds(...values));
+        right = check.holds(...values);
         if (right.some((value) => !Number.isFinite(value))) {
           place.textContent = "The formula has no finite value there: these inputs are outside its domain.";
           return;
         }
-        if (check.printed) mistakes = [{what: "The equation as printed.", value: [].concat(check.printed(...values))}];
+        if (check.printed) mistakes = [{what: "The equation as printed.", value: check.printed(...values)}];
       }
       const explains = (mistake) => agree(given, mistake.value) && !agree(mistake.value, right);
       if (agree(given, right)) {

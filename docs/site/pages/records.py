@@ -23,9 +23,9 @@ def read_if_there(file):
     return file.read_text() if file.exists() else ""
 
 
-def told(*command):
+def told(*command, asked=None):
     """What a program answers."""
-    return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
+    return subprocess.run(command, input=asked, check=True, stdout=subprocess.PIPE, text=True).stdout
 
 
 def read_run(verify, source):

@@ -1,7 +1,6 @@
 """All generated pages: each kind has a template; the pages are Doxygen's, which resolves links to what is in the sources."""
 import json
 import re
-import subprocess
 from itertools import count
 from pathlib import Path
 
@@ -12,7 +11,7 @@ from .chapter import chapter_views, places_in_chapter, read_chapter
 from .code import code_of, javascript_of
 from .conclusions import conclusions_of
 from .equations import SAMPLES, SAMPLES_OF_MODES, equation_view, in_namespace, statement_of, theorems_of, witness_names
-from .records import faults_of_departures, faults_of_stand_ins, read_run, record_of
+from .records import faults_of_departures, faults_of_stand_ins, read_run, record_of, told
 from .sources import Sources
 from .text import EQUATIONS, Fault, html, told_in, verdict_text
 
@@ -37,9 +36,8 @@ def tables(markdown, prefix):
 
 def drawn_graph(dot):
     """A graph in the language of Graphviz as a picture within a page, without the lines that follow from others."""
-    for command in (["tred"], ["dot", "-Tsvg"]):
-        dot = subprocess.run(command, input=dot, check=True, stdout=subprocess.PIPE, text=True).stdout
-    svg = dot[dot.index("<svg"):].replace("xlink:title", "aria-label")  # what a link is called, and no other name within it
+    drawn = told("dot", "-Tsvg", asked=told("tred", asked=dot))
+    svg = drawn[drawn.index("<svg"):].replace("xlink:title", "aria-label")  # what a link is called
     return re.sub(r'(?<=\d)pt(?=")|xlink:(?=href)', "", svg)
 
 
