@@ -220,7 +220,8 @@
   const graph = document.querySelector(".equation-graph");
   if (graph) {
     const panel = document.getElementById("graph-statement"), find = document.querySelector("form.find");
-    const titled = (kind) => [...graph.querySelectorAll("g." + kind)].map((mark) => [mark.querySelector("title").textContent, mark]);
+    const titled = (kind) => Array.from(graph.querySelectorAll("g." + kind),
+                                        (each) => [each.querySelector("title").textContent, each]);
     const nodes = new Map(titled("node")), edges = titled("edge").map(([title, mark]) => [...title.split("->"), mark]);
     let chosen = null;
     const light = (number) => {
@@ -242,7 +243,8 @@
       chosen = number;
       light(chosen);
       const statement = window.siteStatements[number], [, , rests_on, used_by] = document.getElementById("at-" + number).cells;
-      panel.innerHTML = "<p>(" + number + ") " + statement.said + " <a href=\"" + nodes.get(number).querySelector("a").getAttribute("href") + "\">The page of (" + number +
+      const page = nodes.get(number).querySelector("a").getAttribute("href");
+      panel.innerHTML = "<p>(" + number + ") " + statement.said + " <a href=\"" + page + "\">The page of (" + number +
                         ")</a></p><p class=\"near\">It rests on " + rests_on.innerHTML.trim() + "; used by " + used_by.innerHTML.trim() + ".</p>" +
                         "<div class=\"formulaDsp\">" + statement.drawn + "</div>";
       const place = panel.querySelector(".formulaDsp"), math = place.querySelector("math");

@@ -531,7 +531,8 @@ class Finished(Case):
     def test_trim(self):
         """The site leaves out pages that nobody reads; links to a file lead to its source, and the text of others stays."""
         trees = finish.trim({
-            "eq_80.html": '<a href="structA-members.html">list</a> <a href="c_8h.html#there">c</a>', "structA-members.html": "<p>",
+            "eq_80.html": '<a href="structA-members.html">list</a> <a href="c_8h.html#there">c</a>',
+            "structA-members.html": "<p>",
             "y_8cpp.html": "<p>", "c_8h.html": '<a href="y_8cpp.html#there">y</a>', "functions_vars.html": "<p>",
             "y_8cpp_source.html": '<div class="summary"><a href="#nowhere">Functions</a></div>'
                                   '<a href="y_8cpp.html">Go to the documentation of this file.</a><a href="dir_1.html">B</a>'})

@@ -10,7 +10,7 @@ from collections import Counter, namedtuple
 Language = namedtuple("Language", "head assignment result pair end words prefix operators", defaults=[("$^", "")])
 LANGUAGES = {
     "cxx": Language("{kind} {name}({typed}) {{", "const {0} {1} = {2};", "return {};", "return {{{}, {}}};", "}\n",
-                    {"pi": "std::numbers::pi"}, "std::", (r"(?<![\w.])(\d+) / (?=\d)", r"\1.0 / ")),  # integers divide as integers
+                    {"pi": "std::numbers::pi"}, "std::", (r"(?<![\w.])(\d+) / (?=\d)", r"\1.0 / ")),  # 1 / 2 is 0 there
     "python": Language("def {name}({plain}):", "{1} = {2}", "return {}", "return {} + 1j * ({})", "",
                        {"pi": "np.pi", "atan2": "np.arctan2"}, "np."),
     "matlab": Language("function y = {name}({plain})", "{1} = {2};", "y = {};", "y = complex({}, {});", "end\n",
