@@ -229,7 +229,10 @@ TEST_CASE("what cannot be varied is refused by name", "[find][program]") {
         2 r/1            --between=1:2     < pair ! a list
         2 beta           --between=1:0     < pair ! the lower one first
         2 beta           --between=0       < pair ! must be A:B
-        2 beta           --between=0:inf   < pair ! must be A:B
+        2 beta           --between={.6|:2} < pair ! between must be A:B, two numbers, but is {}
+        2 beta           --between=0:inf   < pair ! between must be written as a number, but is inf
+        2 beta           --between=.6:2    < pair ! between must be written as a number, but is .6
+        2 base_motion    --between=0:1     < pair ! vary must be a key of the scene that has a number, but is base_motion
         2 beta           --between=-2:-1   < pair ! beta must
         2 contact        --between=0.5:1.5 < pair ! contact must
         2 damping_ratios/1 --between=0:1   < pair ! damping_ratios is one number
@@ -324,5 +327,9 @@ TEST_CASE("amplitudes that hang on the last digits of a scene come with a warnin
     CHECK(asked("1.0000000000001", "0")["warning"].get<std::string>().find("mode 1 has next to no damping") != std::string::npos);
     for (const auto& [r, zeta] : {std::pair("1.0000000001", "0"), {"1.0000000000001", "1e-9"}, {"0.5", "0"}})
         CHECK_FALSE((asked(r, zeta).contains("warning") || asked(r, zeta, "response --json").contains("warning")));
+    // Friction that stops the contact bounds a mode, unless the contact is at its node.
+    CHECK_FALSE(answer_of("solve --json", R"(undamped {"r": 1.0000000000001, "beta": 0.9})").contains("warning"));
+    for (const std::string beta : {"2", "10"})
+        CHECK(answer_of("solve --json", R"(node {"r": 1.414213562373, "beta": )" + beta + "}").contains("warning"));
     CHECK(asked("1.0000000000001", "0", "response --json")["warning"] == asked("1.0000000000001", "0")["warning"]);
 }

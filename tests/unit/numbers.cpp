@@ -245,11 +245,17 @@ TEST_CASE("numbers that are none are named", "[scene][number]") {
 }
 
 TEST_CASE("a number for people has the digits that its error leaves", "[number]") {
-    CHECK(number_in_certain_digits(0.63974569583012345, 0.0) == "0.63974569583");
-    CHECK(number_in_certain_digits(0.63974569583012345, 1e-16) == "0.63974569583");
-    CHECK(number_in_certain_digits(0.63974569583012345, 4e-10) == "0.639745696");
-    CHECK(number_in_certain_digits(-0.63974569583012345, 0.03) == "-0.6");
-    CHECK(number_in_certain_digits(1e-51, 7.9e-46) == "0 to within 7.9e-46");
-    CHECK(number_in_certain_digits(-1e-51, 1e300 * 1e300) == "0 to within inf");
-    CHECK(number_in_certain_digits(0.0, 1e-50) == "0");
+    const auto certain = [](double x, double error) { return number_in_certain_digits(x, error, x); };
+    CHECK(certain(0.63974569583012345, 0.0) == "0.63974569583");
+    CHECK(certain(0.63974569583012345, 1e-16) == "0.63974569583");
+    CHECK(certain(0.63974569583012345, 4e-10) == "0.639745696");
+    CHECK(certain(-0.63974569583012345, 0.03) == "-0.6");
+    CHECK(certain(1e-51, 7.9e-46) == "0 to within 7.9e-46");
+    CHECK(certain(-1e-51, 1e300 * 1e300) == "0 to within inf");
+    CHECK(certain(0.0, 1e-50) == "0");
+    // Another number is told from it, if that is farther away than the error.
+    CHECK(number_in_certain_digits(0.79, 0, 0.79 * (1 + 1e-14)) == "0.79");
+    CHECK(number_in_certain_digits(0.79 * (1 + 1e-14), 0, 0.79) == "0.79000000000001");
+    CHECK(number_in_certain_digits(0.79 * (1 + 1e-14), 1e-13, 0.79) == "0.79");
+    CHECK(number_in_certain_digits(std::nextafter(1.0, 2.0), 0, 1) == "1.0000000000000002");
 }

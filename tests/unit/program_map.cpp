@@ -192,6 +192,7 @@ TEST_CASE("a bad grid, mass or output gives status 2, one line and no file", "[p
            "--r 1:2:1.5 --beta 0:1:3|--r 2:1:3 --beta 0:1:3|--r 1:2:3 --beta -1:1:3|--r 1:2:3|--r a:2:3 --beta 0:1:3} < " +
            grid + "\n 2 map --r {1:2|.5:1:2:3} --beta 0:1:3 < " + grid + " ! r must be FROM:TO:COUNT" + //
            "\n 2 map --r {.5|+1}:2:3 --beta 0:1:3 < " + grid + " ! r must be written as a number, but is {}" +
+           "\n 2 map --r {:2:3|1::3|1:2:} --beta 0:1:3 < " + grid + " ! r must be FROM:TO:COUNT, three numbers, but is {}" +
            "\n 2 map --r 1:2:3 --beta 0:1:3 {--mass 3|--mass 0|--mass 1 --mass 1|--output map.txt|--start here} < " + grid +
            "\n 2 map --r 1:2:3 --beta 0:1:3 --output '" + file + "' < " + grid + " ! cannot be written");
     CHECK_FALSE(std::filesystem::exists(file));

@@ -71,6 +71,45 @@ TEST_CASE("what is asked decides what is answered", "[program][solve]") {
     )");
 }
 
+TEST_CASE("the regime alone is that of the motion, which may turn more often beyond the boundary and never stop",
+          "[program][solve][eq:69]") {
+    // An integration from turn to turn finds six turns in a period, no stop, and the amplitudes 0.99404399521 and 0.99591283592.
+    expect(R"(
+        0 solve --json {--ask regime|--ask regime --digits 20|--ask regime --proved|--ask motion}
+          < undamped {"r": 0.2, "beta": 0.001}
+          = {"regime": "continuous"}
+        0 solve --json {--ask regime|--ask regime --digits 20|--ask motion}
+          < undamped {"damping_ratios": 0.001, "r": 0.2, "beta": 0.001}
+          = {"regime": "continuous"}
+        0 map --r 0.2:0.2:1 --beta 0.001:0.001:1 < undamped > 0.2,0.001,continuous,0,1,0.99404399
+        0 map --r 0.2:0.2:1 --beta 0.001:0.001:1 < undamped {"damping_ratios": 0.001} > 0.2,0.001,continuous,0,1,0.99591283
+    )");
+    // Static friction equals the load on the contact, which it holds.
+    expect(R"(
+        0 solve --json {--ask regime|--ask regime --proved|--ask motion} < unequal undamped
+          {"mass_ratios": [1, 1], "stiffness_ratios": [1, 1.25], "contact": 2, "load": 2, "mu": 2, "r": 0.3, "beta": 0.5}
+          = {"regime": "permanent_sticking"}
+    )");
+}
+
+TEST_CASE("next to a pole the boundaries are told, whatever mu is", "[program][solve][eq:69][domain]") {
+    expect(R"(
+        0 boundary --json < undamped {"r": 1.0000000000000002, "mu": 2}
+          = {"beta_lim": {"exact": "~ 0.7853981633974 1e-12"}}
+        0 solve --json < undamped {"r": 1.0000000000000002, "mu": 2, "beta": 1.25}
+          = {"regime": "permanent_sticking", "beta_lim": {"exact": "~ 0.7853981633974 1e-12", "sticking": 0.5}}
+          = {"reason": "has from the start from rest the contact came to rest", "method": {"proved": true}}
+        0 solve < undamped {"r": 1.0000000000000002, "mu": 2, "beta": 1.25} > the closed form does not hold: beta = 1.25
+        0 solve < undamped {"r": 1, "mu": 2, "beta": 1.25} > the boundaries are not known: mode 1 has no damping and R = 1
+    )");
+}
+
+TEST_CASE("boundaries that have not their digits are printed with the reason", "[program]") {
+    expect(R"(
+        0 boundary < unequal {"mass_ratios": [1, 1e-100], "mu": 1} > the error bound does not guarantee the 6 digits
+    )");
+}
+
 TEST_CASE("the motion that is sampled has the amplitudes and stops that are answered", "[program][solve]") {
     for (const std::string& scene : regimes) {
         const json a = answer_of("solve --json", scene);
@@ -226,6 +265,11 @@ TEST_CASE("energies are printed in ratios and in the units of the scene", "[prog
           = {"energy": {"dampers": "longer 30"}}
         2 solve --energy {--mass 1|--ask amplitude|--samples 8|--ask regime} < driven ! energy must be given without
     )");
+    // At a pole as next to it: nothing but the contact dissipates, 4 beta X.
+    for (const std::string r : {"1", "1.0000000000000002"})
+        expect("0 solve --json --energy < undamped {\"r\": " + r + R"(, "beta": 0.9}
+            = {"energy": {"dampers": 0, "contact": "~ 0.116526237485 1e-10", "friction": 0.9}}
+            = {"energy": {"on_base": "~ 0.0323683993013 1e-10", "textbook": {"amplitude": null}}})");
 }
 
 TEST_CASE("the answer in the sliding regime has the keys of the interface", "[program]") {

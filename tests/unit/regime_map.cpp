@@ -322,6 +322,44 @@ TEST_CASE("at a pole and next to it a map has numbers where solve has: where the
     CHECK_THROWS_AS(solve(scene_source(oscillator(0, 1 + 0x1p-52, 1, below)), {Asked::amplitude, {}}), DomainError);
 }
 
+TEST_CASE("at a pole and next to it a map from the sliding motion has numbers where the contact rests, if no motion slides",
+          "[map][domain]") {
+    const double next = 1 + 3 * 0x1p-52;
+    const MapRequest grid{{1, next}, {0.25, 0.625, 0.875, 1.25}, {Mass{0}}, MapStart::sliding, 1};
+    const RegimeMap map = regime_map(oscillator(0, 1, 2), grid, never);
+    const auto status = [&](std::size_t column, std::size_t row) { return map.points[4 * column + row].status; };
+    for (const std::size_t column : {0U, 1U}) {
+        CHECK(status(column, 0) == PointStatus::at_a_pole);
+        for (const std::size_t row : {2U, 3U}) { // beyond pi / 4
+            CHECK(status(column, row) == PointStatus::answered);
+            CHECK(map.points[4 * column + row].regime == Regime::permanent_sticking);
+        }
+    }
+    CHECK(status(0, 1) == PointStatus::answered); // what slides grows for ever
+    CHECK(status(1, 1) == PointStatus::at_a_pole);
+}
+
+TEST_CASE("next to a pole a motion that is refused is followed no oftener if all are asked for", "[solve][domain]") {
+    const SceneSource scene = scene_source(oscillator(0, 1 + 3 * 0x1p-52, 1, 0.25));
+    const auto phases_for = [&](bool all) {
+        const long before = phases_propagated();
+        CHECK_THROWS_AS(solve(scene, {Asked::motion, {}, all}), DomainError);
+        return phases_propagated() - before;
+    };
+    CHECK(phases_for(true) == phases_for(false));
+}
+
+TEST_CASE("at a pole double is certain of stops that last longer than its rounding makes them", "[solve][domain]") {
+    for (const auto& [above, certain] : {std::pair{1.3e-14, false}, {1e-12, true}}) { // pi / 4; stops of 5e-5 and of 2e-4
+        const Scene<double> scene = oscillator(0, 1, 1, pi<double>() / 4 * (1 + above));
+        const PreparedSystem prepared = prepare(scene_source(scene), {});
+        const AnswerInDouble seen = answer_in_double(prepared, {1, *scene.beta, nullptr}, {});
+        REQUIRE(seen.is_answered());
+        CHECK(seen.value->stops.size() == 2);
+        CHECK(seen.regime_is_certain == certain);
+    }
+}
+
 TEST_CASE("at a pole stops that may be rounding are those of no motion: just below pi / 4 of the load it grows for ever",
           "[solve][domain]") {
     for (const double beta : {0x1.921fb54442d18p-1, 0x1.921fb54442d17p-1}) // next to pi / 4, from below

@@ -42,7 +42,8 @@ TEST_CASE("fewer digits never cost more work", "[solve]") {
     CHECK(of_chain.eigen_solves == 1);
     const Scene<double> slides = oscillator(0.0625, 1.5, 1, 0.25), stops = oscillator(0.0625, 0.25, 1, 0.5);
     CHECK(total(asking(slides, Asked::amplitude, 6).work) == 1);
-    CHECK(asking(stops, Asked::regime, 6).work.phases_propagated == 0);
+    CHECK(asking(slides, Asked::regime, 6).work.phases_propagated == 0);
+    CHECK(asking(stops, Asked::regime, 6).work.phases_propagated <= asking(stops, Asked::amplitude, 6).work.phases_propagated);
 }
 
 TEST_CASE("between the boundaries the exact solver answers, to 30 digits as well as to 6", "[solve][eq:74][eq:75]") {
@@ -273,7 +274,7 @@ TEST_CASE("a steady motion that is certain is the answer where that from rest is
         CHECK_FALSE(s.unique);
         CHECK_THAT(in_words(s.not_from_rest), Catch::Contains("the motion comes to no periodic motion within"));
         CHECK_THAT(in_words(s.unique_because), Catch::Contains("the one from rest is not known to lead here"));
-        if (c.scene.mu > 1) CHECK(asking(c.scene, Asked::regime).not_from_rest == s.not_from_rest); // else nothing is followed
+        CHECK(asking(c.scene, Asked::regime).not_from_rest == s.not_from_rest);
         CHECK(asking(c.scene, Asked::regime).regime.regime == c.regime);
         Question question;
         question.proved = true;

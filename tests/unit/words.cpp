@@ -295,6 +295,11 @@ TEST_CASE("numbers stand in a sentence as it asks for them", "[messages]") {
     CHECK(in_words({Why::not_sliding, 0.1, 1e-7}) ==
           "the contact does not slide throughout: beta = 0.1 is not below beta_lim = " + number_to_text(1e-7) + ", Eq. (69)");
     CHECK(in_words({Why::can_rest, 0.123456789, 1e-4}) == "it can also rest for ever, because beta is not below 0.123");
+    // Two numbers that are told apart differ in words, too.
+    CHECK(in_words({Why::slides, 0.79, 0.79 * (1 + 1e-14), 1e-16, 0})
+              .starts_with("beta = 0.79 is below beta_lim = 0.79000000000001,"));
+    CHECK(in_words({Why::no_closed_form, 0.79 * (1 + 1e-14), 0.79, 1e-16, 0})
+              .find("beta = 0.79000000000001 is not below beta_lim = 0.79,") != std::string::npos);
     CHECK(in_words({Why::fast_mode, 123456.0}).find(" has 1.2e+05 times ") != std::string::npos);
     CHECK(in_words({Why::bound, true, 6, false, true}) == "the error bound guarantees the 6 digits asked for");
     CHECK(in_words({Why::bound, false, 1, true, false}) == "the error bound does not guarantee the 1 digit aimed at");

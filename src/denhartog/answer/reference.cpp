@@ -197,7 +197,8 @@ bool attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, 
         return true;
     };
     WrittenNumbers w(*q.digits, last);
-    const PointInBalls p = point_in_balls(source, !q.met || *q.met == Regime::continuous || !scene.beta);
+    const bool needs_boundary = !q.met || q.with_boundary || *q.met == Regime::continuous || !scene.beta;
+    const PointInBalls p = point_in_balls(source, needs_boundary);
     s.asked = q.asked;
     s.r = w.shown(p.scene.r);
     s.mu = w.shown(p.scene.mu);
@@ -218,7 +219,7 @@ bool attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, 
         if (q.met && regime != Regime::stick_slip) set_regime(p, regime, s);
         if (q.asked == Asked::regime || (q.closed_form_alone && regime != Regime::continuous)) {
             s.method.model = q.closed_form_alone ? "boundary of the sliding regime" : "boundaries";
-            if (q.met == Regime::stick_slip && !q.closed_form_alone)
+            if (q.met && regime == Regime::stick_slip)
                 set_regime_by_stops(p, orbit_in_balls(source, q, p.scene.r, bits, guesses), s);
         } else if (regime == Regime::continuous) {
             write_sliding(p, scene, q, w, s);

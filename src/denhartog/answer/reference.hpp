@@ -18,6 +18,7 @@ namespace denhartog {
 /// proved.
 struct ReferenceQuestion : Question {
     std::optional<Regime> met{};    ///< the regime of the motion that is meant, where the friction ratio does not tell it
+    bool with_boundary = false;     ///< whether the boundaries must be there where `met` does not need them
     bool closed_form_alone = false; ///< whether only boundary and regime are wanted outside the sliding regime
 };
 

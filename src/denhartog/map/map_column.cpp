@@ -248,7 +248,15 @@ private:
         if (question.asked == Asked::amplitude && request.masses.size() == 1) question.mass = request.masses.front();
         if (mu == 1 || request.start == MapStart::rest || beta[n] == 0)
             return decide(prepared, {r, beta[n], nullptr, &effort}, question);
-        return decide_sliding(with_effort(at_point(prepared.source, r, beta[n]), &effort), question, prepared.bounded);
+        const SceneSource source = with_effort(at_point(prepared.source, r, beta[n]), &effort);
+        Tried<Solution> slides = decide_sliding(source, question, prepared.bounded);
+        if (last || (slides.is_answered() && !slides.value->masses.empty())) return slides;
+        // At a pole there may be no sliding motion; next to it rounding decides how large it is.
+        const Tried<Solution> regime = decide_sliding(source, {Asked::regime, {}}, prepared.bounded);
+        if (regime.is_answered() && regime.value->regime.regime == Regime::continuous) return slides;
+        Tried<Solution> rests = decide(prepared, {r, beta[n], nullptr, &effort}, question);
+        const bool for_ever = rests.is_answered() && rests.value->regime.regime == Regime::permanent_sticking;
+        return for_ever ? rests : slides;
     }
 
     // Writes an answer; one without the amplitude of a mass, or 6 certain digits of it, is none.

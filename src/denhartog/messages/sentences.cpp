@@ -8,7 +8,7 @@ namespace denhartog {
 namespace {
 
 // {n} is number n as it can be read again, {ni} a whole number, {n.d} one rounded to d digits, {n~} and {n~m} one to the digits
-// that are certain, number m being its error; {n|..|..} chooses words by number n; {t} is what somebody else said.
+// that are certain, number m being its error, and {n~m/k} to as many as tell it from number k; {n|..|..} chooses words by number n; {t} is what somebody else said.
 std::string_view sentence(Why says) {
     using enum Why;
     struct Sentence {
@@ -51,11 +51,11 @@ std::string_view sentence(Why says) {
         {largest_not_settled, "the search does not settle the largest value over the half-period: "},
         {too_many_oscillations, "the motion has too many oscillations, or its maximum is too flat for the digits of the number "
                                 "type"},
-        {slides, "beta = {0~} is below beta_lim = {1~2}, Eq. (69): the contact {3|slides|can slide} throughout"},
+        {slides, "beta = {0~/1} is below beta_lim = {1~2/0}, Eq. (69): the contact {3|slides|can slide} throughout"},
         {certainly_slides, "beta is below a lower bound of beta_lim, Eq. (69): the contact slides throughout"},
         {can_rest, "it can also rest for ever, because beta is not below {0~1}"},
         {no_closed_form,
-         "the closed form does not hold: beta = {0~} is not below beta_lim = {1~2}, Eq. (69), where {3|the "
+         "the closed form does not hold: beta = {0~/1} is not below beta_lim = {1~2/0}, Eq. (69), where {3|the "
          "contact would turn back within the half-period, (54)a|static friction would hold the contact at the end of the "
          "half-period, (54)b|the contact would come to rest at the end of the half-period, (54)a and (54)b}"},
         {never_moves,
@@ -173,8 +173,12 @@ std::string filled(std::string_view field, const Reason& reason) {
     if (field.empty()) return number_to_text(number);
     if (field == "i") return std::to_string(static_cast<long long>(number));
     if (field.front() == '.') return number_in_digits(number, field[1] - '0');
-    if (field.front() == '~')
-        return number_in_certain_digits(number, field.size() > 1 ? reason.numbers[static_cast<std::size_t>(field[1] - '0')] : 0);
+    if (field.front() == '~') {
+        const auto at = [&](std::size_t place) { return reason.numbers[static_cast<std::size_t>(field[place] - '0')]; };
+        const std::size_t slash = field.find('/');
+        const double error = field.size() > 1 && slash != 1 ? at(1) : 0;
+        return number_in_certain_digits(number, error, slash != field.npos ? at(slash + 1) : number);
+    }
     for (auto n = static_cast<int>(number); n > 0; --n) field.remove_prefix(field.find('|', 1));
     return std::string(field.substr(1, field.find('|', 1) - 1));
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "denhartog/number/ball_or_none.hpp"
 
@@ -112,12 +113,14 @@ std::string number_in_digits(double x, int digits) {
     return {text.data(), std::to_chars(text.begin(), text.end(), x, std::chars_format::general, digits).ptr};
 }
 
-std::string number_in_certain_digits(double x, double error) {
+std::string number_in_certain_digits(double x, double error, double other) {
     constexpr int most = 12;
     const double size = std::abs(x);
     if (x != 0 && size <= error) return "0 to within " + number_in_digits(size + error, 2);
     int digits = most;
     for (double smaller = error * 1e12; digits > 1 && smaller > size; smaller /= 10) --digits;
+    const auto reads_as_other = [&] { return number_in_digits(x, digits) == number_in_digits(other, digits); };
+    while (std::abs(x - other) > error && digits < std::numeric_limits<double>::max_digits10 && reads_as_other()) ++digits;
     return number_in_digits(x, digits);
 }
 

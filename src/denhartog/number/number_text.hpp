@@ -17,8 +17,8 @@ std::string number_to_text(const double& x);
 [[nodiscard]] std::string number_in_digits(double x, int digits);
 
 // A number rounded for people to the digits that its error leaves, 12 at most. `0 to within` the
-// error if no digit is certain.
-[[nodiscard]] std::string number_in_certain_digits(double x, double error);
+// error if no digit is certain. As many more as tell it from another number that is farther away than its error.
+[[nodiscard]] std::string number_in_certain_digits(double x, double error, double other);
 
 template <class T>
 struct Bounded;

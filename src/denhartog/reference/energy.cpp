@@ -147,13 +147,14 @@ EnergiesInBalls energies_of_sliding(const SceneInBalls& s, const ResponsesInBall
 EnergiesInBalls energies_of_orbit(const SceneInBalls& s, const OrbitInPhases& motion, const Ball& d) {
     const ProvedOrbit& orbit = motion.orbit;
     const OrbitUnknowns& at = orbit.at;
-    const HarmonicMotions A(s);
+    // At a resonance there are none. Without a damper friction then takes all the work of the load.
+    const std::optional<HarmonicMotions> A = if_proved([&] { return HarmonicMotions(s); }, norm(s.C) > 0);
     const ForceOnBase force(s, d);
     const BallMatrix place = orbit.s.place();
     Number conjugate{Ball(0), Ball(0)}, Y{Ball(0), Ball(0)}; // A_w^T conj(p); the integral of the contact's displacement
-    for (slong k = 0; k < s.N(); ++k) {
+    for (slong k = 0; A && k < s.N(); ++k) {
         const Number p = load_on(s, k);
-        conjugate = conjugate + A.X_of_contact[k] * Number{p.re, -p.im};
+        conjugate = conjugate + A->X_of_contact[k] * Number{p.re, -p.im};
     }
     const Ball half = Ball(1) / 2;
     Ball path(0);
@@ -169,9 +170,10 @@ EnergiesInBalls energies_of_orbit(const SceneInBalls& s, const OrbitInPhases& mo
             continue;
         }
         path += Ball(direction) * ((place * after)(0) - x);
-        Y = Y + Ball(half * (to - from)) * A.g + half * (conjugate * integral(from, to, 2));
-        Y = Y - A.h * (Ball(Ball(direction) * *s.beta) * once);
-        Y = Y - (boundary_term(s, A, after, orbit.s.sigma, to) - boundary_term(s, A, before, orbit.s.sigma, from));
+        if (!A) continue;
+        Y = Y + Ball(half * (to - from)) * A->g + half * (conjugate * integral(from, to, 2));
+        Y = Y - A->h * (Ball(Ball(direction) * *s.beta) * once);
+        Y = Y - (boundary_term(s, *A, after, orbit.s.sigma, to) - boundary_term(s, *A, before, orbit.s.sigma, from));
     }
     const Ball stretches = Ball(at.mirrored ? 2 : 1) / Ball(at.periods); // in a period of the force
     Y = Ball(stretches / pi<Ball>()) * Y;
@@ -179,8 +181,13 @@ EnergiesInBalls energies_of_orbit(const SceneInBalls& s, const OrbitInPhases& mo
     e.amplitude = peak_of_contact(orbit).size;
     e.friction = stops ? s.mu * *s.beta : *s.beta;
     e.contact = stretches * *s.beta * path;
-    e.by_textbooks = A.by_textbooks(*s.beta);
-    balance(s, A.with((A.g - Y) / A.h), force, d, e);
+    if (A) {
+        e.by_textbooks = A->by_textbooks(*s.beta);
+        balance(s, A->with((A->g - Y) / A->h), force, d, e);
+    } else {
+        e.dampers = Ball(0);
+        e.at_most = e.contact;
+    }
     if (force.none) return e;
     BallMatrix row(1, orbit.s.n());
     for (slong k = 0; k < s.N(); ++k) {

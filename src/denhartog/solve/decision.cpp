@@ -62,7 +62,7 @@ Tried<Solution> in_turn(std::size_t N, Effort* effort, const Question& question,
                               : !question.digits && N > most_masses_unasked
                                   ? AnswerByReference{{Outcome::digits_missing, {Why::not_asked, most_masses_unasked}}}
                                   : by_reference(&found);
-    const bool slides = proof.is_answered() && proof.value->regime.regime == Regime::continuous;
+    const bool slides = proof.is_answered() && proof.value->beta && proof.value->regime.regime == Regime::continuous;
     if (!pole.empty() && slides && question.asked != Asked::regime)
         return Refusal{Outcome::at_a_pole, found.is_answered() ? pole : found.why};
     if (proof.outcome == Outcome::at_a_pole) return proof;
@@ -103,7 +103,9 @@ AnswerByReference answer_by_reference(const PreparedSystem& p, const SolvePoint&
         }
         return guesses_at(prepared, source, followed);
     };
-    const auto proof_of = [&](std::optional<Regime> met) { return solution_by_reference(source, {question, met}, guesses); };
+    const auto proof_of = [&](std::optional<Regime> met, bool with_boundary = false) {
+        return solution_by_reference(source, {question, met, with_boundary}, guesses);
+    };
     Question regime_alone;
     regime_alone.asked = Asked::regime;
     AnswerByReference answer;
@@ -113,7 +115,9 @@ AnswerByReference answer_by_reference(const PreparedSystem& p, const SolvePoint&
         followed = rest->orbit;
         const RegimeAtPoint& met = rest->value->regime;
         const bool may_hide_a_stop = rest->open && rest->value->limits && met.regime == Regime::continuous;
-        answer = proof_of(may_hide_a_stop ? Regime::stick_slip : met.regime);
+        const Regime meant = may_hide_a_stop ? Regime::stick_slip : met.regime;
+        answer = proof_of(meant, !rest->value->limits); // next to a pole it has the boundaries that double has not
+        if (!answer.is_answered() && !answer.regime_holds && !rest->value->limits) answer = proof_of(meant);
         if (answer.regime_holds == false && met.on_boundary) { // double may be on the wrong side of it
             AnswerByReference other = proof_of(Regime::stick_slip);
             other.why = answer.why + other.why;
@@ -122,6 +126,9 @@ AnswerByReference answer_by_reference(const PreparedSystem& p, const SolvePoint&
         }
     } else {
         answer = proof_of(std::nullopt);
+        // The boundaries do not tell whether a motion beyond them stops: it may turn more than twice in a period instead.
+        if (question.asked == Asked::regime && answer.is_answered() && answer.value->regime.regime == Regime::stick_slip)
+            if (AnswerByReference moves = proof_of(Regime::stick_slip, true); moves.is_answered()) answer = std::move(moves);
         if (!answer.is_answered() && answer.regime_holds != true) {
             rest = answer_in_double(p, at, regime_alone);
             if (rest->outcome == Outcome::at_a_pole) return {*std::move(rest)};
@@ -137,8 +144,12 @@ AnswerByReference answer_by_reference(const PreparedSystem& p, const SolvePoint&
     Solution& s = *answer.value;
     if (rest) {
         const Solution& from_rest = *rest->value;
-        // The reference has no reason of its own where it has no boundaries.
-        if (s.regime.regime == from_rest.regime.regime && (!rest->open || s.regime.reason.empty())) s.regime = from_rest.regime;
+        const Reasons& seen_from_rest = from_rest.regime.reason;
+        if (s.limits && !from_rest.limits) // the reasons of double begin with why it has no boundaries
+            std::copy(std::ranges::find(seen_from_rest, Why::from_the_start, &Reason::says), seen_from_rest.end(),
+                      std::back_inserter(s.regime.reason));
+        else if (s.regime.regime == from_rest.regime.regime && (!rest->open || s.regime.reason.empty()))
+            s.regime = from_rest.regime; // the reference has no reason of its own where it has no boundaries
         if (from_rest.not_from_rest.empty())
             s.method.why = Why::from_rest_unproved + s.method.why;
         else if (!is_seen) // else double has said it
@@ -154,7 +165,7 @@ AnswerByReference answer_by_reference(const PreparedSystem& p, const SolvePoint&
     if (question.all) {
         Question others = question;
         others.digits.reset();
-        AnswerInDouble found = answer_in_double(p, at, others);
+        AnswerInDouble found = seen != nullptr ? *seen : answer_in_double(p, at, others);
         if (!found.is_answered()) return {std::move(found)};
         s.motions = std::move(found.value->motions);
     }
@@ -190,7 +201,7 @@ Tried<Solution> decide_sliding(const SceneSource& asked_about, const Question& q
         return found;
     };
     const auto by_reference = [&](const AnswerInDouble*) -> AnswerByReference {
-        AnswerByReference answer = solution_by_reference(source, {question, std::nullopt, true}, {});
+        AnswerByReference answer = solution_by_reference(source, {question, std::nullopt, false, true}, {});
         if (answer.is_answered()) return answer;
         AnswerInDouble regime = in_double({Asked::regime, {}}); // says where there is a pole
         if (regime.outcome == Outcome::at_a_pole) return {std::move(regime)};

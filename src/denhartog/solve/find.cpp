@@ -25,6 +25,10 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr auto varied_keys = std::to_array<const char*>(
+    {"mass_ratios", "stiffness_ratios", "damping_ratios", "r", "beta", "masses", "stiffnesses", "force", "friction",
+     "normal_force", "friction_coefficient", "frequency", "frequency_hz", "unbalance", "base_displacement", "base_acceleration"});
+
 // The place of a number of a scene; of a list the key has it, counted from 1, behind a slash.
 Json::json_pointer place_of(const std::string& key, const Json& scene) {
     const std::size_t slash = key.find('/');
@@ -32,8 +36,9 @@ Json::json_pointer place_of(const std::string& key, const Json& scene) {
     const auto refuse = [&](const std::string& rule) { throw InputError("vary", rule, key); };
     const std::string has_number = "must be a key of the scene that has a number";
     if (!scene.contains(name))
-        refuse(has_number +
-               (std::ranges::count(scene_keys(), name) > 0 ? " (give the scene " + name + ", with any number it may have)" : ""));
+        refuse(has_number + (name == "mu" || std::ranges::count(varied_keys, name) > 0
+                                 ? " (give the scene " + name + ", with any number it may have)"
+                                 : ""));
     std::string path = pointer_step(name);
     const Json& value = scene.at(name);
     if (value.is_array() && !value.empty() && value.front().is_array())
@@ -148,9 +153,6 @@ std::optional<AmplitudeIs> extreme_named(const std::string& word) {
     return std::nullopt;
 }
 
-constexpr auto varied_keys = std::to_array<const char*>(
-    {"mass_ratios", "stiffness_ratios", "damping_ratios", "r", "beta", "masses", "stiffnesses", "force", "friction",
-     "normal_force", "friction_coefficient", "frequency", "frequency_hz", "unbalance", "base_displacement", "base_acceleration"});
 constexpr double first_step = 0x1p-15, last_step = 0x1p-44; // relative; they become shorter by a factor of 8
 constexpr double agreement = 0.01;                          // of two steps
 
@@ -200,8 +202,8 @@ struct SensitiveMode {
 };
 
 // |v_d| of (23) changes by (1 - R) / ((1 - R)^2 + zeta^2) of itself, for a relative change of R. A damping matrix has none unless
-// it is zero.
-std::optional<SensitiveMode> sensitive_mode(const SceneSource& source) {
+// it is zero. With `at_node` it is one that does not move the contact.
+std::optional<SensitiveMode> sensitive_mode(const SceneSource& source, bool at_node) {
     constexpr double noticeable = 1e-3, unit = std::numeric_limits<double>::epsilon();
     const System<double>& s = source->in_double().system;
     const bool damped = std::ranges::all_of(s.damping_ratios, [](double zeta) { return zeta > unit / noticeable; });
@@ -211,6 +213,9 @@ std::optional<SensitiveMode> sensitive_mode(const SceneSource& source) {
     for (std::size_t i = 0; i < modes.r_n.size(); ++i) {
         const double R = frequency_ratio_of(source->in_double()) / modes.r_n[i].x, zeta = modes.zeta[i].x;
         const double apart = std::abs(R - 1) + unit, change = unit * apart / (apart * apart + zeta * zeta);
+        const auto row = static_cast<Eigen::Index>(contact_row(s).index);
+        const Bounded<double>& at_contact = modes.phi(row, static_cast<Eigen::Index>(i));
+        if (at_node && std::abs(at_contact.x) > at_contact.e) continue;
         if (change > noticeable && is_excited(modes, s, i)) return SensitiveMode{i, R, change};
     }
     return std::nullopt;
@@ -222,16 +227,17 @@ bool agree(const std::optional<double>& x, const std::optional<double>& y) {
 
 } // namespace
 
-std::optional<VariedNumber> interval_from(std::string_view key, std::string_view ends) {
-    VariedNumber varied{std::string(key)};
+VariedNumber interval_from(const std::string& key, const std::string& ends, const std::string& quantity) {
     const std::size_t colon = ends.find(':');
-    const auto reads = [](std::string_view part, double& x) {
-        return number_from_text(std::string(part), x) == NumberFault::none;
+    if (colon == ends.npos || colon == 0 || colon + 1 == ends.size())
+        throw InputError(quantity, "must be A:B, two numbers", ends);
+    const auto number = [&](const std::string& part) {
+        double x = 0;
+        if (const NumberFault fault = number_from_text(part, x); fault != NumberFault::none)
+            throw InputError(quantity, number_rule(fault), part);
+        return x;
     };
-    if (colon == std::string_view::npos || !reads(ends.substr(0, colon), varied.from) ||
-        !reads(ends.substr(colon + 1), varied.to))
-        return std::nullopt;
-    return varied;
+    return {key, number(ends.substr(0, colon)), number(ends.substr(colon + 1))};
 }
 
 Wanted wanted_from(std::string_view text) {
@@ -259,8 +265,7 @@ Wanted wanted_from(std::string_view text) {
     if (next() == "over") {
         if (!first || n + 2 >= words.size()) throw fault;
         wanted.of = *first;
-        wanted.over = interval_from(words[n + 1], words[n + 2]);
-        if (!wanted.over) throw fault;
+        wanted.over = interval_from(words[n + 1], words[n + 2], "over");
         n += 3;
     } else if (first) {
         throw fault;
@@ -375,8 +380,7 @@ std::vector<ConditionOfAmplitudes> conditions_of(std::string_view text, double d
 }
 
 std::string warning_of(const SceneSource& source, const Solution& solution) {
-    if (solution.regime.regime == Regime::permanent_sticking) return {};
-    const std::optional<SensitiveMode> mode = sensitive_mode(source);
+    const std::optional<SensitiveMode> mode = sensitive_mode(source, solution.regime.regime != Regime::continuous);
     if (!mode) return {};
     return "a unit in the last place of the frequency, of a mass or of a stiffness changes amplitudes by some " +
            number_in_digits(mode->change, 2) + " of themselves: mode " + std::to_string(mode->mode + 1) +

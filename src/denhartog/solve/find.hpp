@@ -42,8 +42,8 @@ struct Wanted {
 /// least`; InputError if it is no such sentence.
 [[nodiscard]] Wanted wanted_from(std::string_view text);
 
-/// @brief An interval of a number from the text `A:B`; none if that is not two numbers.
-[[nodiscard]] std::optional<VariedNumber> interval_from(std::string_view key, std::string_view ends);
+/// @brief An interval of a number from the text `A:B`; InputError, of the quantity, if that is not two numbers.
+[[nodiscard]] VariedNumber interval_from(const std::string& key, const std::string& ends, const std::string& quantity);
 
 /// @brief The kind of a place that was found.
 enum class PlaceIs : unsigned char {
@@ -110,7 +110,8 @@ struct ConditionOfAmplitudes {
                                                                Effort* effort = nullptr);
 
 /// @brief The warning that an answer depends on too much: the first mode that the load excites and whose amplitude a unit in the
-/// last place of R changes by more than a thousandth. A sentence without its full stop, or nothing.
+/// last place of R changes by more than a thousandth. Where the contact stops it is one that leaves it still: friction keeps the
+/// others from growing. A sentence without its full stop, or nothing.
 [[nodiscard]] std::string warning_of(const SceneSource& source, const Solution& solution);
 
 } // namespace denhartog

@@ -74,7 +74,7 @@ bool answer_by_contact(const PreparedSystem& p, const SolvePoint& at, const Ques
     return true;
 }
 
-// True where the boundaries tell that a motion that is not at rest has stops, seen or not.
+// True where a motion that turns twice in a period has stops, seen or not. One that turns more often the reference finds.
 bool must_stop(const SolveTask& task, const Solution& s) {
     return s.regime.regime == Regime::stick_slip && (task.scene.mu == 1 || every_motion_is_damped(*task.known.basis));
 }
@@ -139,7 +139,9 @@ Reasons cost_of_fast_mode(const ExactSolver& solver, const PeriodicOrbit& none) 
 Refusal none_from_rest(const SolveTask& task, Outcome outcome, const Reasons& why, const Solution& s) {
     if (task.sliding.outcome == Outcome::at_a_pole) return {Outcome::at_a_pole, task.sliding.why + why};
     if (is_exhausted(task.source->effort)) outcome = Outcome::budget_spent;
-    return {outcome, Why::none_from_rest + why + Why::certain + s.regime.reason};
+    Reasons all = Why::none_from_rest + why;
+    if (task.sliding.is_answered()) all += Why::certain; // else the boundaries are not known
+    return {outcome, all + s.regime.reason};
 }
 
 // The steady motion of a regime that the boundaries tell, where the one from rest is not known. A sliding motion is in `s`
@@ -241,8 +243,12 @@ Refusal answer(SolveTask& task, Solution& s) {
     }
     const bool follows = !task.sliding.is_answered() || (task.scene.mu > 1 && *task.scene.beta > 0);
     const bool sticks = s.regime.regime == Regime::stick_slip;
-    if (!follows && !(sticks && task.question.asked != Asked::regime)) return answer_by_regime(task, s);
-    if (Refusal none = answer_from_rest(task, s); !none.is_answered()) return none;
+    if (!follows && !sticks) return answer_by_regime(task, s);
+    if (Refusal none = answer_from_rest(task, s); !none.is_answered()) {
+        if (follows || task.question.asked != Asked::regime) return none;
+        task.found.open = true; // beyond the boundary the contact may turn more than twice in a period, and never stop
+        return answer_by_regime(task, s);
+    }
     const Why followed = s.not_from_rest.empty() ? Why::from_rest_followed : Why::from_rest_elsewhere;
     if (follows || task.scene.mu > 1 || !every_motion_is_damped(*task.known.basis)) s.method.why = followed + s.method.why;
     return {};

@@ -8,9 +8,9 @@
 ///  2. boundary, regime and closed form of all masses, or of the one that is asked about, see `sliding_solution`;
 ///  3. for a contact that rests the stuck response, see `set_stuck_response`;
 ///  4. the exact solver's periodic orbit.
-/// Each is in double, with the bounds of its numbers. The boundaries tell the regime where mu = 1. Where mu > 1 more than one
-/// motion may exist: the exact solver then follows the start from rest, and where that leads into the closed form or the stuck
-/// response these give the numbers.
+/// Each is in double, with the bounds of its numbers. The boundaries tell the regime where mu = 1, unless the motion beyond them
+/// never stops. Where mu > 1 more than one motion may exist: the exact solver then follows the start from rest, and where that
+/// leads into the closed form or the stuck response these give the numbers.
 ///
 /// The reference answers if a proof or 15 digits and more are asked for, or if double does not have the digits, the regime or the
 /// stability. If the reference has no proof, double answers if its regime is certain; else nothing does. Inside the library

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import threading
 from ctypes import byref, c_void_p
-from typing import Any, Callable, Optional, Union
+from typing import Any, Callable, Iterator, Optional, Union
 
 import numpy as np
 
@@ -67,14 +67,27 @@ def run(name: str, handles: tuple[c_void_p, ...], request: Any, result: Any, pro
         raise faults[0]
 
 
+def _entries(values: Any) -> Iterator[Any]:
+    """What nested lists consist of: an array of them all would turn booleans into numbers and lose masks."""
+    if isinstance(values, (list, tuple)):
+        for each in values:
+            yield from _entries(each)
+    else:
+        yield values
+
+
 def numbers(name: str, values: Any) -> np.ndarray:
     """An array of doubles, or an InputError that names the argument: complex numbers, dates, texts and booleans are none."""
-    if np.ma.is_masked(values):
-        raise InputError.of(name, "must have no masked entries", f"an array with {np.ma.count_masked(values)} of them")
+    entries = list(_entries(values))
+    masked = sum(int(np.ma.count_masked(each)) for each in entries if isinstance(each, np.ma.MaskedArray))
+    if masked > 0:
+        raise InputError.of(name, "must have no masked entries", f"an array with {masked} of them")
+    has_booleans = any(isinstance(each, bool) or getattr(each, "dtype", None) == np.bool_ for each in entries)
     no_numbers, reason = (str, bytes, bool, np.bool_, type(None)), None
     try:
         array = np.asarray(values)
-        if array.dtype.kind in "fiu" or array.dtype == object and not any(isinstance(each, no_numbers) for each in array.flat):
+        if not has_booleans and (array.dtype.kind in "fiu" or array.dtype == object and not any(
+                isinstance(each, no_numbers) for each in array.flat)):
             return array.astype(np.float64, copy=False)
     except (TypeError, ValueError) as fault:
         reason = fault

@@ -2,7 +2,9 @@
 from __future__ import annotations
 
 import re
+from decimal import Decimal
 from numbers import Real
+from operator import index
 
 _PARTS = re.compile(r"(?:(.*), but is )?(.*?)(?: \(at ([^()]*)\))?", re.S)  # QUANTITY RULE, but is VALUE (at PLACE)
 
@@ -43,10 +45,14 @@ class InputError(Error, ValueError):
 
 
 def whole(quantity: str, value: object, least: int, most: int, meaning: str = "") -> int:
-    """A whole number from `least`, whose `meaning` the error tells, to `most`."""
-    if not isinstance(value, Real) or isinstance(value, bool) or not least <= value <= most or value % 1 != 0:
-        raise InputError.of(quantity, f"must be a whole number from {least}{meaning} to {most}", repr(value))
-    return int(value)
+    """A whole number from `least`, whose `meaning` the error tells, to `most`; a boolean is none."""
+    try:
+        number = int(value) if isinstance(value, (Real, Decimal)) else index(value)
+        if not isinstance(value, bool) and number == value and least <= number <= most:
+            return number
+    except (TypeError, ValueError, OverflowError):
+        pass
+    raise InputError.of(quantity, f"must be a whole number from {least}{meaning} to {most}", repr(value))
 
 
 class DomainError(Error):

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from . import _batch, _library, _plots
 from ._batch import Report, like
-from ._errors import InputError
+from ._errors import InputError, whole
 from ._results import (REGIMES, Boundary, BoundaryNumbers, FreeDecay, FromGround, FunctionNumbers, Functions, History, Map, Motion,
                        Real, Solution, Solutions)
 
@@ -272,6 +272,7 @@ class System:
             Something is not proved, as where undamped masses may set the contact in motion for ever: give `until`.
         """
         start = self._start(x, x_prime)
+        until = None if until is None else _batch.number("until", until)
         if until is not None and not until > 0:
             raise InputError.of("until", "must be positive", until)
         request = _library.DecayRequest(r=_batch.number("r", r), beta=_batch.number("beta", beta), mu=self._static(mu),
@@ -317,9 +318,8 @@ class System:
         History
         """
         start = self._start(x, x_prime)
-        wanted = cycles if last is None else last
-        if not 1 <= wanted <= cycles or not 0 <= samples:
-            raise InputError.of("last", "must be from 1 to cycles, and samples not negative", (wanted, samples))
+        cycles, samples = whole("cycles", cycles, 1, 1_000_000), whole("samples", samples, 0, 10_000_000)
+        wanted = cycles if last is None else whole("last", last, 1, cycles)
         request = _library.HistoryRequest(r=_batch.number("r", r), beta=_batch.number("beta", beta), mu=self._static(mu),
                                           cycles=cycles, last=wanted, samples=samples, without_load=not load,
                                           **{name: each.ctypes.data for name, each in zip(("x", "x_prime"), start)})

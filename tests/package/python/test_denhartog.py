@@ -14,6 +14,7 @@ import tempfile
 import threading
 import unittest
 import warnings
+from decimal import Decimal
 
 import numpy as np
 
@@ -313,6 +314,9 @@ class InPython(unittest.TestCase):
             np.testing.assert_allclose(found.amplitude[at], one.amplitude, rtol=1e-8, atol=1e-12)
             np.testing.assert_allclose(found.phase[at], one.phase, rtol=0, atol=1e-8)
         np.testing.assert_array_equal(system.solve(r, 0.05, masses=2).amplitude.shape, (3, 1))
+        for digits in (8.0, np.int8(8), np.array(8), Decimal(8)):
+            self.assertEqual(system.solve(r, 0.05, digits=digits).amplitude.tolist(),
+                             system.solve(r, 0.05, digits=8).amplitude.tolist())
         self.assertEqual(system.solve([], 0.1).regime.shape, (0,))
 
     def test_many_systems_are_solved_as_each_by_itself(self):
@@ -418,6 +422,18 @@ class InPython(unittest.TestCase):
                 ("beta", "True", lambda: system.solve(1, True)),
                 ("r", "[None, 1]", lambda: system.boundary([None, 1])),
                 ("r", "an array with 1 of them", lambda: system.solve(np.ma.array([1, 2], mask=[0, 1]), 1)),
+                ("beta", "[True, 0.5]", lambda: system.solve(1, [True, .5])),
+                ("beta", "[array([ True]), [0.5]]", lambda: system.solve(1, [np.array([True]), [.5]])),
+                ("r", "an array with 2 of them", lambda: system.solve([np.ma.array([1, 2], mask=[0, 1]), (1, np.ma.masked)], 1)),
+                ("digits", "True", lambda: system.solve(1, 1, digits=True)),
+                ("digits", "array([6])", lambda: system.solve(1, 1, digits=np.array([6]))),
+                ("digits", "Decimal('6.5')", lambda: system.solve(1, 1, digits=Decimal("6.5"))),
+                ("digits", "nan", lambda: system.solve(1, 1, digits=math.nan)),
+                ("digits", "'6'", lambda: system.solve(1, 1, digits="6")),
+                ("until", "'3'", lambda: system.free_decay(.1, [1, 0, 0], until="3")),
+                ("cycles", "2.5", lambda: system.history(1, .1, 2.5)),
+                ("last", "4", lambda: system.history(1, .1, 3, last=4)),
+                ("samples", "-1", lambda: system.history(1, .1, 3, samples=-1)),
                 ("digits", "12.5", lambda: system.solve(1, 1, digits=12.5)),
                 ("digits", "6.5", lambda: system.solve(1.125, 0.1).energies(6.5)),
                 ("threads", "2.5", lambda: system.map([1], [1], threads=2.5)),

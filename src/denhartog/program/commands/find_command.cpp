@@ -65,11 +65,10 @@ std::string found_table(const Json& a) {
 }
 
 std::string found(const SceneText& part, const FindOptions& options, Effort* effort) {
-    const std::optional<VariedNumber> varied = interval_from(options.vary, options.between);
-    if (!varied) throw InputError("between", "must be A:B, two numbers", options.between);
-    const FoundPlaces places = find_places(part.text, *varied, wanted_from(options.so_that), options.samples,
+    const VariedNumber varied = interval_from(options.vary, options.between, "between");
+    const FoundPlaces places = find_places(part.text, varied, wanted_from(options.so_that), options.samples,
                                            options.damping == as_given ? 0 : largest_damping_tolerance, effort, part.line);
-    const Json answer = found_json(places, options, *varied);
+    const Json answer = found_json(places, options, varied);
     return options.json ? answer.dump() + "\n" : found_table(answer);
 }
 

@@ -39,10 +39,12 @@ constexpr double most_values = 10'000'000;
 
 // Equally spaced values from a text FROM:TO:COUNT, both ends included.
 std::vector<double> grid_values(const std::string& quantity, const std::string& text) {
-    if (std::ranges::count(text, ':') != 2) throw InputError(quantity, "must be FROM:TO:COUNT, three numbers", text);
+    const InputError fault_of_form(quantity, "must be FROM:TO:COUNT, three numbers", text);
+    if (std::ranges::count(text, ':') != 2) throw fault_of_form;
     const std::size_t first = text.find(':'), second = text.find(':', first + 1);
-    const auto number = [&quantity](const std::string& part) {
+    const auto number = [&](const std::string& part) {
         double x = 0;
+        if (part.empty()) throw fault_of_form;
         if (const NumberFault fault = number_from_text(part, x); fault != NumberFault::none)
             throw InputError(quantity, number_rule(fault), part);
         return x;

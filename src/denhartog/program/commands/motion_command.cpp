@@ -35,12 +35,12 @@ std::string sampled(const SceneText& part, const MotionOptions& options, Effort*
     const SampledClosedForm all =
         off_poles([&] { return sampled_closed_form(source, 0, samples, options.digits_of_motion, false); });
     const QuantitiesAnswer& found = all.found;
+    const Bounded<double>& limit = found.numbers.beta_lim;
     if (!found.numbers.X_j)
-        throw InputError(
-            "beta",
-            "must be below beta_lim = " + number_in_certain_digits(found.numbers.beta_lim.x, found.numbers.beta_lim.e) +
-                ", Eq. (69), for the motion to be known",
-            number_to_text(*scene.beta), "/beta");
+        throw InputError("beta",
+                         "must be below beta_lim = " + number_in_certain_digits(limit.x, limit.e, *scene.beta) +
+                             ", Eq. (69), for the motion to be known",
+                         number_to_text(*scene.beta), "/beta");
     if (found.method.proved) report("computed by the reference: " + in_words(found.method.why));
     return csv(motion_table(all.motion, units));
 }

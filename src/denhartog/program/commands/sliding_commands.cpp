@@ -67,7 +67,7 @@ struct BoundaryOptions : SceneOptions {
 constexpr const char* range_name = "--invariant-points";
 
 RangeInText range_from(const std::string& text) {
-    if (!interval_from("r", text)) throw InputError(range_name, "must be A:B, two numbers", text);
+    (void)interval_from("r", text, range_name);
     const std::size_t colon = text.find(':');
     return {text.substr(0, colon), text.substr(colon + 1)};
 }
@@ -112,7 +112,8 @@ std::string bound(const SceneText& part, const BoundaryOptions& options, Effort*
         answer["invariant_points"] =
             invariant_points_json(invariant_points(source, range_from(options.range), options.digits), write);
     if (options.json) return answer.dump() + "\n";
-    return boundary_table(answer) + dimensional_table(answer) +
+    const std::string unsure = found.digits_reached ? "" : method_in_words(answer.at("method")) + "\n";
+    return boundary_table(answer) + unsure + dimensional_table(answer) +
            (options.range.empty() ? "" : invariant_points_table(answer.at("invariant_points")));
 }
 
