@@ -111,6 +111,7 @@ TEST_CASE("a file is written whole or not at all", "[program][input]") {
 TEST_CASE("wrong usage has status 2 and one line", "[program][input]") {
     expect("2 {|respond|response --no-such-option|response --digits many|response --digits 0|response --digits 100001|"
            "motion --samples many|response one two} < unequal");
+    expect("2 motion --digits {0|16} < unequal ! digits must be from 1 to 15, but is {}");
 }
 
 TEST_CASE("help and version are everywhere", "[program]") {

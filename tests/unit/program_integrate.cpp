@@ -66,6 +66,14 @@ TEST_CASE("integrate starts where it is told to", "[program][paper-algorithm]") 
     )");
 }
 
+TEST_CASE("a load out of phase drives modes that only the reference knows to their digits", "[program][exact-solver][phases]") {
+    // Nearly nothing couples mass 1: its amplitude is 1/|1 - r^2 + 0.3 i r|.
+    expect(R"(
+        0 integrate --json --method exact < soft mode {"load": [1, 1], "load_phases": [0, 0.5], "r": 1.25}
+          = {"masses": {"0": {"amplitude": "~ 1.4792005232672776 1e-11"}}}
+    )");
+}
+
 TEST_CASE("samples are the last period as CSV, by both methods the same", "[program][paper-algorithm]") {
     std::vector<std::vector<std::string>> both;
     for (const std::string method : {"paper --absolute-tolerance 1e-10", "exact"}) {

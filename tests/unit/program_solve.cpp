@@ -220,7 +220,7 @@ TEST_CASE("solve tells of a contact between two masses by the one relative to th
         CHECK_FALSE(one["contact"].contains("amplitude"));
     }
     expect(R"(
-        0 solve < rubbing > contact: between masses 2 and 1, which slide on each other by 0.
+        0 {solve|response} < rubbing > contact: between masses 2 and 1, which slide on each other by 0.
         0 boundary --json --invariant-points 0.2:3 < rubbing
           = {"invariant_points": "# 2"}
     )");
