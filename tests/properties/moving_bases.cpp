@@ -1,5 +1,6 @@
 // Bases and walls that move, together or alone, against routes that know the equations of motion alone.
 #include <cmath>
+#include <tuple>
 
 #include "denhartog/answer/reference.hpp"
 #include "tests/properties/against_witness.hpp"
@@ -31,8 +32,9 @@ Absolute absolute_of(const HalfPeriodMotion<Real50>& w, Eigen::Index k, double b
         if (std::abs(x) > largest.amplitude) largest = {std::abs(x), tau + phi + (x < 0 ? pi<double>() : 0)};
     };
     for (Eigen::Index n = 0; n < steps; ++n) {
-        const auto [x0, v0] = at(n);
-        const auto [x1, v1] = at(n + 1);
+        double x0 = 0, v0 = 0, x1 = 0, v1 = 0; // Clang 14 takes no structured binding into a lambda
+        std::tie(x0, v0) = at(n);
+        std::tie(x1, v1) = at(n + 1);
         take(x0, h * static_cast<double>(n));
         if (v0 * v1 > 0) continue;
         double low = 0, high = 1;

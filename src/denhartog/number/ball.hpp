@@ -39,7 +39,7 @@ public:
     explicit Ball(double x) : Ball() { arb_set_d(a, x); }
     Ball(const Ball& b) : Ball() { arb_set(a, b.a); }
     Ball(Ball&& b) noexcept : Ball() { arb_swap(a, b.a); }
-    Ball& operator=(const Ball& b) {
+    Ball& operator=(const Ball& b) { // NOLINT(cert-oop54-cpp): arb_set of a number to itself does nothing
         arb_set(a, b.a);
         return *this;
     }
