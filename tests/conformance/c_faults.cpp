@@ -277,6 +277,7 @@ TEST_CASE("a motion from a start refuses what is wrong and has room for what is 
     CHECK(decays_with([](auto& q, auto&) { q.mu = 0.5; }) == DH_ERROR_INPUT);
     CHECK(decays_with([](auto& q, auto&) { q.until = -1; }) == DH_ERROR_INPUT);
     CHECK(decays_with([](auto& q, auto&) { q.until = no_number; }) == DH_ERROR_INPUT);
+    CHECK(dh_last_message() == std::string("until must be zero or positive, but is nan"));
     CHECK(decays_with([](auto& q, auto&) { q.x = &no_number; }) == DH_ERROR_INPUT);
     CHECK(decays_with([](auto& q, auto&) { q.size = 8; }) == DH_ERROR_SIZE);
     CHECK(decays_with([](auto&, auto& room) { room.room = 3; }) == DH_ERROR_SIZE);

@@ -293,6 +293,7 @@ TEST_CASE("bad usage is one line with quantity, rule and value, status 2, and le
         {"--filter '('", "filter must be a regular expression, but is ("},
         {"--filter nothing", "the selection must leave at least one vector, but is 0 of 6"},
         {"--need speed", "need must name quantities of the protocol, but is speed"},
+        {"--quantity amplitude --need amplitude,phase", "need must name quantities that are asked about, but is phase"},
         {"--format yaml", "format"},
         {"--no-such-option", "--no-such-option"},
         {"--vectors /no/such/folder", "vectors must be a folder with files *.jsonl, but is /no/such/folder"},

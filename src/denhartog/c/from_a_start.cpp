@@ -5,6 +5,7 @@
 
 #include "denhartog/answer/from_a_start.hpp"
 #include "denhartog/c/handles.hpp"
+#include "denhartog/number/number_text.hpp"
 
 using namespace denhartog;
 using namespace denhartog::c_interface;
@@ -68,7 +69,7 @@ int dh_free_decay(const dh_system* system, const dh_decay_request* request, dh_d
         need_struct(decay, "decay");
         const std::size_t N = masses_of(system);
         const SceneSource source = paid(point_of(system, request->r, request->beta, request->mu));
-        if (!(request->until >= 0)) throw InputError("until", "must not be negative", "");
+        if (!(request->until >= 0)) throw InputError("until", "must be zero or positive", number_to_text(request->until));
         const FreeDecay found = free_decay(source, start_of(request->x, request->x_prime, N),
                                            request->until > 0 ? std::optional(request->until) : std::nullopt);
         need_room(std::max(found.turns.size(), found.stops.size()), decay->room, "room");

@@ -8,8 +8,8 @@ namespace denhartog {
 namespace {
 
 // {n} is number n as it can be read again, {ni} a whole number, {n.d} one rounded to d digits, {n~} and {n~m} one to the digits
-// that are certain, number m being its error, and {n~m/k} to as many as tell it from number k; {n|..|..} chooses words by number n;
-// {t} is what somebody else said.
+// that are certain, number m being its error, and {n~m/k} to as many as tell it from number k; {n|..|..} chooses words by number
+// n; {t} is what somebody else said.
 std::string_view sentence(Why says) {
     using enum Why;
     struct Sentence {

@@ -322,6 +322,13 @@ std::string pipe_command(const ConformOptions& options, const std::string& line)
     return "printf '%s\\n' " + shell_text({"denhartog-conform 1", line}) + " | " + shell_text(options.command);
 }
 
+// A quantity that no question asks for would never be skipped.
+void require_asked(const std::vector<std::string>& needed, const std::vector<const Vector*>& chosen) {
+    for (const std::string& name : needed)
+        if (std::ranges::none_of(chosen, [&](const Vector* v) { return v->question.quantity == name; }))
+            throw InputError("need", "must name quantities that are asked about", name);
+}
+
 } // namespace
 
 void conform_repro(const ConformOptions& options, ExitStatus& status) {
@@ -357,6 +364,7 @@ void conform_run(const ConformOptions& options, ExitStatus& status) {
     require_quantities("need", options.needed);
     const std::vector<Vector> all = vectors_for(options);
     const std::vector<const Vector*> chosen = selected(options, all);
+    require_asked(options.needed, chosen);
     const std::optional<Verdicts> earlier = earlier_verdicts(options);
     Interruptible interruptible(interruption());
     ConformReport report{converse(options, chosen, [&](std::size_t done) { show_answered(done, chosen.size()); }), options};
@@ -379,6 +387,7 @@ void conform_grade(const ConformOptions& options, ExitStatus& status) {
                              return is_of_systems(v) && answers.contains(v.question.id);
                          });
     const std::vector<const Vector*> chosen = selected(choice, all);
+    require_asked(options.needed, chosen);
     const std::optional<Verdicts> earlier = earlier_verdicts(options);
     ConformReport report{{}, options};
     report.name = legible(options.answers);
